@@ -42,7 +42,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +69,7 @@ void parse_grid(const std::string& text, int largest, int& mx, int& my) {
   if (number.ec == std::errc() && number.ptr != end && *number.ptr == 'x')
     number = std::from_chars(number.ptr + 1, end, my);
   if (number.ec != std::errc() || number.ptr != end)
-    throw Error("--grid = " + printable(text) + ": must be one or two whole numbers, e.g. 10 or 10x20");
+    throw Error("--grid = " + io::printable(text) + ": must be one or two whole numbers, e.g. 10 or 10x20");
   require_count("--grid", mx, 1, largest);
   require_count("--grid", my, 1, largest);
 }
@@ -87,12 +87,12 @@ void refuse(std::initializer_list<Given> options, const char* reason) {
 }
 
 template <class Option> void read(const char* name, const std::string& word, std::optional<Option>& option) {
-  if (!word.empty()) option = from_word<Option>(name, word);
+  if (!word.empty()) option = io::from_word<Option>(name, word);
 }
 
 /// The method with what is given only.
 Method method_of(const BatchArguments& arguments) {
-  Method method{.theory = from_word<Theory>("--theory", arguments.theory)};
+  Method method{.theory = io::from_word<Theory>("--theory", arguments.theory)};
   const bool exact = method.theory == Theory::exact;
   if (exact)
     refuse({{"--bound", !arguments.bound.empty()},
@@ -107,8 +107,8 @@ Method method_of(const BatchArguments& arguments) {
   read("--discretisation", arguments.discretisation, method.discretisation);
   read("--elements", arguments.elements, method.elements);
   if (!arguments.coefficients.empty())
-    method.coefficients = from_word<CreepageTable>("--coefficients", arguments.coefficients);
-  method.precision = from_word<Precision>("--precision", arguments.precision);
+    method.coefficients = io::from_word<CreepageTable>("--coefficients", arguments.coefficients);
+  method.precision = io::from_word<Precision>("--precision", arguments.precision);
   if (arguments.tolerance)
     method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", smallest_tolerance, largest_tolerance);
   return method;
@@ -172,39 +172,39 @@ enum class BadRows {
 /// Parses chunks on several threads at a time.
 class RowParser {
 public:
-  RowParser(const ContactTableReader& reader, BadRows bad_rows) : reader_(reader), bad_rows_(bad_rows) {}
+  RowParser(const io::ContactTableReader& reader, BadRows bad_rows) : reader_(reader), bad_rows_(bad_rows) {}
 
-  TableRows parse(const TextChunk& chunk) {
-    TableRows rows = reader_.parse(chunk);
+  io::TableRows parse(const io::TextChunk& chunk) {
+    io::TableRows rows = reader_.parse(chunk);
     if (bad_rows_ == BadRows::stop && !rows.bad.empty()) throw Error(reader_.message(rows.bad.front()));
     if (!rows.bad.empty()) has_bad_ = true;
     if (!rows.implausible.empty()) remember(rows.implausible);
     if (bad_rows_ == BadRows::list && has_bad_) return {.bad = std::move(rows.bad)};
     return rows;
   }
-  const std::map<Warning, ImplausibleRows>& implausible() const { return implausible_; }
+  const std::map<Warning, io::ImplausibleRows>& implausible() const { return implausible_; }
 
 private:
-  void remember(const std::map<Warning, ImplausibleRows>& found) {
+  void remember(const std::map<Warning, io::ImplausibleRows>& found) {
     const std::lock_guard lock(implausible_mutex_);
     for (const auto& [warning, rows] : found) {
-      ImplausibleRows& all = implausible_[warning];
+      io::ImplausibleRows& all = implausible_[warning];
       if (all.count == 0 || rows.first.line < all.first.line) all.first = rows.first;
       all.count += rows.count;
     }
   }
 
-  const ContactTableReader& reader_;
+  const io::ContactTableReader& reader_;
   BadRows bad_rows_;
   std::atomic<bool> has_bad_ = false;
   std::mutex implausible_mutex_;
-  std::map<Warning, ImplausibleRows> implausible_;
+  std::map<Warning, io::ImplausibleRows> implausible_;
 };
 
 /// What a chunk of a table becomes.
 struct ChunkResult {
   std::string csv;
-  std::vector<BadRow> bad;
+  std::vector<io::BadRow> bad;
 };
 
 /// Solves chunks of a table by one batch. Results go to the places of the chunks; if `progress` ends the batch they
@@ -213,7 +213,7 @@ class TableSolver {
 public:
   virtual ~TableSolver() = default;
   virtual bool is_exact() const = 0;
-  virtual void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
+  virtual void solve(RowParser& parser, std::span<const io::TextChunk> chunks, std::span<ChunkResult> results,
                      const Progress& progress) = 0;
   std::size_t contacts() const { return contacts_; }
   std::size_t contacts_unsolved() const { return contacts_unsolved_; }
@@ -250,18 +250,18 @@ public:
   SimplifiedTableSolver(int threads, Solver solver) : threads_(threads), solver_(std::move(solver)) {}
   bool is_exact() const override { return false; }
 
-  void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
+  void solve(RowParser& parser, std::span<const io::TextChunk> chunks, std::span<ChunkResult> results,
              const Progress& progress) override {
     run_batch(chunks.size(), {.threads = threads_, .progress = progress}, [&]() -> BatchWorker {
       return [&, own = solver_](std::size_t i, std::size_t, const Progress& of_chunk) mutable {
-        TableRows rows = parser.parse(chunks[i]);
+        io::TableRows rows = parser.parse(chunks[i]);
         results[i] = {solve(rows, own, of_chunk), std::move(rows.bad)};
       };
     });
   }
 
 private:
-  std::string solve(const TableRows& rows, Solver& solver, const Progress& progress) {
+  std::string solve(const io::TableRows& rows, Solver& solver, const Progress& progress) {
     std::vector<ContactForces> forces(rows.contacts.size());
     // Few enough contacts at a time to see Ctrl-C and to move the bar also on the largest grids.
     const auto step = std::clamp<std::size_t>(1000000 / cells_of(solver), 1, 256);
@@ -271,7 +271,7 @@ private:
       solver.solve(std::span(rows.contacts).subspan(first, count), std::span(forces).subspan(first, count));
     }
     count(forces);
-    return result_rows(rows, forces);
+    return io::result_rows(rows, forces);
   }
 
   int threads_;
@@ -286,15 +286,15 @@ public:
   }
   bool is_exact() const override { return true; }
 
-  void solve(RowParser& parser, std::span<const TextChunk> chunks, std::span<ChunkResult> results,
+  void solve(RowParser& parser, std::span<const io::TextChunk> chunks, std::span<ChunkResult> results,
              const Progress& progress) override {
-    std::vector<TableRows> tables;
+    std::vector<io::TableRows> tables;
     std::vector<const EllipticContact*> rows;
-    for (const TextChunk& chunk : chunks) tables.push_back(parser.parse(chunk));
-    for (const TableRows& table : tables)
+    for (const io::TextChunk& chunk : chunks) tables.push_back(parser.parse(chunk));
+    for (const io::TableRows& table : tables)
       for (const EllipticContact& contact : table.contacts) rows.push_back(&contact);
     std::vector<ContactForces> forces(rows.size());
-    std::vector<Iteration> iterations(rows.size());
+    std::vector<io::Iteration> iterations(rows.size());
     const BatchOptions batch = {.threads = threads_, .progress = progress, .keep_errors = true};
     const auto report = run_batch(rows.size(), batch, [&]() -> BatchWorker {
       return [&, own = std::make_shared<EllipticContactSolver>(options_)](std::size_t i, std::size_t,
@@ -314,7 +314,7 @@ public:
     for (std::size_t c = 0; c < chunks.size(); first += tables[c].contacts.size(), ++c) {
       const std::size_t n = tables[c].contacts.size();
       results[c] = {
-          result_rows(tables[c], std::span(forces).subspan(first, n), std::span(iterations).subspan(first, n)),
+          io::result_rows(tables[c], std::span(forces).subspan(first, n), std::span(iterations).subspan(first, n)),
           std::move(tables[c].bad)};
     }
   }
@@ -329,7 +329,7 @@ private:
 /// Like every row of the table, but for what its columns say.
 RollingProblem any_contact(const BatchArguments& arguments) {
   RollingProblem any;
-  any.motion.direction = from_word<RollingDirection>("--direction", arguments.direction);
+  any.motion.direction = io::from_word<RollingDirection>("--direction", arguments.direction);
   return any;
 }
 
@@ -357,7 +357,7 @@ std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
   const int threads = arguments.threads;
   const RollingProblem any = any_contact(arguments);
   if (arguments.theory == "table") {
-    const CreepTableSource source = creep_table_source(creep_table_or_shipped(arguments.table));
+    const CreepTableSource source = io::creep_table_source(io::creep_table_or_shipped(arguments.table));
     return std::make_unique<SimplifiedTableSolver<CreepForceTable>>(threads,
                                                                     CreepForceTable(source, any.motion.direction));
   }
@@ -383,15 +383,15 @@ public:
     file_->write("line,error\n");
   }
 
-  void add(const BadRow& row) {
-    if (file_) file_->write(std::to_string(row.line) + "," + csv_field(row.reason) + "\n");
+  void add(const io::BadRow& row) {
+    if (file_) file_->write(std::to_string(row.line) + "," + io::csv_field(row.reason) + "\n");
   }
   void commit() {
     if (file_) file_->commit();
   }
 
 private:
-  std::optional<OutputFile> file_;
+  std::optional<io::OutputFile> file_;
 };
 
 /// Reads, solves and writes a table, a group of chunks at a time.
@@ -413,7 +413,7 @@ public:
 
   /// Returns whether every contact could be solved.
   bool run() {
-    output_.write(result_header(reader_.columns(), solver_->is_exact()));
+    output_.write(io::result_header(reader_.columns(), solver_->is_exact()));
     std::size_t begin = reader_.bytes_read();
     while (const auto count = read_group()) {
       const std::size_t end = reader_.bytes_read();
@@ -457,22 +457,22 @@ private:
 
   void write(const ChunkResult& result) {
     output_.write(result.csv);
-    for (const BadRow& row : result.bad) {
+    for (const io::BadRow& row : result.bad) {
       if (bad_count_++ == 0) first_bad_ = reader_.message(row);
       errors_.add(row);
     }
   }
 
   Input input_;
-  ContactTableReader reader_;
+  io::ContactTableReader reader_;
   BadRows bad_rows_;
   RowParser parser_;
-  OutputFile output_;
+  io::OutputFile output_;
   ErrorList errors_;
   std::unique_ptr<TableSolver> solver_; ///< made when the table's header and the output are known to be good
   double size_;
   ProgressBar bar_;
-  std::vector<TextChunk> chunks_;
+  std::vector<io::TextChunk> chunks_;
   std::vector<ChunkResult> results_;
   std::size_t bad_count_ = 0;
   std::string first_bad_, errors_file_;
@@ -494,7 +494,7 @@ void print_document(const BatchArguments& arguments, const Batch& work) {
 void check_files(const BatchArguments& arguments) {
   if (is_standard(arguments.output) && arguments.json) throw Error("--json needs a file for --output");
   for (const fs::path& file : {arguments.output, arguments.errors})
-    if (!is_standard(file)) require_other_file(file, input_file(arguments));
+    if (!is_standard(file)) io::require_other_file(file, input_file(arguments));
   if (arguments.errors == arguments.output) throw Error("--errors and --output must be different files");
 }
 
@@ -577,4 +577,4 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

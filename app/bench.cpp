@@ -23,7 +23,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 /// Does its work once and returns how many contacts that were. Throws Error if a result is none.
@@ -168,7 +168,7 @@ std::vector<BenchRow> bench_rows() {
   std::vector<BenchRow> rows;
   add_forces(rows, std::make_shared<Fastsim2>(), "FASTSIM2, 10 x 10, many at once", "FASTSIM2, one by one",
              "FASTSIM2, with derivatives");
-  const CreepTableNodes nodes = read_creep_table(shipped_creep_table());
+  const CreepTableNodes nodes = io::read_creep_table(io::shipped_creep_table());
   const auto table = std::make_shared<const CreepForceTable>(nodes, 0.28);
   add_forces(rows, table, "creep-force table, many at once", "creep-force table, one by one",
              "creep-force table, with derivatives");
@@ -225,14 +225,14 @@ void print_rows(const std::vector<BenchRow>& rows) {
   }
 }
 
-Json document_of(const std::vector<BenchRow>& rows) {
-  Json document = json_document("bench");
+io::Json document_of(const std::vector<BenchRow>& rows) {
+  io::Json document = json_document("bench");
   document["machine"] = machine();
-  document["rows"] = Json::array();
+  document["rows"] = io::Json::array();
   for (const BenchRow& row : rows) {
-    Json line = {{"name", row.name}, {"seconds", row.seconds}};
+    io::Json line = {{"name", row.name}, {"seconds", row.seconds}};
     if (const BenchRow* over = row_of(rows, row.over))
-      line.update(Json{{"over", row.over}, {"ratio", row.seconds / over->seconds}});
+      line.update(io::Json{{"over", row.over}, {"ratio", row.seconds / over->seconds}});
     if (row.limit > 0) line["limit"] = row.limit;
     document["rows"].push_back(line);
   }
@@ -265,4 +265,4 @@ void add_bench_command(CLI::App& program) {
   command->callback([json] { bench(*json); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip bench`, which prints what a contact costs on this machine.
 void add_bench_command(CLI::App& program);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -71,4 +71,4 @@ bool open_in_browser(const std::string& address) {
   return run_child({"xdg-open", address}, environment_variables(), stdout, stderr) == 0;
 }
 
-} // namespace microslip
+} // namespace microslip::app

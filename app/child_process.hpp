@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 
 /// This process's environment variables, NAME=VALUE.
 std::vector<std::string> environment_variables();
@@ -22,4 +22,4 @@ void end_child() noexcept;
 /// Opens an address in the user's browser; false if none could be started.
 bool open_in_browser(const std::string& address);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 std::string for_shell(const std::string& argument) {
@@ -28,4 +28,4 @@ std::string command_line() {
   return line;
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace microslip {
+namespace microslip::app {
 
 /// How this program was called, as a shell would take it: for results that can be traced.
 std::string command_line();
 
-} // namespace microslip
+} // namespace microslip::app

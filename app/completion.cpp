@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -279,7 +279,7 @@ void print_completion(const CLI::App& program, const std::string& word) {
   std::vector<std::string_view> names;
   names.reserve(shells.size());
   for (const auto& shell : shells) names.push_back(shell.name);
-  require_word("SHELL", word, names);
+  io::require_word("SHELL", word, names);
   const auto shell = std::find_if(shells.begin(), shells.end(), [&](const Shell& s) { return s.name == word; });
   fmt::print("{}", shell->script(program));
 }
@@ -297,4 +297,4 @@ void add_completion_command(CLI::App& program) {
   command->callback([&program, shell] { print_completion(program, *shell); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

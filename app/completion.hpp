@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip completion`, which prints a script that completes the program's commands and options in a shell.
 void add_completion_command(CLI::App& program);
 
-} // namespace microslip
+} // namespace microslip::app

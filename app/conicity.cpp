@@ -23,7 +23,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,7 +44,7 @@ struct ConicityArguments {
 /// At each of the gauges.
 struct ConicityResults {
   std::vector<double> amplitudes;
-  std::vector<ConicityResult> gauges;
+  std::vector<cases::ConicityResult> gauges;
   std::vector<std::string> warnings;
 };
 
@@ -53,7 +53,7 @@ class Profiles {
 public:
   explicit Profiles(const ConicityArguments& arguments) {
     const auto read = [&](const fs::path& path, const ProfileOptions& options, ProfileRole role) {
-      const PreparedProfile prepared = read_profile(path, file_options(options, role));
+      const PreparedProfile prepared = io::read_profile(path, file_options(options, role));
       for (const auto& warning : prepared.report.warnings) warnings_.push_back(path.string() + ": " + warning);
       return prepared.profile;
     };
@@ -76,12 +76,13 @@ private:
   std::vector<std::string> warnings_;
 };
 
-ConicityInput input_of(const ConicityArguments& arguments, double gauge, const std::vector<double>& amplitudes) {
-  ConicityInput input{.track = arguments.track,
-                      .wheelset = arguments.wheelset,
-                      .contact_distance = require_positive("--contact-distance", arguments.contact_distance, "m"),
-                      .roll = from_word<RollRule>("--roll", arguments.roll),
-                      .amplitudes = amplitudes};
+cases::ConicityInput input_of(const ConicityArguments& arguments, double gauge, const std::vector<double>& amplitudes) {
+  cases::ConicityInput input{.track = arguments.track,
+                             .wheelset = arguments.wheelset,
+                             .contact_distance =
+                                 require_positive("--contact-distance", arguments.contact_distance, "m"),
+                             .roll = io::from_word<RollRule>("--roll", arguments.roll),
+                             .amplitudes = amplitudes};
   input.track.gauge = gauge;
   if (!arguments.tape_circle.empty()) input.wheelset.tape_circle = arguments.tape_circle.front();
   if (!arguments.curve_radius.empty())
@@ -92,11 +93,11 @@ ConicityInput input_of(const ConicityArguments& arguments, double gauge, const s
 ConicityResults solve(const ConicityArguments& arguments, const Profiles& profiles) {
   ConicityResults result;
   const auto& range = arguments.amplitudes;
-  result.amplitudes = amplitude_range("--amplitudes", range[0], range[1], range[2]);
+  result.amplitudes = cases::amplitude_range("--amplitudes", range[0], range[1], range[2]);
   result.warnings = profiles.warnings();
   for (const double gauge : arguments.gauges) {
-    const ConicityInput input = input_of(arguments, require_positive("--gauge", gauge, "m"), result.amplitudes);
-    result.gauges.push_back(find_conicity(input, profiles.left(), profiles.right(), profiles.symmetric()));
+    const cases::ConicityInput input = input_of(arguments, require_positive("--gauge", gauge, "m"), result.amplitudes);
+    result.gauges.push_back(cases::find_conicity(input, profiles.left(), profiles.right(), profiles.symmetric()));
     for (std::size_t k = 0; k < result.amplitudes.size(); ++k)
       if (std::isnan(result.gauges.back().conicity[k])) {
         result.warnings.push_back(
@@ -131,7 +132,7 @@ void print_text(const ConicityArguments& arguments, const ConicityResults& resul
   if (!arguments.curve_radius.empty())
     row(
         fmt::format("radial steering index at {:.4g} mm", largest * 1e3),
-        [&](auto& one) { return *steering_index(input_of(arguments, one.gauge, result.amplitudes), one); }, "-");
+        [&](auto& one) { return *cases::steering_index(input_of(arguments, one.gauge, result.amplitudes), one); }, "-");
   table.print();
 }
 
@@ -142,24 +143,25 @@ void print_document(const ConicityArguments& arguments, const Profiles& profiles
   document["rail"] = arguments.rail.string();
   if (!arguments.right_wheel.empty()) document["right_wheel"] = arguments.right_wheel.string();
   if (!arguments.right_rail.empty()) document["right_rail"] = arguments.right_rail.string();
-  document["nominal_radius"] = json_number(arguments.wheelset.nominal_radius);
-  document["contact_distance"] = json_number(arguments.contact_distance);
+  document["nominal_radius"] = io::json_number(arguments.wheelset.nominal_radius);
+  document["contact_distance"] = io::json_number(arguments.contact_distance);
   document["roll_rule"] = arguments.roll;
-  const auto document_of = [&](const ConicityResult& one) {
-    return conicity_document(input_of(arguments, one.gauge, result.amplitudes), one, profiles.left(), profiles.right());
+  const auto document_of = [&](const cases::ConicityResult& one) {
+    return cases::conicity_document(input_of(arguments, one.gauge, result.amplitudes), one, profiles.left(),
+                                    profiles.right());
   };
   document.update(document_of(result.gauges.front()));
   if (result.gauges.size() > 1) {
-    document["gauges"] = Json::array();
+    document["gauges"] = io::Json::array();
     for (const auto& one : result.gauges) document["gauges"].push_back(document_of(one));
   }
-  document["units"] = conicity_units();
+  document["units"] = cases::conicity_units();
   document["warnings"] = result.warnings;
   document["files"] = files;
   print_json(document);
 }
 
-void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve& curve, const Profiles& profiles) {
+void write_curve(io::ResultFile& file, const std::string& group, const WheelsetCurve& curve, const Profiles& profiles) {
   const auto write = [&](const std::string& name, auto value, const char* unit, const char* what) {
     std::vector<double> values;
     for (const WheelsetContact& contact : curve) values.push_back(value(contact));
@@ -194,7 +196,7 @@ void write_curve(ResultFile& file, const std::string& group, const WheelsetCurve
 }
 
 /// The curve of a profile in its own axes, by points a quarter of a millimetre apart.
-void write_profile(ResultFile& file, const std::string& group, const Profile& profile) {
+void write_profile(io::ResultFile& file, const std::string& group, const Profile& profile) {
   std::vector<double> y, z;
   const int count = static_cast<int>(profile.length() / 0.25e-3) + 1;
   for (int k = 0; k <= count; ++k) {
@@ -217,13 +219,13 @@ std::string title_of(const ConicityArguments& arguments) {
 
 void write_result(const ConicityArguments& arguments, const Profiles& profiles, const ConicityResults& result,
                   const fs::path& path) {
-  create_folder(arguments.folder);
-  ResultFile file(path,
-                  {.kind = "conicity", .title = title_of(arguments), .command_line = command_line(), .case_file = ""});
+  io::create_folder(arguments.folder);
+  io::ResultFile file(
+      path, {.kind = "conicity", .title = title_of(arguments), .command_line = command_line(), .case_file = ""});
   file.array("amplitude", result.amplitudes, "m", "amplitudes of the lateral displacement");
   std::vector<double> gauges;
   for (std::size_t k = 0; k < result.gauges.size(); ++k) {
-    const ConicityResult& one = result.gauges[k];
+    const cases::ConicityResult& one = result.gauges[k];
     const std::string group = "gauge_" + std::to_string(k);
     gauges.push_back(one.gauge);
     file.array(group + "/conicity", one.conicity, "-", "equivalent conicity over the amplitudes");
@@ -244,7 +246,7 @@ void write_result(const ConicityArguments& arguments, const Profiles& profiles, 
 std::vector<std::string> write_files(const ConicityArguments& arguments, const Profiles& profiles,
                                      const ConicityResults& result) {
   if (arguments.folder.empty()) return {};
-  const auto path = arguments.folder / result_name;
+  const auto path = arguments.folder / io::result_name;
   write_result(arguments, profiles, result, path);
   std::vector<std::string> files{path.string()};
   if (arguments.no_pictures) return files;
@@ -255,7 +257,7 @@ std::vector<std::string> write_files(const ConicityArguments& arguments, const P
 }
 
 void run(const ConicityArguments& arguments) {
-  if (!arguments.folder.empty()) require_writable_file_in(arguments.folder, result_name);
+  if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
   const Profiles profiles(arguments);
   const auto result = solve(arguments, profiles);
   if (!arguments.json) print_text(arguments, result);
@@ -336,4 +338,4 @@ void add_conicity_command(CLI::App& program) {
   command->callback([arguments] { run(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

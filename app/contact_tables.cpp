@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 using contact_program::Case;
@@ -148,4 +148,4 @@ void print_solution(const Case& c, const Outcome& outcome) {
     print_contact(c, outcome, 'Y');
 }
 
-} // namespace microslip
+} // namespace microslip::app

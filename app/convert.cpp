@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,12 +34,12 @@ std::string plain(const std::string& text) {
 }
 
 void save(const fs::path& path, const std::string& text) {
-  OutputFile file(path);
+  io::OutputFile file(path);
   file.write(text);
   file.commit();
 }
 
-void print_document(const ConvertArguments& arguments, const Json& written, const Json& refused) {
+void print_document(const ConvertArguments& arguments, const io::Json& written, const io::Json& refused) {
   auto document = json_document("convert");
   document["input"] = arguments.input.string();
   document["files"] = written;
@@ -54,9 +54,9 @@ int convert(const ConvertArguments& arguments) {
   std::ifstream input(arguments.input, std::ios::binary);
   if (!input) throw Error(arguments.input.string() + ": cannot be read: " + std::generic_category().message(errno));
   contact_program::InputReader reader(input, arguments.input.string());
-  create_folder(arguments.folder);
+  io::create_folder(arguments.folder);
   const std::string name = arguments.input.stem().string();
-  auto written = Json::array(), refused = Json::array();
+  auto written = io::Json::array(), refused = io::Json::array();
   while (const contact_program::Case* c = reader.next()) {
     InterruptGuard::throw_if_interrupted();
     try {
@@ -92,4 +92,4 @@ void add_convert_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = convert(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace microslip {
+namespace microslip::app {
 
 /// How the program ends.
 struct ExitCode {
@@ -20,4 +20,4 @@ inline constexpr ExitCodeMeaning exit_code_meanings[] = {
     {ExitCode::interrupted, "interrupted by Ctrl-C or SIGTERM; no file is left half-written"},
 };
 
-} // namespace microslip
+} // namespace microslip::app

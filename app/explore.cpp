@@ -21,7 +21,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,35 +33,35 @@ struct ExploreArguments {
 };
 
 /// The profiles that a case names, by the names that it gives them.
-Json profiles_of(const std::string& text, const fs::path& file) {
-  const toml::table table = parse_toml(text, file.string());
-  Json files = Json::object();
-  for (const std::string_view section : profile_sections)
+io::Json profiles_of(const std::string& text, const fs::path& file) {
+  const toml::table table = io::parse_toml(text, file.string());
+  io::Json files = io::Json::object();
+  for (const std::string_view section : io::profile_sections)
     if (const auto name = table[section]["profile"].value<std::string>())
-      files[*name] = read_profile_text(file.parent_path() / *name);
+      files[*name] = io::read_profile_text(file.parent_path() / *name);
   return files;
 }
 
 /// A case with its profiles; Error where the reader refuses it.
-Json start_of_case(const fs::path& file) {
-  const std::string text = read_case_text(file), name = file.string();
-  if (is_wheelset_case(text, name))
+io::Json start_of_case(const fs::path& file) {
+  const std::string text = io::read_case_text(file), name = file.string();
+  if (io::is_wheelset_case(text, name))
     throw Error(name + ": the explorer has one wheel on its rail: wheel.side = \"left\" or \"right\"");
-  if (!is_wheel_rail_case(text, name)) {
-    (void)parse_case(text, name);
+  if (!io::is_wheel_rail_case(text, name)) {
+    (void)io::parse_case(text, name);
     return {{"case", text}};
   }
-  (void)parse_wheel_rail_case(text, name);
+  (void)io::parse_wheel_rail_case(text, name);
   return {{"case", text}, {"files", profiles_of(text, file)}};
 }
 
 /// A case, or profiles.
-Json start_of(const std::vector<fs::path>& files) {
+io::Json start_of(const std::vector<fs::path>& files) {
   if (files.size() == 1 && files[0].extension() == ".toml") return start_of_case(files[0]);
-  Json profiles = Json::object();
+  io::Json profiles = io::Json::object();
   for (const fs::path& file : files) {
-    (void)read_profile(file);
-    profiles[file.filename().string()] = read_profile_text(file);
+    (void)io::read_profile(file);
+    profiles[file.filename().string()] = io::read_profile_text(file);
   }
   return {{"files", profiles}};
 }
@@ -79,24 +79,24 @@ std::string file_address(const fs::path& file) {
 }
 
 /// A page that leads to the explorer's with what it starts with in the link, which is too long for a command line.
-std::string leading_page(const std::string& page, const Json& start) {
-  std::string json = Json(json_text(start)).dump(); // as a text of JavaScript, which ends no script element
+std::string leading_page(const std::string& page, const io::Json& start) {
+  std::string json = io::Json(io::json_text(start)).dump(); // as a text of JavaScript, which ends no script element
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
   return fmt::format("<!doctype html><meta charset=\"utf-8\"><title>microslip explorer</title><script>\n"
                      "const bytes = new TextEncoder().encode({});\n"
                      "let text = \"\";\n"
                      "for (const byte of bytes) text += String.fromCharCode(byte);\n"
                      "location.replace({} + \"#case.\" + btoa(text));\n</script>\n",
-                     json, Json(page).dump());
+                     json, io::Json(page).dump());
 }
 
 void explore(const ExploreArguments& arguments) {
-  const fs::path page = explorer_page();
+  const fs::path page = io::explorer_page();
   if (!fs::exists(page)) throw Error(page.string() + ": the explorer's page is not there; tools/explorer builds it");
   std::string address = file_address(page);
   if (!arguments.files.empty()) {
-    OutputFile file(arguments.page);
-    const Json start = start_of(arguments.files);
+    io::OutputFile file(arguments.page);
+    const io::Json start = start_of(arguments.files);
     file.write(leading_page(address, start));
     file.commit();
     address = file_address(arguments.page);
@@ -127,4 +127,4 @@ void add_explore_command(CLI::App& program) {
   command->callback([arguments] { explore(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

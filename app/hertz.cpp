@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 struct HertzArguments {
@@ -26,7 +26,7 @@ struct HertzArguments {
 };
 
 struct HertzResult {
-  BodyInput body1, body2;
+  io::BodyInput body1, body2;
   HertzContact contact;
 };
 
@@ -55,11 +55,11 @@ void require_options(const HertzArguments& arguments) {
 }
 
 HertzResult solve_case(const std::filesystem::path& path) {
-  const auto input = parse_case(read_case_text(path), path.string());
-  return {input.body1, input.body2, hertz_contact(input)};
+  const auto input = io::parse_case(io::read_case_text(path), path.string());
+  return {input.body1, input.body2, io::hertz_contact(input)};
 }
 
-BodyInput body(const HertzArguments& arguments, std::size_t number) {
+io::BodyInput body(const HertzArguments& arguments, std::size_t number) {
   return {arguments.rolling_radius[number], arguments.transverse_radius[number], material(arguments, number)};
 }
 
@@ -68,8 +68,8 @@ HertzResult solve(const HertzArguments& arguments) {
     throw Error("hertz needs either CASE.toml or options, not both");
   if (!arguments.case_file.empty()) return solve_case(arguments.case_file);
   require_options(arguments);
-  const BodyInput body1 = body(arguments, 0), body2 = body(arguments, 1);
-  const auto gap = gap_curvatures(principal_radii(body1, body2));
+  const io::BodyInput body1 = body(arguments, 0), body2 = body(arguments, 1);
+  const auto gap = gap_curvatures(io::principal_radii(body1, body2));
   const auto combined = combine(body1.material, body2.material);
   return {body1, body2,
           arguments.approach.empty() ? hertz_from_load(gap, combined, arguments.normal_force[0])
@@ -80,16 +80,16 @@ void print_document(const HertzArguments& arguments, const HertzResult& result,
                     const std::vector<std::string>& warnings) {
   auto document = json_document("hertz");
   document["case_file"] = arguments.case_file.string();
-  auto units = Json::object();
-  const auto add = [&](const std::vector<StoredNumber>& quantities) {
+  auto units = io::Json::object();
+  const auto add = [&](const std::vector<cases::StoredNumber>& quantities) {
     for (const auto& quantity : quantities) {
-      document[Json::json_pointer("/" + quantity.path)] = json_number(quantity.value);
+      document[io::Json::json_pointer("/" + quantity.path)] = io::json_number(quantity.value);
       units[quantity.path] = quantity.unit;
     }
   };
-  add(body_quantities(result.body1, 1));
-  add(body_quantities(result.body2, 2));
-  add(hertz_quantities(result.contact));
+  add(cases::body_quantities(result.body1, 1));
+  add(cases::body_quantities(result.body2, 2));
+  add(cases::hertz_quantities(result.contact));
   document["units"] = units;
   document["warnings"] = warnings;
   print_json(document);
@@ -97,7 +97,7 @@ void print_document(const HertzArguments& arguments, const HertzResult& result,
 
 void hertz(const HertzArguments& arguments) {
   const auto result = solve(arguments);
-  const auto warnings = contact_warnings(result.contact, principal_radii(result.body1, result.body2),
+  const auto warnings = contact_warnings(result.contact, io::principal_radii(result.body1, result.body2),
                                          combine(result.body1.material, result.body2.material))
                             .texts;
   print_warnings(arguments.case_file.empty() ? "hertz" : arguments.case_file.string(), warnings);
@@ -157,4 +157,4 @@ void add_hertz_command(CLI::App& program) {
   command->callback([arguments] { hertz(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip hertz`.
 void add_hertz_command(CLI::App& program);
@@ -19,4 +19,4 @@ void add_hertz(QuantityTable& table, const HertzContact& hertz);
 /// To standard error; `of` is what they are about.
 void print_warnings(const std::string& of, const std::vector<std::string>& warnings);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ std::string_view text_of(std::string_view name) {
 }
 
 void write(const fs::path& path, std::string_view text) {
-  OutputFile file(path);
+  io::OutputFile file(path);
   file.write(text);
   file.commit();
   fmt::print("{}\n", path.string());
@@ -69,8 +69,8 @@ bool has_text(const fs::path& path, std::string_view text) {
 void init(const InitArguments& arguments) {
   const auto known = example_names();
   if (std::find(known.begin(), known.end(), arguments.example) == known.end())
-    throw Error("--example = \"" + arguments.example + "\": must be " + listed(known, "or") +
-                suggestion(arguments.example, known));
+    throw Error("--example = \"" + arguments.example + "\": must be " + io::listed(known, "or") +
+                io::suggestion(arguments.example, known));
   const std::string_view text = text_of(arguments.example + std::string(case_ending));
   std::vector<std::string_view> needed;
   add_needed(text, needed);
@@ -81,7 +81,7 @@ void init(const InitArguments& arguments) {
   if (!arguments.force)
     for (const auto name : needed) require_free(folder / name);
   for (const auto name : needed) {
-    if (const fs::path path = folder / name; path.has_parent_path()) create_folder(path.parent_path());
+    if (const fs::path path = folder / name; path.has_parent_path()) io::create_folder(path.parent_path());
     write(folder / name, text_of(name));
   }
   write(arguments.file, text);
@@ -116,4 +116,4 @@ void add_init_command(CLI::App& program) {
   command->callback([arguments] { init(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

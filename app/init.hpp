@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Names of the case files that `microslip init` writes, first that by default.
 std::vector<std::string_view> example_names();
@@ -13,4 +13,4 @@ std::vector<std::string_view> example_names();
 /// Adds `microslip init`.
 void add_init_command(CLI::App& program);
 
-} // namespace microslip
+} // namespace microslip::app

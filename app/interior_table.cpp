@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 
 void print_interior(const std::string& where, const InteriorGrid& points, const std::vector<InteriorState>& states) {
   if (states.empty()) return;
@@ -18,4 +18,4 @@ void print_interior(const std::string& where, const InteriorGrid& points, const 
   table.print();
 }
 
-} // namespace microslip
+} // namespace microslip::app

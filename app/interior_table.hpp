@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Prints the extremes of the stresses at points inside the bodies after an empty line; nothing without states.
 void print_interior(const std::string& where, const InteriorGrid& points, const std::vector<InteriorState>& states);
 
-} // namespace microslip
+} // namespace microslip::app

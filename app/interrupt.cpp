@@ -11,7 +11,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 constexpr timeval patience = {.tv_sec = 0, .tv_usec = 150000};
@@ -24,7 +24,7 @@ struct sigaction old_interrupt, old_termination, old_alarm;
 /// Calls only what a signal handler may call.
 [[noreturn]] void end_at_once(int) {
   constexpr std::string_view message = "microslip: interrupted\n";
-  remove_temporary_files();
+  io::remove_temporary_files();
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(ExitCode::interrupted);
 }
@@ -73,4 +73,4 @@ void InterruptGuard::throw_if_interrupted() {
   if (interrupted()) throw Interrupted();
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Ctrl-C, or a request to end: work stops where it can leave nothing half-written.
 class Interrupted : public std::runtime_error {
@@ -24,4 +24,4 @@ public:
   static void throw_if_interrupted();
 };
 
-} // namespace microslip
+} // namespace microslip::app

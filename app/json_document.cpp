@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 
 void add_json_flag(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print one JSON document in place of the text");
 }
 
-Json json_document(const std::string& kind) {
+io::Json json_document(const std::string& kind) {
   const auto build = build_info();
   return {{"kind", kind},
           {"version", build.version},
@@ -23,9 +23,9 @@ Json json_document(const std::string& kind) {
           {"command_line", command_line()}};
 }
 
-void print_json(const Json& document) {
-  fmt::print("{}", json_text(document));
+void print_json(const io::Json& document) {
+  fmt::print("{}", io::json_text(document));
   std::fflush(stdout);
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -6,15 +6,15 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds the flag --json to a command: one JSON document on standard output in place of what people read.
 void add_json_flag(CLI::App& command, bool& json);
 
 /// The beginning of a command's document: `kind`, this program's `version`, `commit`, `compiler` and `build_type`, and
 /// `command_line`.
-Json json_document(const std::string& kind);
+io::Json json_document(const std::string& kind);
 /// Prints it.
-void print_json(const Json& document);
+void print_json(const io::Json& document);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -9,7 +9,7 @@
 #include <sys/utsname.h>
 #endif
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 std::string processor() {
@@ -36,4 +36,4 @@ std::string machine() {
   return fmt::format("{}, {} threads, {}", processor(), std::thread::hardware_concurrency(), operating_system());
 }
 
-} // namespace microslip
+} // namespace microslip::app

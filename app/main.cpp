@@ -33,7 +33,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 constexpr const char* output_lost = "standard output cannot be written";
@@ -101,11 +101,12 @@ int run(std::vector<std::string> arguments) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::app
 
 int main(int count, char** arguments) {
   using namespace microslip;
-  leave_hdf5_at_exit();
+  using namespace microslip::app;
+  io::leave_hdf5_at_exit();
   const InterruptGuard guard;
   try {
     const int exit_code = run(program_arguments(count, arguments));

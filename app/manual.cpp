@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 /// Text as roff takes it, with the characters that a reader may copy as they are.
@@ -128,4 +128,4 @@ void add_manual_command(CLI::App& program) {
   command->callback([&program] { fmt::print("{}", manual(program)); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -1,6 +1,6 @@
 #include "app/option_text.hpp"
 
-namespace microslip {
+namespace microslip::app {
 
 bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
@@ -50,4 +50,4 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   return description(*option);
 }
 
-} // namespace microslip
+} // namespace microslip::app

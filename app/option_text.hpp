@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace microslip {
+namespace microslip::app {
 
 /// The words of an option as its type name shows them, e.g. "parabolic|elliptic".
 template <class Option> std::string choices() {
-  return fmt::format("{}", fmt::join(option_words<Option>(), "|"));
+  return fmt::format("{}", fmt::join(io::option_words<Option>(), "|"));
 }
 
 /// What help, man page and shell completion say of an option. The type name of an option, or the name of an argument
@@ -38,4 +38,4 @@ public:
   std::string make_option_desc(const CLI::Option* option) const override;
 };
 
-} // namespace microslip
+} // namespace microslip::app

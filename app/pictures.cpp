@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ std::string python() {
 /// This program's environment, with the package's folder first where Python looks.
 std::vector<std::string> environment_with_package() {
   const std::string key = "PYTHONPATH=";
-  auto path = key + python_folder().string();
+  auto path = key + io::python_folder().string();
   std::vector<std::string> variables = {"PYTHONDONTWRITEBYTECODE=1"};
   for (auto& text : environment_variables())
     if (text.starts_with(key))
@@ -84,7 +84,7 @@ std::string problem(const std::string& file, int code, const std::vector<std::st
   if (code < 0) return who + "cannot be started: " + std::generic_category().message(-code) + remedy;
   if (messages.empty()) return who + "ended with code " + std::to_string(code);
   if (messages.back().find("No module named 'microslip") != std::string::npos)
-    return "pictures are missing: so is the folder of what draws them, " + python_folder().string();
+    return "pictures are missing: so is the folder of what draws them, " + io::python_folder().string();
   const bool lacks_module = messages.back().find("No module named") != std::string::npos;
   return who + "says \"" + messages.back() + "\"" + (lacks_module ? remedy : "");
 }
@@ -104,4 +104,4 @@ Pictures draw_pictures(const fs::path& result_file, const fs::path& folder) {
   return draw_pictures({result_file.string(), "-o", folder.string()});
 }
 
-} // namespace microslip
+} // namespace microslip::app

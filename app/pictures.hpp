@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Pictures of a result file.
 struct Pictures {
@@ -18,4 +18,4 @@ Pictures draw_pictures(const std::filesystem::path& result_file, const std::file
 /// The same with any arguments of microslip.plot, the file's name first.
 Pictures draw_pictures(const std::vector<std::string>& arguments);
 
-} // namespace microslip
+} // namespace microslip::app

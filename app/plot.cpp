@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 struct PlotArguments {
@@ -48,7 +48,7 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
 
 int plot(const PlotArguments& arguments) {
   const std::filesystem::path folder = arguments.folder, beside = std::filesystem::path(arguments.result).parent_path();
-  require_writable_folder(folder.empty() ? beside : folder);
+  io::require_writable_folder(folder.empty() ? beside : folder);
   const auto pictures = draw_pictures(python_arguments(arguments));
   if (!arguments.json)
     for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
@@ -105,4 +105,4 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -25,7 +25,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,12 +39,12 @@ struct ProfileArguments {
   bool no_pictures = false, json = false;
 };
 
-ProfileFindings find(const ProfileArguments& arguments) {
+cases::ProfileFindings find(const ProfileArguments& arguments) {
   std::optional<ProfileRole> role;
-  if (!arguments.role.empty()) role = from_word<ProfileRole>("--role", arguments.role);
-  ProfileMeasures measures{.gauge_height = arguments.gauge_height};
+  if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
+  cases::ProfileMeasures measures{.gauge_height = arguments.gauge_height};
   if (!arguments.tape_line.empty()) measures.tape_line = arguments.tape_line.front();
-  return find_dimensions(read_profile(arguments.file, file_options(arguments.options, role)), measures);
+  return cases::find_dimensions(io::read_profile(arguments.file, file_options(arguments.options, role)), measures);
 }
 
 // The table
@@ -53,7 +53,7 @@ void add_length(QuantityTable& table, const std::string& name, const std::option
   length ? table.add(name, *length * 1e3, "mm") : table.add(name, std::vector<std::string>{"not reached"});
 }
 
-void add_dimensions(QuantityTable& table, const ProfileFindings& findings) {
+void add_dimensions(QuantityTable& table, const cases::ProfileFindings& findings) {
   if (findings.wheel) {
     table.add("y of the tape line", findings.wheel->tape_line * 1e3, "mm");
     add_length(table, "flange height Sh", findings.wheel->flange_height);
@@ -71,7 +71,7 @@ void add_dimensions(QuantityTable& table, const ProfileFindings& findings) {
   }
 }
 
-void print_table(const ProfileFindings& findings) {
+void print_table(const cases::ProfileFindings& findings) {
   const auto& profile = findings.prepared.profile;
   const auto& report = findings.prepared.report;
   QuantityTable table(fmt::format("{}, {}", to_string(profile.role()), report.format));
@@ -99,7 +99,7 @@ std::vector<std::string> kink_lines(const std::vector<ProfileKink>& kinks) {
   return lines;
 }
 
-void print_text(const ProfileFindings& findings) {
+void print_text(const cases::ProfileFindings& findings) {
   const auto& report = findings.prepared.report;
   if (!report.comment.empty()) fmt::print("{}\n\n", report.comment);
   print_table(findings);
@@ -110,43 +110,43 @@ void print_text(const ProfileFindings& findings) {
 
 // The document
 
-void print_document(const ProfileArguments& arguments, const ProfileFindings& findings,
+void print_document(const ProfileArguments& arguments, const cases::ProfileFindings& findings,
                     const std::vector<std::string>& files) {
   auto document = json_document("profile");
   document["input"] = arguments.file.string();
-  document.update(profile_document(findings));
+  document.update(cases::profile_document(findings));
   document["files"] = files;
   print_json(document);
 }
 
 // Files
 
-void write_result(const ProfileArguments& arguments, const ProfileFindings& findings, const fs::path& path) {
-  create_folder(arguments.folder);
-  ResultFile file(path, {.kind = "profile",
-                         .title = arguments.file.filename().string(),
-                         .command_line = command_line(),
-                         .case_file = arguments.file.string()});
-  write_result(findings, file);
+void write_result(const ProfileArguments& arguments, const cases::ProfileFindings& findings, const fs::path& path) {
+  io::create_folder(arguments.folder);
+  io::ResultFile file(path, {.kind = "profile",
+                             .title = arguments.file.filename().string(),
+                             .command_line = command_line(),
+                             .case_file = arguments.file.string()});
+  cases::write_result(findings, file);
   file.commit();
   InterruptGuard::throw_if_interrupted();
 }
 
 void convert(const ProfileArguments& arguments, const PreparedProfile& prepared) {
-  const auto format = format_of_ending(arguments.converted, prepared.profile.role());
-  OutputFile file(arguments.converted);
-  file.write(profile_text(prepared, format));
+  const auto format = io::format_of_ending(arguments.converted, prepared.profile.role());
+  io::OutputFile file(arguments.converted);
+  file.write(io::profile_text(prepared, format));
   file.commit();
 }
 
-std::vector<std::string> write_files(const ProfileArguments& arguments, const ProfileFindings& findings) {
+std::vector<std::string> write_files(const ProfileArguments& arguments, const cases::ProfileFindings& findings) {
   std::vector<std::string> files;
   if (!arguments.converted.empty()) {
     convert(arguments, findings.prepared);
     files.push_back(arguments.converted.string());
   }
   if (arguments.folder.empty()) return files;
-  const auto path = arguments.folder / result_name;
+  const auto path = arguments.folder / io::result_name;
   write_result(arguments, findings, path);
   files.push_back(path.string());
   if (arguments.no_pictures) return files;
@@ -161,17 +161,17 @@ void run_slices(const ProfileArguments& arguments) {
   if (!arguments.folder.empty() || !arguments.converted.empty())
     throw Error(arguments.file.string() + ": --output and --convert need the file of one profile, not of slices");
   std::optional<ProfileRole> role;
-  if (!arguments.role.empty()) role = from_word<ProfileRole>("--role", arguments.role);
+  if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
   show_slices(arguments.file, file_options(arguments.options, role), arguments.json);
 }
 
 void run(const ProfileArguments& arguments) {
-  if (names_slices(arguments.file)) return run_slices(arguments);
+  if (io::names_slices(arguments.file)) return run_slices(arguments);
   if (!arguments.converted.empty()) {
-    require_other_file(arguments.converted, arguments.file);
-    require_writable_file(arguments.converted);
+    io::require_other_file(arguments.converted, arguments.file);
+    io::require_writable_file(arguments.converted);
   }
-  if (!arguments.folder.empty()) require_writable_file_in(arguments.folder, result_name);
+  if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
   const auto findings = find(arguments);
   if (!arguments.json) print_text(findings);
   const auto files = write_files(arguments, findings);
@@ -219,4 +219,4 @@ void add_profile_command(CLI::App& program) {
   command->callback([arguments] { run(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

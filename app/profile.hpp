@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip profile`, which reads, checks, draws and converts the profile of a wheel or rail.
 void add_profile_command(CLI::App& program);
 
-} // namespace microslip
+} // namespace microslip::app

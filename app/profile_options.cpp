@@ -4,7 +4,7 @@
 #include "io/length_unit.hpp"
 #include "microslip/error.hpp"
 
-namespace microslip {
+namespace microslip::app {
 
 void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
   options.prefix = "--" + prefix;
@@ -12,26 +12,26 @@ void add_profile_options(CLI::App& command, ProfileOptions& options, const std::
     return command.add_option(options.prefix + name, value, what)->type_name(type);
   };
   add("format", options.format, "grammar of " + of + "; default: by its first lines and its name",
-      choices<ProfileFormat>());
+      choices<io::ProfileFormat>());
   add("unit", options.unit, "unit of length in " + of + "; default: what it says, else by its width", "mm|m|in");
   add("scale", options.scale, "factor by which the profile is enlarged", "FACTOR");
   add("y-axis", options.y_axis, "side to which y runs in " + of + "; default: by its format or the flange",
-      choices<LateralSense>());
+      choices<io::LateralSense>());
   add("z-axis", options.z_axis, "where z is positive in " + of + "; default: by its format or the shape",
-      choices<VerticalSense>());
+      choices<io::VerticalSense>());
   add("section", options.section, "which profile of several in a MiniProf .mpt file, from 1", "N");
   add("trim", options.trim, "drop the ends with y outside Y1 to Y2 [m]", "Y1 Y2")->expected(2);
   add("smoothing-length", options.smoothing_length, "wavelength [m] of which smoothing leaves half; 0: none", "LENGTH");
 }
 
-ProfileFileOptions file_options(const ProfileOptions& options, std::optional<ProfileRole> role) {
+io::ProfileFileOptions file_options(const ProfileOptions& options, std::optional<ProfileRole> role) {
   const auto name = [&](const char* option) { return options.prefix + option; };
-  ProfileFileOptions result;
+  io::ProfileFileOptions result;
   result.role = role;
-  if (!options.format.empty()) result.format = from_word<ProfileFormat>(name("format"), options.format);
-  if (!options.unit.empty()) result.unit = length_of_unit(name("unit"), options.unit);
-  if (!options.y_axis.empty()) result.y_axis = from_word<LateralSense>(name("y-axis"), options.y_axis);
-  if (!options.z_axis.empty()) result.z_axis = from_word<VerticalSense>(name("z-axis"), options.z_axis);
+  if (!options.format.empty()) result.format = io::from_word<io::ProfileFormat>(name("format"), options.format);
+  if (!options.unit.empty()) result.unit = io::length_of_unit(name("unit"), options.unit);
+  if (!options.y_axis.empty()) result.y_axis = io::from_word<io::LateralSense>(name("y-axis"), options.y_axis);
+  if (!options.z_axis.empty()) result.z_axis = io::from_word<io::VerticalSense>(name("z-axis"), options.z_axis);
   result.scale = require_positive(name("scale"), options.scale, "-");
   result.section = require_count(name("section"), options.section, 1, 10000);
   if (options.trim.size() == 2) {
@@ -42,4 +42,4 @@ ProfileFileOptions file_options(const ProfileOptions& options, std::optional<Pro
   return result;
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// The options that say of a profile's file what it does not say itself, as they are given.
 struct ProfileOptions {
@@ -25,6 +25,6 @@ void add_profile_options(CLI::App& command, ProfileOptions& options, const std::
                          const std::string& of = "the file");
 
 /// Throws Error that names the option.
-ProfileFileOptions file_options(const ProfileOptions& options, std::optional<ProfileRole> role);
+io::ProfileFileOptions file_options(const ProfileOptions& options, std::optional<ProfileRole> role);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ struct Along {
   const char* unit;
 };
 
-Along along(const SlicesFile& file) {
+Along along(const io::SlicesFile& file) {
   return file.role == ProfileRole::wheel ? Along{180 / std::numbers::pi, "deg"} : Along{1, "mm"};
 }
 
@@ -36,8 +36,8 @@ double top_of(const Profile& profile) {
   return top;
 }
 
-void print_table(const SlicedProfile& sliced) {
-  const SlicesFile& file = sliced.file;
+void print_table(const io::SlicedProfile& sliced) {
+  const io::SlicesFile& file = sliced.file;
   const auto [scale, unit] = along(file);
   const bool through = file.method == SliceMethod::interpolating;
   QuantityTable table(fmt::format("{} of {} slices, {}", to_string(file.role), file.slices.size(),
@@ -52,7 +52,7 @@ void print_table(const SlicedProfile& sliced) {
   table.print();
 }
 
-void print_slices(const SlicedProfile& sliced) {
+void print_slices(const io::SlicedProfile& sliced) {
   const auto [scale, unit] = along(sliced.file);
   fmt::print("\n{:>14} {:>7} {:>12} {:>12}  file\n", fmt::format("at [{}]", unit), "points", "length [mm]", "top [mm]");
   for (std::size_t k = 0; k < sliced.slices.size(); ++k) {
@@ -64,7 +64,7 @@ void print_slices(const SlicedProfile& sliced) {
 }
 
 /// What slices have in common is said once.
-std::vector<std::string> warnings_of(const SlicedProfile& sliced) {
+std::vector<std::string> warnings_of(const io::SlicedProfile& sliced) {
   struct Warning {
     std::string text, first;
     int count;
@@ -85,8 +85,8 @@ std::vector<std::string> warnings_of(const SlicedProfile& sliced) {
   return lines;
 }
 
-void print_document(const fs::path& path, const SlicedProfile& sliced) {
-  const SlicesFile& file = sliced.file;
+void print_document(const fs::path& path, const io::SlicedProfile& sliced) {
+  const io::SlicesFile& file = sliced.file;
   const double mm = file.role == ProfileRole::wheel ? 1 : 1e-3;
   auto document = json_document("sliced_profile");
   document["input"] = path.string();
@@ -94,20 +94,20 @@ void print_document(const fs::path& path, const SlicedProfile& sliced) {
   document["method"] = file.method == SliceMethod::interpolating ? "interpolating" : "approximating";
   document["features"] = file.features();
   document["lines"] = sliced.surface.last_v() + 1;
-  document["least_y"] = json_number(sliced.surface.least_y());
-  document["greatest_y"] = json_number(sliced.surface.greatest_y());
-  auto slices = Json::array(), waves = Json::array();
+  document["least_y"] = io::json_number(sliced.surface.least_y());
+  document["greatest_y"] = io::json_number(sliced.surface.greatest_y());
+  auto slices = io::Json::array(), waves = io::Json::array();
   for (std::size_t k = 0; k < sliced.slices.size(); ++k)
-    slices.push_back({{"u", json_number(mm * file.slices[k].u)},
+    slices.push_back({{"u", io::json_number(mm * file.slices[k].u)},
                       {"file", file.slices[k].file},
                       {"points", sliced.slices[k].points.size()},
-                      {"length", json_number(sliced.slices[k].profile.length())},
-                      {"top", json_number(top_of(sliced.slices[k].profile))},
+                      {"length", io::json_number(sliced.slices[k].profile.length())},
+                      {"top", io::json_number(top_of(sliced.slices[k].profile))},
                       {"warnings", sliced.slices[k].report.warnings}});
   for (const ProfileWave& wave : file.waves)
-    waves.push_back({{"amplitude", json_number(1e-3 * wave.amplitude)},
-                     {"wavenumber", json_number(wave.wavenumber / mm)},
-                     {"phase", json_number(wave.phase)}});
+    waves.push_back({{"amplitude", io::json_number(1e-3 * wave.amplitude)},
+                     {"wavenumber", io::json_number(wave.wavenumber / mm)},
+                     {"phase", io::json_number(wave.phase)}});
   document["slices"] = slices;
   document["waves"] = waves;
   document["warnings"] = file.warnings;
@@ -125,12 +125,12 @@ void print_document(const fs::path& path, const SlicedProfile& sliced) {
 
 } // namespace
 
-void show_slices(const fs::path& file, const ProfileFileOptions& options, bool json) {
-  const SlicedProfile sliced = read_sliced_profile(file, options);
+void show_slices(const fs::path& file, const io::ProfileFileOptions& options, bool json) {
+  const io::SlicedProfile sliced = io::read_sliced_profile(file, options);
   if (json) return print_document(file, sliced);
   print_table(sliced);
   print_slices(sliced);
   print_warnings(file.string(), warnings_of(sliced));
 }
 
-} // namespace microslip
+} // namespace microslip::app

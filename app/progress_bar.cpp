@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 constexpr int width = 40;
@@ -48,4 +48,4 @@ void ProgressBar::update(double fraction) {
   std::fflush(stderr);
 }
 
-} // namespace microslip
+} // namespace microslip::app

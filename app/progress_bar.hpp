@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace microslip {
+namespace microslip::app {
 
 /// A bar with the time left on standard error, if that is a terminal; nothing otherwise. Erases itself at the end.
 class ProgressBar {
@@ -28,4 +28,4 @@ private:
   Clock::time_point start_, drawn_;
 };
 
-} // namespace microslip
+} // namespace microslip::app

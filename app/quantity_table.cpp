@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 /// From which magnitude on a number is printed in a unit.
@@ -121,4 +121,4 @@ void QuantityTable::print() const {
   }
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 
 /// What a printed table calls a quantity: a shift has shifts and work where rolling has creepages and power.
 std::string label_of(const Quantity& quantity, const ContactSolution& solution);
@@ -60,4 +60,4 @@ private:
   std::vector<Noise> noise_;
 };
 
-} // namespace microslip
+} // namespace microslip::app

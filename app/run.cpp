@@ -36,7 +36,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,7 +136,7 @@ public:
 
 private:
   static fs::path output_path(const RunArguments& arguments) {
-    create_folder(arguments.folder);
+    io::create_folder(arguments.folder);
     return arguments.folder / (arguments.input.stem().string() + ".h5");
   }
 
@@ -220,15 +220,15 @@ private:
                  n.name + " [" + n.unit + "]", n.program, n.own, n.own - n.program);
   }
 
-  static Json comparison_json(int number, const contact_program::OwnComparison& own) {
-    Json numbers = Json::array();
+  static io::Json comparison_json(int number, const contact_program::OwnComparison& own) {
+    io::Json numbers = io::Json::array();
     for (const auto& n : own.numbers)
       numbers.push_back({{"name", n.name},
                          {"unit", n.unit},
                          {"patch", n.patch},
-                         {"contact", json_number(n.program)},
-                         {"accurate", json_number(n.own)},
-                         {"difference", json_number(n.own - n.program)}});
+                         {"contact", io::json_number(n.program)},
+                         {"accurate", io::json_number(n.own)},
+                         {"difference", io::json_number(n.own - n.program)}});
     return {{"case", number},
             {"status", own.status},
             {"patches", own.own_patches},
@@ -244,7 +244,7 @@ private:
       failures_.push_back({{"case", c.number},
                            {"line", c.line},
                            {"status", std::string(to_string(outcome.solution.status))},
-                           {"residual", json_number(outcome.solution.tangential.residual)},
+                           {"residual", io::json_number(outcome.solution.tangential.residual)},
                            {"notes", outcome.notes}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
     keep_extremes(c.number, outcome);
@@ -255,11 +255,11 @@ private:
   void keep_extremes(int number, const Outcome& outcome) {
     int block = 0;
     for (const auto& [points, states] : outcome.interior)
-      extremes_.push_back({{"case", number}, {"block", ++block}, {"extremes", extremes_json(points, states)}});
+      extremes_.push_back({{"case", number}, {"block", ++block}, {"extremes", cases::extremes_json(points, states)}});
   }
 
   void print_document() const {
-    auto document = result_json(output_);
+    auto document = io::result_json(output_);
     document["cases_not_run"] = refusals_;
     document["cases_not_solved"] = failures_;
     name_codes(document);
@@ -274,20 +274,20 @@ private:
   }
 
   /// Words in place of the numbers that the result file has.
-  static void name_codes(Json& document) {
+  static void name_codes(io::Json& document) {
     constexpr const char* outcomes[] = {"solved", "skipped", "refused"};
-    const auto name_status = [](Json& status) {
+    const auto name_status = [](io::Json& status) {
       status = std::string(to_string(static_cast<Status>(status.get<int>())));
     };
-    Json& cases = document["cases"];
-    for (Json& outcome : cases["outcome"]) outcome = outcomes[outcome.get<int>()];
+    io::Json& cases = document["cases"];
+    for (io::Json& outcome : cases["outcome"]) outcome = outcomes[outcome.get<int>()];
     for (std::size_t k = 0; k < cases["status"].size(); ++k)
       if (cases["outcome"][k] == outcomes[0])
         name_status(cases["status"][k]);
       else
-        cases["status"][k] = Json();
+        cases["status"][k] = io::Json();
     if (document.contains("wheels"))
-      for (Json& status : document["wheels"]["status"]) name_status(status);
+      for (io::Json& status : document["wheels"]["status"]) name_status(status);
   }
 
   /// Names the cases: 3, 5 to 9.
@@ -332,7 +332,7 @@ private:
   /// Beside the result file, numbered as CONTACT does.
   void write_text(const Case& c, const std::string& ending, const std::string& text) {
     auto name = output_;
-    OutputFile file(name.replace_extension(fmt::format(".{:04}{}", c.number, ending)));
+    io::OutputFile file(name.replace_extension(fmt::format(".{:04}{}", c.number, ending)));
     file.write(text);
     file.commit();
     if (json_) files_.push_back(name.string());
@@ -343,7 +343,7 @@ private:
   int count_;
   fs::path output_;
   contact_program::RunFile file_;
-  std::optional<OutputFile> out_; ///< in CONTACT's own layout
+  std::optional<io::OutputFile> out_; ///< in CONTACT's own layout
   ProgressBar bar_;
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
   contact_program::Run run_;
@@ -360,7 +360,8 @@ private:
   std::vector<int> refused_, unsolved_;                  ///< numbers of cases
   std::map<std::string, std::vector<int>> not_compared_; ///< of the accurate level
   // Of the document:
-  Json refusals_ = Json::array(), failures_ = Json::array(), extremes_ = Json::array(), comparisons_ = Json::array();
+  io::Json refusals_ = io::Json::array(), failures_ = io::Json::array(), extremes_ = io::Json::array(),
+           comparisons_ = io::Json::array();
   std::vector<std::string> files_ = {output_.string()};
 };
 
@@ -396,4 +397,4 @@ void add_run_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip run`, which runs the cases of an input file of the program CONTACT and sets `exit_code` to 1 unless
 /// all of them are solved.
 void add_run_command(CLI::App& program, int& exit_code);
 
-} // namespace microslip
+} // namespace microslip::app

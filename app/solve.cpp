@@ -29,7 +29,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,8 +48,8 @@ std::string percent(double part, double whole) {
   return fmt::format("{:.1f} %", 100 * part / whole);
 }
 
-void print_hertz(const RollingCase& input, const RollingContactResult& result) {
-  const auto assumption = hertz_assumption(input);
+void print_hertz(const io::RollingCase& input, const cases::RollingContactResult& result) {
+  const auto assumption = cases::hertz_assumption(input);
   QuantityTable table(assumption.empty() ? "Hertz" : fmt::format("Hertz, {}", assumption));
   table.add("normal force", result.contact.normal_force, "N");
   add_hertz(table, result.hertz);
@@ -57,7 +57,7 @@ void print_hertz(const RollingCase& input, const RollingContactResult& result) {
 }
 
 /// Forces, moments and areas that are rounding errors are zeros.
-void round_to_zero(QuantityTable& table, const RollingContactResult& result) {
+void round_to_zero(QuantityTable& table, const cases::RollingContactResult& result) {
   const EllipticContact& contact = result.contact;
   const double length = std::sqrt(contact.a * contact.b);
   const double limit = contact.friction.static_coefficient() * contact.normal_force;
@@ -67,22 +67,22 @@ void round_to_zero(QuantityTable& table, const RollingContactResult& result) {
   for (const auto* unit : {"mu Fn", "mu Fn sqrt(a b)"}) table.round_to_zero(unit, 1);
 }
 
-std::string describe_simplified(const RollingCase& input) {
+std::string describe_simplified(const io::RollingCase& input) {
   const auto& options = input.options;
-  return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", simplified_name(input), options.mx, options.my,
-                     to_word(options.bound), to_word(options.flexibility));
+  return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", cases::simplified_name(input), options.mx,
+                     options.my, io::to_word(options.bound), io::to_word(options.flexibility));
 }
 
-std::string describe_exact(const RollingCase& input, int mx, int my) {
+std::string describe_exact(const io::RollingCase& input, int mx, int my) {
   const auto& [kind, force_x, force_y, step, steps] = input.motion;
   const auto motion = kind == ContactMotion::shift ? std::string("shift")
                       : kind == ContactMotion::transient
                           ? fmt::format("transient rolling, {} steps", steps)
-                          : fmt::format("steady rolling, {}", to_word(input.discretisation));
+                          : fmt::format("steady rolling, {}", io::to_word(input.discretisation));
   return fmt::format("exact theory, {} x {} elements, {}", mx, my, motion);
 }
 
-void print_simplified(const RollingCase& input, const RollingContactResult& result) {
+void print_simplified(const io::RollingCase& input, const cases::RollingContactResult& result) {
   const auto& simplified = *result.simplified;
   const ContactSolution& solution = simplified.solution;
   const Totals& t = solution.totals;
@@ -102,7 +102,8 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
   table.add("discretisation error of mz", simplified.discretisation_error.mz, "mu Fn sqrt(a b)");
   table.add("discretisation error of power", simplified.discretisation_error.frictional_power, "W");
   table.add("status", {std::string(to_string(solution.report.status))});
-  if (const auto assumption = simplified_assumption(input); !assumption.empty()) table.add("assumes", {assumption});
+  if (const auto assumption = cases::simplified_assumption(input); !assumption.empty())
+    table.add("assumes", {assumption});
   table.print();
 }
 
@@ -110,17 +111,17 @@ void print_simplified(const RollingCase& input, const RollingContactResult& resu
 struct TheoryColumn {
   std::string name;
   const ContactSolution* solution;
-  DiscretisationError discretisation_error = {}; ///< NaN where there was nothing to compare with
+  cases::DiscretisationError discretisation_error = {}; ///< NaN where there was nothing to compare with
 };
 
 /// The theory that the case asks for and, where it is there, the simplified one beside it.
-std::vector<TheoryColumn> theory_columns(const RollingCase& input, const RollingContactResult& result) {
+std::vector<TheoryColumn> theory_columns(const io::RollingCase& input, const cases::RollingContactResult& result) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<TheoryColumn> columns;
   if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->discretisation_error});
   if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none, none}});
   if (const auto& simplified = result.simplified)
-    columns.push_back({simplified_name(input), &simplified->solution, simplified->discretisation_error});
+    columns.push_back({cases::simplified_name(input), &simplified->solution, simplified->discretisation_error});
   return columns;
 }
 
@@ -150,7 +151,7 @@ public:
   }
 
   /// An error that `value` takes from the grid errors.
-  void add_error(const std::string& name, const std::string& unit, double DiscretisationError::*value) {
+  void add_error(const std::string& name, const std::string& unit, double cases::DiscretisationError::*value) {
     std::vector<std::string> texts;
     for (const TheoryColumn& column : columns_) texts.push_back(error_text(column.discretisation_error.*value));
     table_.add(name, texts, unit);
@@ -187,20 +188,20 @@ void add_totals(SideBySide& rows, const EllipticContact& contact) {
     rows.add("mz", "mu Fn sqrt(a b)", [&](const Totals& t) { return t.mz / moment; });
   }
   for (const auto* name : {"adhesion_area", "slip_area", "frictional_power"}) rows.add(name);
-  rows.add_error("discretisation error of fx", "mu Fn", &DiscretisationError::fx);
-  rows.add_error("discretisation error of fy", "mu Fn", &DiscretisationError::fy);
-  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &DiscretisationError::mz);
+  rows.add_error("discretisation error of fx", "mu Fn", &cases::DiscretisationError::fx);
+  rows.add_error("discretisation error of fy", "mu Fn", &cases::DiscretisationError::fy);
+  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &cases::DiscretisationError::mz);
   rows.add_error("discretisation error of power", rows.unit_of("frictional_power"),
-                 &DiscretisationError::frictional_power);
+                 &cases::DiscretisationError::frictional_power);
 }
 
 /// What the simplified theory, or a table, lets aside.
-void add_assumption(QuantityTable& table, const RollingCase& input, const std::string& of) {
-  const auto assumption = simplified_assumption(input);
+void add_assumption(QuantityTable& table, const io::RollingCase& input, const std::string& of) {
+  const auto assumption = cases::simplified_assumption(input);
   if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});
 }
 
-void add_limit(QuantityTable& table, const AccurateContact& limit, const RollingCase& input) {
+void add_limit(QuantityTable& table, const AccurateContact& limit, const io::RollingCase& input) {
   table.add("limit of fx", limit.forces.fx, "N");
   table.add("limit of fy", limit.forces.fy, "N");
   table.add("limit of mz", limit.forces.mz, "N m");
@@ -209,7 +210,7 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const Rolling
   table.add("estimated error of the limits", limit.error, "mu Fn");
 }
 
-void print_exact(const RollingCase& input, const RollingContactResult& result) {
+void print_exact(const io::RollingCase& input, const cases::RollingContactResult& result) {
   const auto& contact = result.exact->contact;
   const auto columns = theory_columns(input, result);
   const auto& limit = result.exact->limit;
@@ -228,7 +229,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   if (input.motion.force_y) add_found("creepage_lateral");
   table.add_quantity("power_by_creepage", contact);
   table.add_quantity("elastic_energy", contact);
-  if (!bodies_of(input).are_elastic()) table.add_quantity("my", contact);
+  if (!io::bodies_of(input).are_elastic()) table.add_quantity("my", contact);
   table.add_quantity("peak_pressure", contact);
   table.add_quantity("peak_traction", contact);
   if (!contact.fields.temperature1.empty()) table.add_quantity("highest_temperature", contact);
@@ -241,7 +242,7 @@ void print_exact(const RollingCase& input, const RollingContactResult& result) {
   table.print();
 }
 
-void print_table(const RollingCase& input, const RollingContactResult& result) {
+void print_table(const io::RollingCase& input, const cases::RollingContactResult& result) {
   const auto columns = theory_columns(input, result);
   QuantityTable table("creep-force table, steady rolling", names_of(columns));
   round_to_zero(table, result);
@@ -256,7 +257,7 @@ void print_table(const RollingCase& input, const RollingContactResult& result) {
 
 template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
   ProgressBar bar(name);
-  auto result = solve_case(input, [&](double fraction) {
+  auto result = cases::solve_case(input, [&](double fraction) {
     bar.update(fraction);
     InterruptGuard::throw_if_interrupted();
     return true;
@@ -266,8 +267,8 @@ template <class Input> auto solve_with_progress(const Input& input, const std::s
 }
 
 template <class Input>
-Provenance provenance_of(const SolveArguments& arguments, const Input& input, const std::string& case_text) {
-  return {.kind = kind_of(input),
+io::Provenance provenance_of(const SolveArguments& arguments, const Input& input, const std::string& case_text) {
+  return {.kind = cases::kind_of(input),
           .title = input.title,
           .command_line = command_line(),
           .case_file = arguments.case_file.string(),
@@ -275,14 +276,16 @@ Provenance provenance_of(const SolveArguments& arguments, const Input& input, co
 }
 
 template <class Input, class Result>
-void write(const SolveArguments& arguments, const Input& input, const Result& result, const Provenance& provenance,
+void write(const SolveArguments& arguments, const Input& input, const Result& result, const io::Provenance& provenance,
            const fs::path& file) {
-  create_folder(arguments.folder);
-  write_result(input, result, provenance, file);
+  io::create_folder(arguments.folder);
+  cases::write_result(input, result, provenance, file);
   InterruptGuard::throw_if_interrupted();
 }
 
-void print_tables(const RollingCase& input, const RollingContactResult& result) {
+using app::print_tables; // of wheels on rails
+
+void print_tables(const io::RollingCase& input, const cases::RollingContactResult& result) {
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
   print_hertz(input, result);
   fmt::print("\n");
@@ -302,9 +305,9 @@ void print_file(const fs::path& file) {
 }
 
 template <class Input, class Result>
-void print_document(const Input& input, const Result& result, const Provenance& provenance, const fs::path& file,
+void print_document(const Input& input, const Result& result, const io::Provenance& provenance, const fs::path& file,
                     std::vector<std::string> pictures) {
-  Json document = case_document(input, result, provenance);
+  io::Json document = cases::case_document(input, result, provenance);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
   print_json(document);
@@ -332,11 +335,11 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
 }
 
 template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
-  require_writable_file_in(arguments.folder, result_name);
+  io::require_writable_file_in(arguments.folder, io::result_name);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input, result);
-  const auto file = arguments.folder / result_name;
-  const Provenance provenance = provenance_of(arguments, input, text);
+  const auto file = arguments.folder / io::result_name;
+  const io::Provenance provenance = provenance_of(arguments, input, text);
   write(arguments, input, result, provenance, file);
   if (!arguments.json) print_file(file);
   const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw(file, arguments.folder);
@@ -353,11 +356,11 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
 
 int solve(SolveArguments arguments) {
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
-  const auto text = read_case_text(arguments.case_file);
+  const auto text = io::read_case_text(arguments.case_file);
   const auto name = arguments.case_file.string();
-  if (is_wheelset_case(text, name)) return solve(arguments, parse_wheelset_case(text, name), text);
-  if (is_wheel_rail_case(text, name)) return solve(arguments, parse_wheel_rail_case(text, name), text);
-  return solve(arguments, parse_case(text, name), text);
+  if (io::is_wheelset_case(text, name)) return solve(arguments, io::parse_wheelset_case(text, name), text);
+  if (io::is_wheel_rail_case(text, name)) return solve(arguments, io::parse_wheel_rail_case(text, name), text);
+  return solve(arguments, io::parse_case(text, name), text);
 }
 
 } // namespace
@@ -389,4 +392,4 @@ void add_solve_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

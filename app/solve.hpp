@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// Adds `microslip solve`, which sets `exit_code` to 1 if the result is not one.
 void add_solve_command(CLI::App& program, int& exit_code);
 
-} // namespace microslip
+} // namespace microslip::app

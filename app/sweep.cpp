@@ -23,7 +23,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,25 +31,25 @@ namespace fs = std::filesystem;
 struct SweepArguments {
   fs::path spec, output;
   /// Of many ranks each has its processors given by the launcher.
-  int threads = has_launcher() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int threads = campaign::has_launcher() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;
 };
 
 /// One run of the command on one of the ranks.
 class SweepRun {
 public:
-  SweepRun(const SweepArguments& arguments, Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}
+  SweepRun(const SweepArguments& arguments, campaign::Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}
 
   int run() {
-    ranks_.agree([&] { require_other_file(arguments_.output, arguments_.spec); });
-    ranks_.agree([&] { sweep_.emplace(read_case_text(arguments_.spec), arguments_.spec.string()); });
+    ranks_.agree([&] { io::require_other_file(arguments_.output, arguments_.spec); });
+    ranks_.agree([&] { sweep_.emplace(io::read_case_text(arguments_.spec), arguments_.spec.string()); });
     ranks_.agree([&] {
       if (!ranks_.is_first()) return; // before the checkpoint's folder is made
-      require_writable_file_in(arguments_.output.parent_path(), arguments_.output.filename());
-      (void)find_sweep(*sweep_, arguments_.output);
+      io::require_writable_file_in(arguments_.output.parent_path(), arguments_.output.filename());
+      (void)campaign::find_sweep(*sweep_, arguments_.output);
     });
-    const CampaignPlan plan = sweep_->plan();
-    Campaign campaign(checkpoint_of(arguments_.output), plan, ranks_);
+    const campaign::CampaignPlan plan = sweep_->plan();
+    campaign::Campaign campaign(campaign::checkpoint_of(arguments_.output), plan, ranks_);
     if (!is_complete(campaign)) {
       kept_ = campaign.kept_cases();
       compute(campaign);
@@ -72,11 +72,11 @@ private:
   }
 
   /// Whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
-  bool is_complete(Campaign& campaign) {
+  bool is_complete(campaign::Campaign& campaign) {
     bool is_there = false;
     ranks_.agree([&] {
       if (!ranks_.is_first()) return;
-      const auto found = find_sweep(*sweep_, arguments_.output);
+      const auto found = campaign::find_sweep(*sweep_, arguments_.output);
       if (!found) return;
       is_there = true;
       count_ = *found;
@@ -86,7 +86,7 @@ private:
     return !ranks_.from_first(is_there ? "yes" : "").empty();
   }
 
-  void compute(Campaign& campaign) {
+  void compute(campaign::Campaign& campaign) {
     const double kept = static_cast<double>(kept_) / static_cast<double>(campaign.plan().count);
     ProgressBar bar(arguments_.spec.filename().string(), kept);
     const bool complete = campaign.run({.threads = arguments_.threads,
@@ -99,15 +99,15 @@ private:
     if (!complete) throw Interrupted();
   }
 
-  void write(Campaign& campaign) {
-    const Provenance provenance = {.kind = sweep_kind,
-                                   .title = sweep_->spec().title(),
-                                   .command_line = command_line(),
-                                   .case_file = arguments_.spec.string(),
-                                   .case_text = sweep_->spec().text()};
-    if (arguments_.output.has_parent_path()) create_folder(arguments_.output.parent_path());
+  void write(campaign::Campaign& campaign) {
+    const io::Provenance provenance = {.kind = campaign::sweep_kind,
+                                       .title = sweep_->spec().title(),
+                                       .command_line = command_line(),
+                                       .case_file = arguments_.spec.string(),
+                                       .case_text = sweep_->spec().text()};
+    if (arguments_.output.has_parent_path()) io::create_folder(arguments_.output.parent_path());
     ProgressBar bar(arguments_.output.filename().string());
-    count_ = write_sweep(*sweep_, campaign, provenance, arguments_.output, [&](double fraction) {
+    count_ = campaign::write_sweep(*sweep_, campaign, provenance, arguments_.output, [&](double fraction) {
       bar.update(fraction);
       return may_go_on(fraction);
     });
@@ -128,7 +128,7 @@ private:
   }
 
   void print_document() const {
-    Json document = json_document(sweep_kind);
+    io::Json document = json_document(campaign::sweep_kind);
     document["cases"] = count_.cases;
     document["cases_from_checkpoint"] = kept_;
     document["cases_failed"] = count_.failed;
@@ -138,15 +138,15 @@ private:
   }
 
   const SweepArguments& arguments_;
-  Ranks& ranks_;
-  std::optional<Sweep> sweep_;
+  campaign::Ranks& ranks_;
+  std::optional<campaign::Sweep> sweep_;
   std::size_t kept_ = 0;
-  SweepCount count_;
+  campaign::SweepCount count_;
 };
 
 int sweep(const SweepArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
-  const auto ranks = launched_ranks();
+  const auto ranks = campaign::launched_ranks();
   try {
     return SweepRun(arguments, *ranks).run();
   } catch (const Error&) { // the same on all ranks
@@ -187,4 +187,4 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// `microslip sweep SPEC.toml -o OUT.h5`: many cases, on threads and ranks, with a checkpoint.
 void add_sweep_command(CLI::App& program, int& exit_code);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -20,7 +20,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,7 +95,7 @@ int make(MakeArguments arguments) {
   }
   std::sort(making.axes.poisson_ratios.begin(), making.axes.poisson_ratios.end());
   making.threads = arguments.threads;
-  OutputFile file(arguments.output); // refused now and not when all is computed
+  io::OutputFile file(arguments.output); // refused now and not when all is computed
   CreepTableNodes nodes;
   {
     ProgressBar bar("table");
@@ -110,7 +110,7 @@ int make(MakeArguments arguments) {
       throw;
     }
   }
-  write_creep_table(nodes, file);
+  io::write_creep_table(nodes, file);
   print(nodes, arguments.output, arguments.json);
   return ExitCode::done;
 }
@@ -122,17 +122,17 @@ void add_show(CLI::App& table) {
       ->type_name("");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
-    const fs::path file = creep_table_or_shipped(arguments->file);
-    print(read_creep_table(file), file, arguments->json);
+    const fs::path file = io::creep_table_or_shipped(arguments->file);
+    print(io::read_creep_table(file), file, arguments->json);
   });
 }
 
 int draw(const DrawArguments& arguments) {
-  const fs::path file = creep_table_or_shipped(arguments.file);
-  const CreepTableAxes axes = read_creep_table(file).axes;
+  const fs::path file = io::creep_table_or_shipped(arguments.file);
+  const CreepTableAxes axes = io::read_creep_table(file).axes;
   require_between("--axis-ratio", arguments.axis_ratio, "-", 1e-3, 1e3);
   require_between("--poisson-ratio", arguments.poisson_ratio, "-", 0, 0.5);
-  require_writable_folder(arguments.folder);
+  io::require_writable_folder(arguments.folder);
   const auto pictures = draw_pictures({file.string(), "--output=" + arguments.folder.string(),
                                        fmt::format("--axis-ratio={}", arguments.axis_ratio),
                                        fmt::format("--poisson-ratio={}", arguments.poisson_ratio),
@@ -222,4 +222,4 @@ void add_table_command(CLI::App& program, int& exit_code) {
                   "Example:\n  microslip table make -o steel.creep --poisson-ratio 0.28");
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace microslip {
+namespace microslip::app {
 
 /// `microslip table`: inspects, draws and makes creep-force tables.
 void add_table_command(CLI::App& program, int& exit_code);
 
-} // namespace microslip
+} // namespace microslip::app

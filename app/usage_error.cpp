@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 std::vector<std::string_view> views(const std::vector<std::string>& words) {
@@ -44,10 +44,10 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   if (unexpected.empty()) return described(error) + help;
   const auto& word = unexpected.front();
   const bool is_option = word.starts_with("-");
-  if (!is_option && !chosen.empty()) return "unexpected argument " + printable(word) + help;
+  if (!is_option && !chosen.empty()) return "unexpected argument " + io::printable(word) + help;
   const auto known = is_option ? option_names(command) : command_names(program);
-  const auto near = suggestion(word, views(known));
-  return (is_option ? "unknown option " : "unknown command ") + printable(word) + (near.empty() ? help : near);
+  const auto near = io::suggestion(word, views(known));
+  return (is_option ? "unknown option " : "unknown command ") + io::printable(word) + (near.empty() ? help : near);
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -25,7 +25,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 using validation::Figure;
@@ -48,8 +48,9 @@ const Study& study_of(const std::string& name) {
   if (const Study* study = validation::find_study(name)) return *study;
   std::vector<std::string_view> known;
   for (const Study& study : validation::studies()) known.push_back(study.name);
-  const std::string nearest = suggestion(name, known);
-  throw Error("there is no study " + printable(name) + (nearest.empty() ? "; validate --list names them" : nearest));
+  const std::string nearest = io::suggestion(name, known);
+  throw Error("there is no study " + io::printable(name) +
+              (nearest.empty() ? "; validate --list names them" : nearest));
 }
 
 /// The named studies, each once, or all if none is named.
@@ -93,8 +94,8 @@ bool run(const Study& study, const ValidateArguments& arguments, std::ostream& o
   return met;
 }
 
-Json to_json(const Figure& figure) {
-  Json result = {
+io::Json to_json(const Figure& figure) {
+  io::Json result = {
       {"section", figure.section}, {"name", figure.name}, {"computed", figure.computed}, {"expected", figure.expected}};
   if (figure.met)
     result["met"] = *figure.met;
@@ -131,8 +132,8 @@ StudyRecord run_for_report(const Study& study, const ValidateArguments& argument
 int report(const std::vector<const Study*>& studies, ValidateArguments arguments) {
   const std::filesystem::path folder = *arguments.report;
   if (folder.empty()) throw Error("--report: needs the name of a folder");
-  create_folder(folder);
-  require_writable_file(folder / validation_page);
+  io::create_folder(folder);
+  io::require_writable_file(folder / validation_page);
   arguments.output = folder;
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
@@ -143,11 +144,11 @@ int report(const std::vector<const Study*>& studies, ValidateArguments arguments
 }
 
 /// Adds the study's figures to the document.
-bool run_for_programs(const Study& study, const ValidateArguments& arguments, Json& document) {
+bool run_for_programs(const Study& study, const ValidateArguments& arguments, io::Json& document) {
   std::vector<Figure> figures;
   std::ostream silent(nullptr);
   const bool met = run(study, arguments, silent, figures);
-  Json result = {{"name", study.name}, {"summary", study.summary}, {"met", met}, {"figures", Json::array()}};
+  io::Json result = {{"name", study.name}, {"summary", study.summary}, {"met", met}, {"figures", io::Json::array()}};
   for (const Figure& figure : figures) result["figures"].push_back(to_json(figure));
   result["pictures"] = arguments.no_pictures ? std::vector<std::string>() : draw(study, arguments.output);
   document["studies"].push_back(result);
@@ -206,4 +207,4 @@ void add_validate_command(CLI::App& program, int& exit_code) {
   command->callback([arguments, &exit_code] { exit_code = validate(*arguments); });
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -18,7 +18,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,7 +159,7 @@ bool print_to(const fs::path& pdf, const fs::path& html) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::tmpfile(), std::fclose);
   if (!nowhere) return false;
   for (const char* browser : {"chromium", "chromium-browser", "google-chrome"}) {
-    OutputFile file(pdf);
+    io::OutputFile file(pdf);
     const int code =
         run_child({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
                    "--print-to-pdf=" + fs::absolute(file.temporary()).string(), fs::absolute(html).string()},
@@ -176,7 +176,7 @@ bool print_to(const fs::path& pdf, const fs::path& html) {
 
 std::vector<std::string> write_validation_report(const fs::path& folder, const std::vector<StudyRecord>& records) {
   const fs::path html = folder / validation_page, pdf = folder / "validation.pdf";
-  OutputFile file(html);
+  io::OutputFile file(html);
   file.write(page(records));
   file.commit();
   std::vector<std::string> written = {html.string()};
@@ -184,4 +184,4 @@ std::vector<std::string> write_validation_report(const fs::path& folder, const s
   return written;
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::app {
 
 /// A study that has been run.
 struct StudyRecord {
@@ -27,4 +27,4 @@ inline constexpr const char* validation_page = "validation.html";
 std::vector<std::string> write_validation_report(const std::filesystem::path& folder,
                                                  const std::vector<StudyRecord>& records);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -94,27 +94,27 @@ template <class Table> const auto& find(const Table& table, std::string_view nam
   return *std::find_if(table.begin(), table.end(), [name](const auto& q) { return q.name == name; });
 }
 
-std::string description_of(const WheelRailSetting& input, std::string_view what) {
+std::string description_of(const io::WheelRailSetting& input, std::string_view what) {
   const bool is_exact = input.method.level == WheelRailLevel::exact;
   const std::string theory = is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements)
-                                      : std::string(to_word(input.method.level));
-  const auto shape = input.method.shape ? fmt::format("{} patches", to_word(*input.method.shape)) : "true surfaces";
+                                      : std::string(io::to_word(input.method.level));
+  const auto shape = input.method.shape ? fmt::format("{} patches", io::to_word(*input.method.shape)) : "true surfaces";
   return fmt::format("{}, {}, {}", what, theory, shape);
 }
-std::string description_of(const WheelRailCase& input) {
-  return description_of(input, fmt::format("{} wheel", to_word(input.side)));
+std::string description_of(const io::WheelRailCase& input) {
+  return description_of(input, fmt::format("{} wheel", io::to_word(input.side)));
 }
-std::string description_of(const WheelsetCase& input) {
+std::string description_of(const io::WheelsetCase& input) {
   return description_of(input, "wheelset");
 }
 
 /// Forces and moments that are rounding errors beside the load are zeros.
-void round_to_zero(QuantityTable& table, const WheelRailSetting& input, double load) {
+void round_to_zero(QuantityTable& table, const io::WheelRailSetting& input, double load) {
   table.round_to_zero("N", load);
   table.round_to_zero("N m", load * input.wheelset.nominal_radius);
 }
 
-void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) {
+void print_wheel(const io::WheelRailCase& input, const WheelRailSolution& solution) {
   QuantityTable table(description_of(input));
   round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheel) {
@@ -125,7 +125,7 @@ void print_wheel(const WheelRailCase& input, const WheelRailSolution& solution) 
   table.print();
 }
 
-void print_wheelset(const WheelsetCase& input, const WheelsetSolution& solution) {
+void print_wheelset(const io::WheelsetCase& input, const WheelsetSolution& solution) {
   QuantityTable table(description_of(input));
   round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheelset)
@@ -192,7 +192,7 @@ template <class Values> Column varied_column(std::string_view name, std::string_
   return column;
 }
 
-std::vector<Column> varied_columns(const WheelRailCase& input) {
+std::vector<Column> varied_columns(const io::WheelRailCase& input) {
   std::vector<Column> columns;
   for (const auto name : input.varied) {
     const bool is_force = name == "vertical_force";
@@ -204,7 +204,7 @@ std::vector<Column> varied_columns(const WheelRailCase& input) {
   return columns;
 }
 
-std::vector<Column> varied_columns(const WheelsetCase& input) {
+std::vector<Column> varied_columns(const io::WheelsetCase& input) {
   std::vector<Column> columns;
   std::vector<double> values(input.states.size());
   const auto add = [&](std::string_view name, std::string_view unit, const auto& value) {
@@ -213,10 +213,10 @@ std::vector<Column> varied_columns(const WheelsetCase& input) {
     columns.push_back(varied_column(name, unit, values));
   };
   for (const WheelsetStateQuantity& q : wheelset_state_quantities())
-    add(q.name, q.of_wheel->unit, [&](const LoadedWheelsetState& s) { return q.value(s.state); });
+    add(q.name, q.of_wheel->unit, [&](const io::LoadedWheelsetState& s) { return q.value(s.state); });
   for (const PrescribedForce& f : prescribed_forces())
     add(f.name, f.unit,
-        [&](const LoadedWheelsetState& s) { return (PrescribedWheelsetForces(s.load).*f.of).value_or(0); });
+        [&](const io::LoadedWheelsetState& s) { return (PrescribedWheelsetForces(s.load).*f.of).value_or(0); });
   return columns;
 }
 
@@ -227,7 +227,7 @@ Column column_of(const Result& result, const char* head, const char* unit, const
   return column;
 }
 
-std::vector<Column> result_columns(const WheelRailResult& result) {
+std::vector<Column> result_columns(const cases::WheelRailResult& result) {
   using Solution = const WheelRailSolution&;
   const auto number = [&](const char* name, const char* head, const char* unit, double factor, int digits) {
     const WheelQuantity& q = find(wheel_quantities(), name);
@@ -253,7 +253,7 @@ std::vector<Column> result_columns(const WheelRailResult& result) {
           column_of(result, "status", "", [](Solution s) { return std::string(to_string(s.status)); })};
 }
 
-std::vector<Column> result_columns(const WheelsetResult& result) {
+std::vector<Column> result_columns(const cases::WheelsetResult& result) {
   using Solution = const WheelsetSolution&;
   const auto number = [&](const char* head, const char* unit, int digits, const auto& value) {
     return column_of(result, head, unit, [&](Solution s) { return fmt::format("{:.{}f}", value(s), digits); });
@@ -288,7 +288,7 @@ template <class Input, class Result> void print_sweep(const Input& input, const 
 
 } // namespace
 
-void print_tables(const WheelRailCase& input, const WheelRailResult& result) {
+void print_tables(const io::WheelRailCase& input, const cases::WheelRailResult& result) {
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
   if (result.solutions.size() > 1) {
     print_sweep(input, result);
@@ -305,7 +305,7 @@ void print_tables(const WheelRailCase& input, const WheelRailResult& result) {
   fmt::print("\n");
 }
 
-void print_tables(const WheelsetCase& input, const WheelsetResult& result) {
+void print_tables(const io::WheelsetCase& input, const cases::WheelsetResult& result) {
   if (!input.title.empty()) fmt::print("{}\n\n", input.title);
   if (result.solutions.size() > 1) {
     print_sweep(input, result);
@@ -324,4 +324,4 @@ void print_tables(const WheelsetCase& input, const WheelsetResult& result) {
   fmt::print("\n");
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,11 +2,11 @@
 
 #include "cases/wheel_rail_result.hpp"
 
-namespace microslip {
+namespace microslip::app {
 
 /// Prints the wheel's forces and a column for each patch or, of a sweep, a row for each state.
-void print_tables(const WheelRailCase& input, const WheelRailResult& result);
+void print_tables(const io::WheelRailCase& input, const cases::WheelRailResult& result);
 /// The same of a wheelset: what was found of it, a column for each wheel and each patch.
-void print_tables(const WheelsetCase& input, const WheelsetResult& result);
+void print_tables(const io::WheelsetCase& input, const cases::WheelsetResult& result);
 
-} // namespace microslip
+} // namespace microslip::app

@@ -11,7 +11,7 @@
 
 #include <shellapi.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 /// As the C library of a child takes its command line apart: quotes and the strokes before them are escaped.
@@ -74,4 +74,4 @@ bool open_in_browser(const std::string& address) {
   return reinterpret_cast<std::intptr_t>(code) > 32; // as the call says that it worked
 }
 
-} // namespace microslip
+} // namespace microslip::app

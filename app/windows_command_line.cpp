@@ -3,10 +3,10 @@
 
 #include <windows.h>
 
-namespace microslip {
+namespace microslip::app {
 
 std::string command_line() {
   return utf8(::GetCommandLineW());
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -7,7 +7,7 @@
 
 #include <windows.h>
 
-namespace microslip {
+namespace microslip::app {
 namespace {
 
 constexpr DWORD patience = 150; // [ms]
@@ -16,7 +16,7 @@ std::atomic<bool> was_interrupted = false;
 std::atomic<int> guards = 0; ///< raised where one begins or ends: what the guard was for is over
 
 [[noreturn]] void end_at_once() {
-  remove_temporary_files();
+  io::remove_temporary_files();
   std::fputs("microslip: interrupted\n", stderr);
   std::fflush(stderr);
   ::TerminateProcess(::GetCurrentProcess(), ExitCode::interrupted);
@@ -53,4 +53,4 @@ void InterruptGuard::throw_if_interrupted() {
   if (interrupted()) throw Interrupted();
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -8,7 +8,7 @@
 
 #include <shellapi.h>
 
-namespace microslip {
+namespace microslip::app {
 
 // What `main` is given is in the computer's code page, which lacks most letters. The compiler's library takes names of
 // files byte by byte: those beyond ASCII would name other files.
@@ -26,4 +26,4 @@ std::vector<std::string> program_arguments(int, char**) {
   return arguments;
 }
 
-} // namespace microslip
+} // namespace microslip::app

@@ -2,7 +2,7 @@
 
 #include <windows.h>
 
-namespace microslip {
+namespace microslip::app {
 
 std::wstring wide(std::string_view text) {
   const int length = static_cast<int>(text.size());
@@ -19,4 +19,4 @@ std::string utf8(std::wstring_view text) {
   return result;
 }
 
-} // namespace microslip
+} // namespace microslip::app

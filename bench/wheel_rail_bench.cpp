@@ -64,7 +64,7 @@ WheelRailBodies bodies() {
   const fs::path measured = fs::path(MICROSLIP_REFERENCE_DATA) / ".." / "contact-cases",
                  examples = fs::path(MICROSLIP_EXAMPLES) / "profiles";
   const bool benchmark = fs::exists(measured / "MBench_UIC60_v3.prr");
-  const auto read = [](const fs::path& file) { return read_profile(file).profile; };
+  const auto read = [](const fs::path& file) { return io::read_profile(file).profile; };
   WheelRailBodies bodies{benchmark ? read(measured / "MBench_UIC60_v3.prr") : read(examples / "60e1.prr"),
                          benchmark ? read(measured / "MBench_S1002_v3.prw") : read(examples / "s1002.prw"),
                          {},
@@ -223,7 +223,7 @@ int main(int argc, char** argv) {
       "| a state of a wheel | states | time [us] | / exact ellipse | elements in contact | rounds | Newton steps "
       "|\n|---|---|---|---|---|---|---|\n");
   const auto table = std::make_shared<const CreepForceTable>(
-      read_creep_table(MICROSLIP_EXAMPLES "/../python/microslip/hertz.creep"), steel.poisson_ratio);
+      io::read_creep_table(MICROSLIP_EXAMPLES "/../python/microslip/hertz.creep"), steel.poisson_ratio);
   const WheelRailMethod look_up{.level = WheelRailLevel::table, .table = table};
   fast(pair, all, {}, "fastsim2, one patch", 1, false);
   fast(pair, all, look_up, "table, one patch", 1, false);

@@ -26,7 +26,7 @@ microslip_code microslip_creep_table_read(const char* file, int direction, micro
   return guarded(error, [&] {
     require_pointer("table", table);
     const auto rolling = choice<RollingDirection>("direction", direction, 2);
-    *table = new microslip_creep_table{CreepForceTable(creep_table_source(require_pointer("file", file)), rolling)};
+    *table = new microslip_creep_table{CreepForceTable(io::creep_table_source(require_pointer("file", file)), rolling)};
   });
 }
 

@@ -17,10 +17,10 @@ using namespace microslip::c;
 
 struct microslip_wheel_rail {
   WheelRail solver;
-  LoadedWheelState first; ///< of the case file
+  io::LoadedWheelState first; ///< of the case file
   WheelRailSolution solution = {};
   WheelRailDerivatives derivatives = {};
-  std::unique_ptr<WheelRailCase> input;
+  std::unique_ptr<io::WheelRailCase> input;
   std::unique_ptr<WheelsetSearch> wheelset = nullptr; ///< made when it is first asked for
   mutable InUse in_use = false;
 };
@@ -151,14 +151,14 @@ bool is_amplitude(double value) noexcept {
 }
 
 WheelsetSearch& wheelset_of(microslip_wheel_rail& wheel_rail) {
-  const WheelRailCase& input = *wheel_rail.input;
+  const io::WheelRailCase& input = *wheel_rail.input;
   const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
   if (!wheel_rail.wheelset)
     wheel_rail.wheelset = std::make_unique<WheelsetSearch>(input.track, input.wheelset, side, side);
   return *wheel_rail.wheelset;
 }
 
-microslip_touch touch_of(const WheelRailCase& input, const ContactPoint& point, double side) {
+microslip_touch touch_of(const io::WheelRailCase& input, const ContactPoint& point, double side) {
   return {.rail_y = input.rail.profile.at(point.s_rail).value.y,
           .wheel_y = input.wheel.profile.at(point.s_wheel).value.y,
           .rolling_radius = point.radius,
@@ -170,7 +170,7 @@ microslip_wheelset_contact no_wheelset_contact(double lateral, microslip_code st
   return {lateral, not_given, not_given, not_given, not_given, no_touch, no_touch, status};
 }
 
-microslip_wheelset_contact contact_of(const WheelRailCase& input, const WheelsetContact& found) {
+microslip_wheelset_contact contact_of(const io::WheelRailCase& input, const WheelsetContact& found) {
   if (found.status == Status::no_contact) return no_wheelset_contact(found.lateral, code_of(found.status));
   return {.lateral = found.lateral,
           .roll = found.roll,
@@ -216,11 +216,12 @@ microslip_code microslip_wheel_rail_create(const char* text, const char* name, m
   return guarded(error, [&] {
     require_pointer("wheel_rail", wheel_rail);
     *wheel_rail = nullptr;
-    const WheelRailCase input = parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
+    const io::WheelRailCase input =
+        io::parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
     std::unique_ptr<microslip_wheel_rail> made(
-        new microslip_wheel_rail{.solver = WheelRail(bodies_of(input), input.method),
+        new microslip_wheel_rail{.solver = WheelRail(io::bodies_of(input), input.method),
                                  .first = input.states.front(),
-                                 .input = std::make_unique<WheelRailCase>(input)});
+                                 .input = std::make_unique<io::WheelRailCase>(input)});
     made->solution.patches.reserve(MICROSLIP_WHEEL_PATCHES); // solving takes no memory then
     *wheel_rail = made.release();
   });

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -273,4 +273,4 @@ bool compute_chunk(const CampaignPlan& plan, std::size_t number, const RowWorker
   return !progress || progress(1);
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// Fills the row of a case; returns why it is not to be trusted, or nothing. It must depend on the index alone, not on
 /// the cases that the same worker had before: then rows are the same to the last bit on any threads and ranks. An Error
@@ -82,4 +82,4 @@ private:
 bool compute_chunk(const CampaignPlan& plan, std::size_t number, const RowWorker& worker, const Progress& progress,
                    CampaignRows& rows);
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// FNV-1a of 64 bits, continued from `start`: tells texts apart and finds damaged bytes; no defence against forgers.
 constexpr std::uint64_t hash_of(std::string_view bytes, std::uint64_t start = 0xcbf29ce484222325) {
@@ -12,4 +12,4 @@ constexpr std::uint64_t hash_of(std::string_view bytes, std::uint64_t start = 0x
   return hash;
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

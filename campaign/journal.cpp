@@ -13,7 +13,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::campaign {
 namespace {
 
 constexpr std::array<char, 8> magic = {'m', 's', 'l', 'i', 'p', 'j', 'n', 'l'};
@@ -35,8 +35,8 @@ template <class Struct> std::uint64_t check_of(const Struct& object) {
 
 /// How a journal begins.
 struct FileHead {
-  std::array<char, 8> magic = microslip::magic;
-  std::uint32_t format = microslip::format, byte_order = microslip::byte_order;
+  std::array<char, 8> magic = campaign::magic;
+  std::uint32_t format = campaign::format, byte_order = campaign::byte_order;
   std::uint64_t identity, count, width, chunk;
   std::uint64_t check = 0;
 };
@@ -252,4 +252,4 @@ std::vector<KeptChunk> find_chunks(const std::filesystem::path& path, const Camp
   return chunks;
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// What one process has computed of a campaign: a file to which chunks are added one by one, each with its checksum,
 /// by one write to the system. It begins with what tells campaigns apart and the byte order. A process that is killed
@@ -71,4 +71,4 @@ private:
   int descriptor_ = -1;
 };
 
-} // namespace microslip
+} // namespace microslip::campaign

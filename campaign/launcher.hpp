@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdlib>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// Whether this process is one of several that Open MPI's mpirun, another one's, or Slurm with PMI has started.
 inline bool has_launcher() {
@@ -13,4 +13,4 @@ inline bool has_launcher() {
   return false;
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -9,7 +9,7 @@
 
 #include <mpi.h>
 
-namespace microslip {
+namespace microslip::campaign {
 namespace {
 
 /// The common count is a number in the first rank's memory, which all others raise without its help: there is nobody
@@ -107,4 +107,4 @@ std::unique_ptr<Ranks> launched_ranks() {
   return std::make_unique<MpiRanks>();
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -4,7 +4,7 @@
 #include "campaign/ranks.hpp"
 #include "microslip/error.hpp"
 
-namespace microslip {
+namespace microslip::campaign {
 
 std::unique_ptr<Ranks> launched_ranks() {
   if (has_launcher())
@@ -13,4 +13,4 @@ std::unique_ptr<Ranks> launched_ranks() {
   return std::make_unique<Ranks>();
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -2,7 +2,7 @@
 
 #include "microslip/error.hpp"
 
-namespace microslip {
+namespace microslip::campaign {
 
 void Ranks::agree(const std::function<void()>& work, const Progress& progress) {
   std::string error;
@@ -15,4 +15,4 @@ void Ranks::agree(const std::function<void()>& work, const Progress& progress) {
   if (!error.empty()) throw Error(error);
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

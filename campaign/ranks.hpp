@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// The processes that share a campaign, here a single one. What all of them must call together is marked *all*.
 class Ranks {
@@ -52,4 +52,4 @@ private:
 /// Error if there are some and microslip was built without MPI. Once in a process.
 std::unique_ptr<Ranks> launched_ranks();
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// A campaign: `count` cases, a row of `width` numbers for each, computed and kept by chunks of cases.
 struct CampaignPlan {
@@ -40,4 +40,4 @@ struct CampaignRows {
   bool operator==(const CampaignRows&) const = default;
 };
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::campaign {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -50,15 +50,15 @@ public:
 
   static Columns<Solved> columns(const SweepSpec& spec) {
     const bool is_shift =
-        spec.base().at_path("motion.kind").value_or(std::string_view()) == to_word(ContactMotion::shift);
+        spec.base().at_path("motion.kind").value_or(std::string_view()) == io::to_word(ContactMotion::shift);
     Columns<Solved> all = {
         {{"contact/status", "-", status_codes}, [](const Solved& s) { return code_of(s.contact.report.status); }},
         warning_column<Solved>("contact/", [](const Solved& s) { return s.warnings; })};
-    const auto hertz = hertz_quantities({});
+    const auto hertz = cases::hertz_quantities({});
     for (std::size_t k = 0; k < hertz.size(); ++k)
       if (hertz[k].path.starts_with("hertz/"))
         all.push_back({{hertz[k].path, hertz[k].unit, hertz[k].description},
-                       [k](const Solved& s) { return hertz_quantities(s.hertz)[k].value; }});
+                       [k](const Solved& s) { return cases::hertz_quantities(s.hertz)[k].value; }});
     for (const Quantity& q : quantities())
       all.push_back({{"contact/" + std::string(q.name), std::string(is_shift ? q.shift_unit : q.unit),
                       std::string(q.description)},
@@ -66,15 +66,15 @@ public:
     return all;
   }
   static bool needs_new_solver(std::string_view) { return false; }
-  static void check(const TomlSection& root, const CreepTables& tables) { read_case(root, tables); }
+  static void check(const io::TomlSection& root, const io::CreepTables& tables) { io::read_case(root, tables); }
 
   /// The solver is new each time: with influence coefficients that it keeps for the next contact the last bits are
   /// others.
-  static Solved solve(const TomlSection& root, const CreepTables& tables, bool, const Progress& progress) {
-    const RollingCase input = read_case(root, tables);
-    const HertzContact hertz = hertz_contact(input);
-    return {hertz, Solver(solver_method(input)).solve(rolling_problem(input), progress),
-            case_warnings(input, hertz).all};
+  static Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool, const Progress& progress) {
+    const io::RollingCase input = io::read_case(root, tables);
+    const HertzContact hertz = io::hertz_contact(input);
+    return {hertz, Solver(io::solver_method(input)).solve(io::rolling_problem(input), progress),
+            cases::case_warnings(input, hertz).all};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
 };
@@ -105,13 +105,14 @@ public:
   /// The state alone is read from case to case, unless something else has changed. The exact theory's solver is new
   /// each time: with what it keeps for the next state the last bits are others.
   template <class Read>
-  const auto& state(const TomlSection& root, const CreepTables& tables, bool is_new, const Read& read) {
+  const auto& state(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Read& read) {
     is_new = is_new || !solver_;
     if (is_new)
       input_ = read(root, tables);
     else
-      input_->states = read_states(root, *input_);
-    if (is_new || input_->method.level == WheelRailLevel::exact) solver_.emplace(solver_of(*input_, input_->method));
+      input_->states = io::read_states(root, *input_);
+    if (is_new || input_->method.level == WheelRailLevel::exact)
+      solver_.emplace(io::solver_of(*input_, input_->method));
     return input_->states.front();
   }
   Solver& solver() { return *solver_; }
@@ -137,16 +138,18 @@ public:
              return key == std::string(q.section) + "." + std::string(q.name);
            });
   }
-  static void check(const TomlSection& root, const CreepTables& tables) { read_wheel_rail_case(root, tables); }
+  static void check(const io::TomlSection& root, const io::CreepTables& tables) {
+    io::read_wheel_rail_case(root, tables);
+  }
 
-  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress& progress) {
-    const LoadedWheelState& s = cases_.state(root, tables, is_new, read_wheel_rail_case);
+  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
+    const io::LoadedWheelState& s = cases_.state(root, tables, is_new, io::read_wheel_rail_case);
     return cases_.solver().solve(s.state, s.vertical_force, progress);
   }
   static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 
 private:
-  RailwayCases<WheelRailCase, WheelRail> cases_;
+  RailwayCases<io::WheelRailCase, WheelRail> cases_;
 };
 
 /// Both wheels of a wheelset.
@@ -174,16 +177,18 @@ public:
                         [&](const auto& q) { return is_key(q.of_wheel->section, q.name); }) &&
            std::none_of(forces.begin(), forces.end(), [&](const auto& f) { return is_key("wheel", f.name); });
   }
-  static void check(const TomlSection& root, const CreepTables& tables) { read_wheelset_case(root, tables); }
+  static void check(const io::TomlSection& root, const io::CreepTables& tables) {
+    io::read_wheelset_case(root, tables);
+  }
 
-  Solved solve(const TomlSection& root, const CreepTables& tables, bool is_new, const Progress& progress) {
-    const LoadedWheelsetState& s = cases_.state(root, tables, is_new, read_wheelset_case);
+  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
+    const io::LoadedWheelsetState& s = cases_.state(root, tables, is_new, io::read_wheelset_case);
     return cases_.solver().solve(s.state, s.load, progress);
   }
   static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
 
 private:
-  RailwayCases<WheelsetCase, WheelsetOnTrack> cases_;
+  RailwayCases<io::WheelsetCase, WheelsetOnTrack> cases_;
 };
 
 /// The case file's table, with the parameters of one case after the other.
@@ -207,7 +212,7 @@ public:
     }
     return is_new;
   }
-  TomlSection root() const { return {table_, spec_->base_name()}; }
+  io::TomlSection root() const { return {table_, spec_->base_name()}; }
 
 private:
   std::shared_ptr<const SweepSpec> spec_;
@@ -232,7 +237,8 @@ template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepS
     if (std::any_of(all.begin(), all.end(), [&](const auto& column) { return is_named(column, name); })) continue;
     std::vector<std::string_view> names;
     for (const auto& column : all) names.push_back(last_name(column.of_file.path));
-    throw Error(spec.name() + ": output.quantities: " + printable(name) + " is no quantity" + suggestion(name, names));
+    throw Error(spec.name() + ": output.quantities: " + io::printable(name) + " is no quantity" +
+                io::suggestion(name, names));
   }
   Columns<Solved> some = {all[0], all[1]};
   for (std::size_t k = some.size(); k < all.size(); ++k)
@@ -259,17 +265,17 @@ void read_some_case(const SweepSpec& spec, const std::function<void(std::size_t 
 } // namespace
 
 template <class Kind> void Sweep::set_up(SweepSpec spec) {
-  const auto tables = std::make_shared<const CreepTables>();
-  TomlSection::ReadKeys keys;
+  const auto tables = std::make_shared<const io::CreepTables>();
+  io::TomlSection::ReadKeys keys;
   try {
     read_some_case(spec, [&](std::size_t index) {
       const toml::table written = spec.case_as_written(index);
-      Kind::check(TomlSection(written, spec.base_name(), {}, &keys), *tables);
+      Kind::check(io::TomlSection(written, spec.base_name(), {}, &keys), *tables);
     });
   } catch (const Error&) {
     if (spec.has_units()) throw; // else the cases fail one by one
   }
-  spec.convert_units(TomlSection::units_of(keys));
+  spec.convert_units(io::TomlSection::units_of(keys));
   spec_ = std::make_shared<const SweepSpec>(std::move(spec));
   const auto columns = std::make_shared<const Columns<typename Kind::Solved>>(chosen(Kind::columns(*spec_), *spec_));
   for (const auto& column : *columns) columns_.push_back(column.of_file);
@@ -300,10 +306,10 @@ template <class Kind> void Sweep::set_up(SweepSpec spec) {
 
 Sweep::Sweep(const std::string& text, const std::string& name) {
   SweepSpec spec(text, name);
-  const TomlSection base(spec.base(), spec.base_name());
-  if (is_wheelset_case(base))
+  const io::TomlSection base(spec.base(), spec.base_name());
+  if (io::is_wheelset_case(base))
     set_up<WheelsetKind>(std::move(spec));
-  else if (is_wheel_rail_case(base))
+  else if (io::is_wheel_rail_case(base))
     set_up<WheelKind>(std::move(spec));
   else
     set_up<RollingKind>(std::move(spec));
@@ -313,4 +319,4 @@ CampaignPlan Sweep::plan() const {
   return {.identity = spec_->identity(), .count = spec_->count(), .width = columns_.size(), .chunk = spec_->chunk()};
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

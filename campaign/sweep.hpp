@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// A number that is kept of every case: the dataset of result files that it goes to, "contact/fx".
 struct SweepColumn {
@@ -44,4 +44,4 @@ private:
   std::function<RowWorker()> make_worker_;
 };
 
-} // namespace microslip
+} // namespace microslip::campaign

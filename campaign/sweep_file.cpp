@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::campaign {
 namespace {
 
 constexpr std::size_t block = 4096; ///< cases that are written at a time
@@ -25,7 +25,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A column that comes into being with its first number: what no case has, the file leaves out.
 class ColumnWriter {
 public:
-  ColumnWriter(ResultFile& file, SweepColumn column)
+  ColumnWriter(io::ResultFile& file, SweepColumn column)
       : file_(file), column_(std::move(column)), is_status_(column_.path.ends_with("status")) {}
 
   void add(double value) { values_.push_back(value); }
@@ -63,7 +63,7 @@ private:
     file_.append(column_.path, codes, column_.unit, column_.description);
   }
 
-  ResultFile& file_;
+  io::ResultFile& file_;
   SweepColumn column_;
   bool is_status_, is_begun_ = false;
   std::size_t missing_ = 0; ///< cases before the first number
@@ -72,7 +72,7 @@ private:
 
 class SweepWriter {
 public:
-  SweepWriter(const Sweep& sweep, ResultFile& file) : spec_(sweep.spec()), file_(file) {
+  SweepWriter(const Sweep& sweep, io::ResultFile& file) : spec_(sweep.spec()), file_(file) {
     for (const SweepColumn& column : sweep.columns()) columns_.emplace_back(file, column);
   }
 
@@ -148,7 +148,7 @@ private:
   }
 
   const SweepSpec& spec_;
-  ResultFile& file_;
+  io::ResultFile& file_;
   std::vector<ColumnWriter> columns_;
   std::size_t begin_ = 0, end_ = 0, failures_ = 0;
   std::array<std::size_t, warning_count> warned_{};
@@ -162,9 +162,9 @@ std::filesystem::path checkpoint_of(const std::filesystem::path& output) {
   return output.string() + ".checkpoint";
 }
 
-SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Provenance& provenance,
+SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const io::Provenance& provenance,
                        const std::filesystem::path& path, const Progress& progress) {
-  ResultFile file(path, provenance, ResultFile::Storage::disk);
+  io::ResultFile file(path, provenance, io::ResultFile::Storage::disk);
   SweepWriter writer(sweep, file);
   campaign.read([&](const CampaignRows& rows) {
     go_on(progress, static_cast<double>(rows.number) / static_cast<double>(campaign.plan().chunks()));
@@ -184,14 +184,14 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Prove
 
 std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const auto identity = result_attribute(path, identity_name), failed = result_attribute(path, failed_name);
+  const auto identity = io::result_attribute(path, identity_name), failed = io::result_attribute(path, failed_name);
   if (identity != std::to_string(sweep.spec().identity()) || !failed)
     throw Error(path.string() + ": is there already, and is no result of this sweep: its specification, files or build "
                                 "are others; remove it, or name another file");
   SweepCount count{sweep.spec().count(), static_cast<std::size_t>(std::stoull(*failed))};
-  std::istringstream warnings(result_attribute(path, "warnings").value_or(""));
+  std::istringstream warnings(io::result_attribute(path, "warnings").value_or(""));
   for (std::string line; std::getline(warnings, line);) count.warnings.push_back(line);
   return count;
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// What a sweep's result files hold.
 inline constexpr const char* sweep_kind = "sweep";
@@ -31,7 +31,7 @@ std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::
 /// Writes the rows of a campaign in which nothing is missing as HDF5, in constant memory: `parameters/KEY`, the columns
 /// of the sweep that any case has, `failures/case` and `failures/reason`. The file appears whole or not at all. Throws
 /// Error if it cannot be written, and Stopped if `progress` returns false.
-SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const Provenance& provenance,
+SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const io::Provenance& provenance,
                        const std::filesystem::path& path, const Progress& progress = {});
 
-} // namespace microslip
+} // namespace microslip::campaign

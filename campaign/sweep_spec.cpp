@@ -23,7 +23,7 @@
 #include <set>
 #include <sstream>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// The values of a parameter: those of a list, or a range.
 struct SweepSpec::Axis {
@@ -93,7 +93,7 @@ double random_part(std::uint64_t seed, const std::string& name, std::size_t inde
 std::vector<std::string> keys_of(const std::string& name) {
   std::vector<std::string> keys;
   std::stringstream parts(name);
-  for (std::string key; std::getline(parts, key, ',');) keys.emplace_back(trimmed(key));
+  for (std::string key; std::getline(parts, key, ',');) keys.emplace_back(io::trimmed(key));
   return keys;
 }
 
@@ -130,13 +130,13 @@ std::size_t usual_chunk(std::size_t count) {
 /// Calls `add` with fields and number of each line of a table that is not blank; its errors have file and line.
 template <class Add> void visit_lines(std::string_view text, const std::string& file, const Add& add) {
   std::size_t number = 0;
-  std::optional<CsvLine> line;
+  std::optional<io::CsvLine> line;
   while (!text.empty()) {
-    const auto next = take_line(text);
+    const auto next = io::take_line(text);
     ++number;
-    if (trimmed(next).empty()) continue;
+    if (io::trimmed(next).empty()) continue;
     try {
-      if (!line) line.emplace(csv_separator(next));
+      if (!line) line.emplace(io::csv_separator(next));
       add(line->split(next), number);
     } catch (const Error& error) {
       throw Error(file + ":" + std::to_string(number) + ": " + error.what());
@@ -147,8 +147,8 @@ template <class Add> void visit_lines(std::string_view text, const std::string& 
 } // namespace
 
 SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(text), name_(name) {
-  const auto table = parse_toml(text, name);
-  const TomlSection root(table, name_);
+  const auto table = io::parse_toml(text, name);
+  const io::TomlSection root(table, name_);
   root.allow({"title", "case", "grid", "list", "sample", "output", "chunk"});
   title_ = root.text("title", "");
   read_base(root);
@@ -160,23 +160,23 @@ SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(t
   if (root.has("list")) read_list(root.required_section("list"));
   require_distinct_keys();
   read_chunk(root);
-  const TomlSection output = root.optional_section("output");
+  const io::TomlSection output = root.optional_section("output");
   output.allow({"quantities", "patches"});
   quantities_ = output.texts("quantities");
   output.count("patches", 0, 8, patches_);
 }
 
-void SweepSpec::read_base(const TomlSection& root) {
+void SweepSpec::read_base(const io::TomlSection& root) {
   if (!root.has("case")) throw Error(name_ + ": case is missing: a case file's name, or its sections below [case]");
-  const auto table = parse_toml(text_, name_);
+  const auto table = io::parse_toml(text_, name_);
   if (const auto* inside = table.get("case")->as_table()) {
     base_ = *inside;
     base_name_ = name_;
   } else {
     const auto path = fs::path(name_).parent_path() / root.required_text("case");
     base_name_ = path.string();
-    root.at("case", [&] { base_text_ = read_case_text(path); });
-    base_ = parse_toml(base_text_, base_name_);
+    root.at("case", [&] { base_text_ = io::read_case_text(path); });
+    base_ = io::parse_toml(base_text_, base_name_);
   }
   for (const char* section : {"sweep", "interior"})
     if (base_.contains(section))
@@ -214,7 +214,7 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
     axis.place = place;
     is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
   } else if (const auto* table = entry.values->as_table()) {
-    axis = range_of(TomlSection(*table, name_, entry.name), has_count);
+    axis = range_of(io::TomlSection(*table, name_, entry.name), has_count);
   } else {
     fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
@@ -226,9 +226,9 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
 }
 
 /// Of a grid it has a count, of a sample none.
-SweepSpec::Axis SweepSpec::range_of(const TomlSection& range, bool has_count) {
+SweepSpec::Axis SweepSpec::range_of(const io::TomlSection& range, bool has_count) {
   constexpr std::array<std::string_view, 2> scales = {"linear", "logarithmic"};
-  TomlSection::Words keys = {"from", "to", "scale"};
+  io::TomlSection::Words keys = {"from", "to", "scale"};
   if (has_count) keys.push_back("count");
   range.allow(keys);
   Axis axis;
@@ -265,8 +265,8 @@ void SweepSpec::read_grid(const toml::table& section) {
   }
 }
 
-void SweepSpec::read_sample(const TomlSection& root, const toml::table& section) {
-  const TomlSection sample = root.required_section("sample");
+void SweepSpec::read_sample(const io::TomlSection& root, const toml::table& section) {
+  const io::TomlSection sample = root.required_section("sample");
   int count = 0, seed = -1;
   sample.count("count", 1, static_cast<int>(most_cases), count);
   sample.count("seed", 0, std::numeric_limits<int>::max(), seed);
@@ -279,7 +279,7 @@ void SweepSpec::read_sample(const TomlSection& root, const toml::table& section)
   seed_ = static_cast<std::uint64_t>(seed);
 }
 
-void SweepSpec::read_list(const TomlSection& list) {
+void SweepSpec::read_list(const io::TomlSection& list) {
   list.allow({"file"});
   const auto path = fs::path(name_).parent_path() / list.required_text("file");
   list.at("file", [&] { list_text_ = read_text(path); });
@@ -290,11 +290,11 @@ void SweepSpec::read_list(const TomlSection& list) {
 /// A table of cases: keys in the first line, with units where these follow in brackets, a case in each one that
 /// follows. The first pass finds which columns are numbers, the second one keeps them.
 void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
-  text = csv_start(text, file);
-  const bool has_decimal_commas = csv_separator(text.substr(0, text.find('\n'))) != ',';
+  text = io::csv_start(text, file);
+  const bool has_decimal_commas = io::csv_separator(text.substr(0, text.find('\n'))) != ',';
   const auto field_of = [&](std::string_view field) {
-    return has_decimal_commas && parse_number(with_decimal_point(field)) ? with_decimal_point(field)
-                                                                         : std::string(field);
+    return has_decimal_commas && io::parse_number(io::with_decimal_point(field)) ? io::with_decimal_point(field)
+                                                                                 : std::string(field);
   };
   std::vector<std::string> units;
   std::size_t rows = 0;
@@ -303,7 +303,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
     if (fields.size() != parameters_.size())
       throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(parameters_.size()));
     for (std::size_t k = 0; k < fields.size(); ++k)
-      if (!units[k].empty() || !parse_number(field_of(fields[k]))) parameters_[k].is_number = false;
+      if (!units[k].empty() || !io::parse_number(field_of(fields[k]))) parameters_[k].is_number = false;
   });
   if (rows < 2) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
   count_ = rows - 1;
@@ -313,7 +313,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k) {
       const std::string field = field_of(fields[k]);
-      const auto number = parse_number(field);
+      const auto number = io::parse_number(field);
       if (parameters_[k].is_number)
         columns[k].numbers.push_back(number.value());
       else if (number && units[k].empty())
@@ -329,7 +329,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
 std::string SweepSpec::place(std::size_t index) const {
   if (list_name_.empty()) return {};
   std::size_t rows = 0, line = 0;
-  visit_lines(csv_start(list_text_, list_name_), list_name_, [&](const auto&, std::size_t number) {
+  visit_lines(io::csv_start(list_text_, list_name_), list_name_, [&](const auto&, std::size_t number) {
     if (rows++ == index + 1) line = number; // keys come first
   });
   return list_name_ + ":" + std::to_string(line) + ": ";
@@ -337,7 +337,7 @@ std::string SweepSpec::place(std::size_t index) const {
 
 void SweepSpec::read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units) {
   for (const auto field : fields) {
-    const auto [name, unit] = name_and_unit(field);
+    const auto [name, unit] = io::name_and_unit(field);
     if (name.empty()) throw Error("column " + std::to_string(parameters_.size() + 1) + " has no name");
     parameters_.push_back({std::string(name), keys_of(std::string(name)), true});
     units.emplace_back(unit == "-" ? "" : unit);
@@ -352,7 +352,7 @@ void SweepSpec::require_distinct_keys() const {
         throw Error((list_name_.empty() ? name_ : list_name_) + ": " + key + ": is varied twice");
 }
 
-void SweepSpec::read_chunk(const TomlSection& root) {
+void SweepSpec::read_chunk(const io::TomlSection& root) {
   chunk_ = usual_chunk(count_);
   int chunk = static_cast<int>(chunk_);
   root.count("chunk", static_cast<int>((count_ + most_chunks - 1) / most_chunks), 1'000'000, chunk);
@@ -412,7 +412,7 @@ toml::table SweepSpec::case_as_written(std::size_t index) const {
   return table;
 }
 
-void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units) const {
+void SweepSpec::convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const {
   const SweepParameter& parameter = parameters_[k];
   const auto unit = units.find(parameter.keys.front());
   if (unit == units.end()) return; // texts that begin with a digit
@@ -421,7 +421,7 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
       throw Error(axis.place + parameter.name + ": keys of different units cannot take the same text with a unit");
   const auto number = [&](const std::string& text, std::size_t index) {
     try {
-      return number_in_unit(parameter.name, text, unit->second);
+      return io::number_in_unit(parameter.name, text, unit->second);
     } catch (const Error& error) {
       throw Error((list_name_.empty() ? axis.place : place(index)) + error.what());
     }
@@ -436,7 +436,7 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& 
     }
 }
 
-void SweepSpec::convert_units(const TomlSection::KeyUnits& units) {
+void SweepSpec::convert_units(const io::TomlSection::KeyUnits& units) {
   for (SweepParameter& parameter : parameters_)
     if (const auto unit = units.find(parameter.keys.front()); unit != units.end()) parameter.unit = unit->second;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
@@ -447,7 +447,7 @@ void SweepSpec::convert_units(const TomlSection::KeyUnits& units) {
   }
   for (const auto& [key, unit] : units)
     if (const auto* text = base_.at_path(key).as_string())
-      put(key, {.number = number_in_unit(key, text->get(), unit)}, base_);
+      put(key, {.number = io::number_in_unit(key, text->get(), unit)}, base_);
 }
 
 std::uint64_t SweepSpec::identity() const {
@@ -473,4 +473,4 @@ void SweepSpec::fail(const toml::source_region& place, const std::string& what) 
   throw Error(name_ + ":" + std::to_string(place.begin.line) + ": " + what);
 }
 
-} // namespace microslip
+} // namespace microslip::campaign

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::campaign {
 
 /// What a parameter is in a case: a number, or what a list in the file or a column of a table has.
 struct CaseValue {
@@ -43,7 +43,7 @@ public:
   toml::table case_as_written(std::size_t index) const;
   /// Makes them numbers in the units that their keys have, also those of the case before anything varies. Error for
   /// another kind of unit.
-  void convert_units(const TomlSection::KeyUnits& units);
+  void convert_units(const io::TomlSection::KeyUnits& units);
 
   /// The case before anything varies, and its file's name for messages.
   const toml::table& base() const { return base_; }
@@ -77,20 +77,20 @@ private:
   struct Axis;
   struct Entry;
 
-  void read_base(const TomlSection& root);
+  void read_base(const io::TomlSection& root);
   void read_grid(const toml::table& section);
-  void read_sample(const TomlSection& root, const toml::table& section);
-  void read_list(const TomlSection& list);
+  void read_sample(const io::TomlSection& root, const toml::table& section);
+  void read_list(const io::TomlSection& list);
   void parse_rows(std::string_view text, const std::string& file);
   void read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units);
   void require_distinct_keys() const;
-  void read_chunk(const TomlSection& root);
+  void read_chunk(const io::TomlSection& root);
   std::vector<Entry> entries_of(const toml::table& section) const;
   void add(const Entry& entry, bool has_count);
-  static Axis range_of(const TomlSection& range, bool has_count);
+  static Axis range_of(const io::TomlSection& range, bool has_count);
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
   void put(const std::string& key, const CaseValue& value, toml::table& table) const;
-  void convert(Axis& axis, std::size_t k, const TomlSection::KeyUnits& units) const;
+  void convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
   [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
 
   std::string title_, text_, name_, base_name_, base_text_;
@@ -106,4 +106,4 @@ private:
   int patches_ = 2;
 };
 
-} // namespace microslip
+} // namespace microslip::campaign

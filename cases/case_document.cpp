@@ -2,13 +2,13 @@
 
 #include "cases/interior_result.hpp"
 
-namespace microslip {
+namespace microslip::cases {
 
-Json case_document(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
-                   JsonFields fields) {
-  JsonResult written(provenance, fields);
+io::Json case_document(const io::RollingCase& input, const RollingContactResult& result,
+                       const io::Provenance& provenance, io::JsonFields fields) {
+  io::JsonResult written(provenance, fields);
   write_result(input, result, written);
-  Json document = written.document();
+  io::Json document = written.document();
   document["status"] = to_string(result.status);
   if (result.exact && !result.exact->interior.empty())
     document["interior_extremes"] = extremes_json(input.interior, result.exact->interior);
@@ -16,4 +16,4 @@ Json case_document(const RollingCase& input, const RollingContactResult& result,
   return document;
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
 constexpr double curve_step = 1e-4; // m
@@ -15,9 +15,9 @@ WheelsetBase base_of(const ConicityInput& input) {
   return {input.contact_distance, input.wheelset.nominal_radius};
 }
 
-Json pairs(const std::vector<double>& x, const std::vector<double>& y) {
-  auto array = Json::array();
-  for (std::size_t k = 0; k < x.size(); ++k) array.push_back({json_number(x[k]), json_number(y[k])});
+io::Json pairs(const std::vector<double>& x, const std::vector<double>& y) {
+  auto array = io::Json::array();
+  for (std::size_t k = 0; k < x.size(); ++k) array.push_back({io::json_number(x[k]), io::json_number(y[k])});
   return array;
 }
 
@@ -28,18 +28,19 @@ const WheelsetContact& at(const WheelsetCurve& curve, double lateral) {
   });
 }
 
-Json curve_document(const WheelsetCurve& curve, const WheelsetSearch::Side& left, const WheelsetSearch::Side& right) {
-  auto array = Json::array();
+io::Json curve_document(const WheelsetCurve& curve, const WheelsetSearch::Side& left,
+                        const WheelsetSearch::Side& right) {
+  auto array = io::Json::array();
   const auto first = static_cast<int>(std::ceil(curve.front().lateral / curve_step - 1e-6));
   const auto last = static_cast<int>(std::floor(curve.back().lateral / curve_step + 1e-6));
-  const auto y = [](const Profile& profile, double s) { return json_number(profile.at(s).value.y); };
+  const auto y = [](const Profile& profile, double s) { return io::json_number(profile.at(s).value.y); };
   for (int k = first; k <= last; ++k) {
     const WheelsetContact& contact = at(curve, k * curve_step);
-    array.push_back({{"lateral", json_number(k * curve_step)},
-                     {"rolling_radius_difference", json_number(contact.rolling_radius_difference())},
-                     {"contact_angle_difference", json_number(contact.contact_angle_difference())},
-                     {"roll", json_number(contact.roll)},
-                     {"vertical", json_number(contact.vertical)},
+    array.push_back({{"lateral", io::json_number(k * curve_step)},
+                     {"rolling_radius_difference", io::json_number(contact.rolling_radius_difference())},
+                     {"contact_angle_difference", io::json_number(contact.contact_angle_difference())},
+                     {"roll", io::json_number(contact.roll)},
+                     {"vertical", io::json_number(contact.vertical)},
                      {"left_rail_y", y(left.rail, contact.left.s_rail)},
                      {"left_wheel_y", y(left.wheel, contact.left.s_wheel)},
                      {"right_rail_y", y(right.rail, contact.right.s_rail)},
@@ -87,18 +88,19 @@ std::optional<double> steering_index(const ConicityInput& input, const ConicityR
                                base_of(input));
 }
 
-Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
-                       const WheelsetSearch::Side& right) {
-  Json document = {{"gauge", json_number(result.gauge)},
-                   {"equivalent_conicity", pairs(input.amplitudes, result.conicity)},
-                   {"wavelength", pairs(input.amplitudes, result.wavelength)},
-                   {"nonlinearity_parameter", result.nonlinearity ? json_number(*result.nonlinearity) : Json()},
-                   {"over_lateral_displacement", curve_document(result.curve, left, right)}};
-  if (const auto index = steering_index(input, result)) document["radial_steering_index"] = json_number(*index);
+io::Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
+                           const WheelsetSearch::Side& right) {
+  io::Json document = {
+      {"gauge", io::json_number(result.gauge)},
+      {"equivalent_conicity", pairs(input.amplitudes, result.conicity)},
+      {"wavelength", pairs(input.amplitudes, result.wavelength)},
+      {"nonlinearity_parameter", result.nonlinearity ? io::json_number(*result.nonlinearity) : io::Json()},
+      {"over_lateral_displacement", curve_document(result.curve, left, right)}};
+  if (const auto index = steering_index(input, result)) document["radial_steering_index"] = io::json_number(*index);
   return document;
 }
 
-Json conicity_units() {
+io::Json conicity_units() {
   const std::string curve = "over_lateral_displacement/";
   return {{"equivalent_conicity", "m, -"},
           {"wavelength", "m, m"},
@@ -118,4 +120,4 @@ Json conicity_units() {
           {"radial_steering_index", "-"}};
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// How `microslip conicity` looks at a wheelset on a track.
 struct ConicityInput {
@@ -40,9 +40,9 @@ std::optional<double> steering_index(const ConicityInput& input, const ConicityR
 
 /// The result as members of a JSON object: conicity over the amplitudes; rolling radius difference and so on in steps
 /// of 0.1 mm, with the places of contact on the profiles.
-Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
-                       const WheelsetSearch::Side& right);
+io::Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
+                           const WheelsetSearch::Side& right);
 /// The units of these members.
-Json conicity_units();
+io::Json conicity_units();
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
 struct Variable {
@@ -45,4 +45,4 @@ CreepCurve creep_curve(const EllipticContact& contact, int points,
   return curve;
 }
 
-} // namespace microslip
+} // namespace microslip::cases

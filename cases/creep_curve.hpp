@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// Forces along one creepage while the other two are held.
 struct CreepCurve {
@@ -23,4 +23,4 @@ struct CreepCurve {
 CreepCurve creep_curve(const EllipticContact& contact, int points,
                        const std::function<ContactForces(const EllipticContact&)>& solve);
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -2,9 +2,9 @@
 
 #include "io/json_result.hpp"
 
-namespace microslip {
+namespace microslip::cases {
 
-void write_interior(ResultWriter& file, const std::string& group, const InteriorGrid& points,
+void write_interior(io::ResultWriter& file, const std::string& group, const InteriorGrid& points,
                     const std::vector<InteriorState>& states) {
   if (states.empty()) return;
   file.array(group + "x", points.x, "m", "of the points");
@@ -28,12 +28,12 @@ void write_interior(ResultWriter& file, const std::string& group, const Interior
   field("von_mises", "Pa", "von Mises' equivalent stress", [](State s) { return von_mises(s.stress); });
 }
 
-Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states) {
-  Json result = Json::object();
+io::Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states) {
+  io::Json result = io::Json::object();
   for (const auto& [name, value, at] : interior_extremes(states))
     result[name] = {
-        {"value", json_number(value)}, {"x", points.x_of(at)}, {"y", points.y_of(at)}, {"z", points.z_of(at)}};
+        {"value", io::json_number(value)}, {"x", points.x_of(at)}, {"y", points.y_of(at)}, {"z", points.z_of(at)}};
   return result;
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// Writes points inside the bodies with displacements and stresses into a group, "interior/", say. Nothing without
 /// states.
-void write_interior(ResultWriter& file, const std::string& group, const InteriorGrid& points,
+void write_interior(io::ResultWriter& file, const std::string& group, const InteriorGrid& points,
                     const std::vector<InteriorState>& states);
 
 /// The extremes of the stresses at some points inside the bodies: `value` [Pa] and `x`, `y`, `z` [m] of each measure.
-Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);
+io::Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -5,21 +5,21 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
-Json json_point(const ProfilePoint& point) {
-  return {{"y", json_number(point.y)}, {"z", json_number(point.z)}};
+io::Json json_point(const ProfilePoint& point) {
+  return {{"y", io::json_number(point.y)}, {"z", io::json_number(point.z)}};
 }
 
-Json json_optional(const std::optional<double>& value) {
-  return value ? json_number(*value) : Json();
+io::Json json_optional(const std::optional<double>& value) {
+  return value ? io::json_number(*value) : io::Json();
 }
 
-Json dimensions_document(const ProfileFindings& findings) {
-  auto document = Json::object();
+io::Json dimensions_document(const ProfileFindings& findings) {
+  auto document = io::Json::object();
   if (findings.wheel) {
-    document["tape_line"] = json_number(findings.wheel->tape_line);
+    document["tape_line"] = io::json_number(findings.wheel->tape_line);
     document["flange_height"] = json_optional(findings.wheel->flange_height);
     document["flange_thickness"] = json_optional(findings.wheel->flange_thickness);
     document["flange_gradient"] = json_optional(findings.wheel->flange_gradient);
@@ -36,7 +36,7 @@ Json dimensions_document(const ProfileFindings& findings) {
 /// Coordinates of points and curve as arrays of one file.
 class CurveWriter {
 public:
-  explicit CurveWriter(ResultWriter& file) : file_(file) {}
+  explicit CurveWriter(io::ResultWriter& file) : file_(file) {}
 
   void points(const std::string& group, const std::vector<ProfilePoint>& points, const std::string& of) {
     std::vector<double> y, z;
@@ -67,10 +67,10 @@ public:
   }
 
 private:
-  ResultWriter& file_;
+  io::ResultWriter& file_;
 };
 
-void write_points_of_interest(const ProfileFindings& findings, ResultWriter& file) {
+void write_points_of_interest(const ProfileFindings& findings, io::ResultWriter& file) {
   if (findings.wheel) {
     const auto& wheel = *findings.wheel;
     file.scalar("dimensions/tape_line", wheel.tape_line, "m", "y of the tape line");
@@ -101,28 +101,28 @@ ProfileFindings find_dimensions(PreparedProfile prepared, const ProfileMeasures&
   return findings;
 }
 
-Json profile_document(const ProfileFindings& findings) {
+io::Json profile_document(const ProfileFindings& findings) {
   const auto& profile = findings.prepared.profile;
   const auto& report = findings.prepared.report;
-  auto document = Json::object();
+  auto document = io::Json::object();
   document["format"] = report.format;
   document["role"] = to_string(profile.role());
   document["comment"] = report.comment;
-  document["unit"] = json_number(report.unit);
+  document["unit"] = io::json_number(report.unit);
   document["points_read"] = report.points_read;
   document["points"] = report.points;
-  document["length"] = json_number(profile.length());
-  document["smoothing_length"] = json_number(report.smoothing_length);
-  document["noise"] = {{"deviation", json_number(report.noise.deviation)},
-                       {"curvature", json_number(report.noise.curvature)},
-                       {"smoothing_length", json_number(report.noise.smoothing_length)}};
+  document["length"] = io::json_number(profile.length());
+  document["smoothing_length"] = io::json_number(report.smoothing_length);
+  document["noise"] = {{"deviation", io::json_number(report.noise.deviation)},
+                       {"curvature", io::json_number(report.noise.curvature)},
+                       {"smoothing_length", io::json_number(report.noise.smoothing_length)}};
   document["dimensions"] = dimensions_document(findings);
-  auto kinks = Json::array();
+  auto kinks = io::Json::array();
   for (const auto& kink : report.kinks)
-    kinks.push_back({{"y", json_number(kink.point.y)},
-                     {"z", json_number(kink.point.z)},
-                     {"s", json_number(kink.s)},
-                     {"angle", json_number(kink.angle)}});
+    kinks.push_back({{"y", io::json_number(kink.point.y)},
+                     {"z", io::json_number(kink.point.z)},
+                     {"s", io::json_number(kink.s)},
+                     {"angle", io::json_number(kink.angle)}});
   document["kinks"] = kinks;
   document["steps"] = report.steps;
   document["assumptions"] = report.assumptions;
@@ -141,7 +141,7 @@ Json profile_document(const ProfileFindings& findings) {
   return document;
 }
 
-void write_result(const ProfileFindings& findings, ResultWriter& file) {
+void write_result(const ProfileFindings& findings, io::ResultWriter& file) {
   const auto& prepared = findings.prepared;
   file.text("role", std::string(to_string(prepared.profile.role())), "rail or wheel");
   CurveWriter curves(file);
@@ -153,4 +153,4 @@ void write_result(const ProfileFindings& findings, ResultWriter& file) {
   write_points_of_interest(findings, file);
 }
 
-} // namespace microslip
+} // namespace microslip::cases

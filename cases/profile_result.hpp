@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// What `microslip profile` finds of a profile.
 struct ProfileFindings {
@@ -26,9 +26,9 @@ struct ProfileMeasures {
 ProfileFindings find_dimensions(PreparedProfile prepared, const ProfileMeasures& measures = {});
 
 /// The findings as members of a JSON object: format, role, dimensions, kinks, what was done to the points, `units`.
-Json profile_document(const ProfileFindings& findings);
+io::Json profile_document(const ProfileFindings& findings);
 
 /// The points, the curve, kinks and dimensions.
-void write_result(const ProfileFindings& findings, ResultWriter& file);
+void write_result(const ProfileFindings& findings, io::ResultWriter& file);
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -2,32 +2,32 @@
 #include "cases/wheel_rail_result.hpp"
 #include "io/result_file.hpp"
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
 template <class Input, class Result>
-void write_file(const Input& input, const Result& result, const Provenance& provenance,
+void write_file(const Input& input, const Result& result, const io::Provenance& provenance,
                 const std::filesystem::path& path) {
-  ResultFile file(path, provenance);
+  io::ResultFile file(path, provenance);
   write_result(input, result, file);
   file.commit();
 }
 
 } // namespace
 
-void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
+void write_result(const io::RollingCase& input, const RollingContactResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path) {
   write_file(input, result, provenance, path);
 }
 
-void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
+void write_result(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path) {
   write_file(input, result, provenance, path);
 }
 
-void write_result(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+void write_result(const io::WheelsetCase& input, const WheelsetResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path) {
   write_file(input, result, provenance, path);
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +52,7 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
 }
 
 /// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
-SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContact& given) {
+SimplifiedResult solve_simplified(const io::RollingCase& input, const EllipticContact& given) {
   const EllipticContact contact = similar(given);
   const auto& options = input.options;
   auto finer = options;
@@ -63,8 +63,8 @@ SimplifiedResult solve_simplified(const RollingCase& input, const EllipticContac
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
-TableResult look_up(const RollingCase& input, const EllipticContact& contact) {
-  RollingProblem problem = rolling_problem(input);
+TableResult look_up(const io::RollingCase& input, const EllipticContact& contact) {
+  RollingProblem problem = io::rolling_problem(input);
   problem.bodies.material.dissimilarity = 0;
   TableResult result;
   result.solution = Solver({.theory = Theory::table, .table = input.table}).solve(problem);
@@ -86,14 +86,14 @@ CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& conta
 }
 
 /// dq: as given, or the elements' length.
-double step_of(const RollingCase& input, const EllipticContact& contact) {
+double step_of(const io::RollingCase& input, const EllipticContact& contact) {
   return input.motion.step > 0 ? input.motion.step : 2 * contact.a / input.options.mx;
 }
 
 /// On the grid that the case gives.
-ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& contact, const Progress& progress,
+ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress,
                           ExactExtent extent) {
-  const auto options = exact_options(input);
+  const auto options = io::exact_options(input);
   auto coarser = options;
   coarser.mx = (options.mx + 1) / 2;
   coarser.my = (options.my + 1) / 2;
@@ -113,8 +113,8 @@ ExactResult solve_on_grid(const RollingCase& input, const EllipticContact& conta
 }
 
 /// On grids that the accuracy asks for.
-ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& contact, const Progress& progress) {
-  auto options = exact_options(input);
+ExactResult solve_to_accuracy(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress) {
+  auto options = io::exact_options(input);
   ExactResult result;
   result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
@@ -126,17 +126,17 @@ ExactResult solve_to_accuracy(const RollingCase& input, const EllipticContact& c
   return result;
 }
 
-ExactResult solve_exact(const RollingCase& input, EllipticContact& contact, const Progress& progress,
+ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, const Progress& progress,
                         ExactExtent extent) {
   auto result =
       input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress, extent);
   contact.creepage = result.contact.creepage;
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
-    result.interior = interior_states(interior_body(input, input.body1), interior_body(input, input.body2),
+    result.interior = interior_states(io::interior_body(input, input.body1), io::interior_body(input, input.body2),
                                       result.contact, input.interior, essential_part(progress, 0.9, 0.9));
   }
   const bool ok = result.contact.report.status == Status::ok;
-  auto options = exact_options(input);
+  auto options = io::exact_options(input);
   if (result.limit) options.mx = options.my = result.limit->elements;
   if (extent == ExactExtent::full && input.motion.kind == ContactMotion::steady && ok)
     result.curve = exact_curve(options, contact, input.motion, part(progress, 0.9, 1));
@@ -153,11 +153,11 @@ SolverReport report_of(const ExactResult& exact) {
   return report;
 }
 
-void write(ResultWriter& file, const std::vector<StoredNumber>& quantities) {
+void write(io::ResultWriter& file, const std::vector<StoredNumber>& quantities) {
   for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
 }
 
-void write_friction(ResultWriter& file, const RollingCase& input) {
+void write_friction(io::ResultWriter& file, const io::RollingCase& input) {
   const auto& law = input.friction;
   file.text("inputs/friction_law", input.friction_law, "friction as a function of the slip velocity");
   file.scalar("inputs/friction_coefficient", law.static_coefficient(), "-", "friction coefficient mu without slip");
@@ -177,7 +177,7 @@ void write_friction(ResultWriter& file, const RollingCase& input) {
 
 /// What was given: a creepage whose force is given in its place is a result, exact/creepage_longitudinal or
 /// creepage_lateral.
-void write_motion(ResultWriter& file, const RollingCase& input) {
+void write_motion(io::ResultWriter& file, const io::RollingCase& input) {
   const auto& creepage = input.creepage;
   const bool shift = input.motion.kind == ContactMotion::shift;
   const auto write = [&](const char* name, double value, const char* unit, const char* what) {
@@ -190,22 +190,22 @@ void write_motion(ResultWriter& file, const RollingCase& input) {
     write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-", "rigid motion along y");
   write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
   file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
-  file.text("inputs/motion", std::string(to_word(input.motion.kind)), "shift, transient or steady rolling");
+  file.text("inputs/motion", std::string(io::to_word(input.motion.kind)), "shift, transient or steady rolling");
   if (input.motion.force_x) file.scalar("inputs/force_longitudinal", *input.motion.force_x, "N", "force given along x");
   if (input.motion.force_y) file.scalar("inputs/force_lateral", *input.motion.force_y, "N", "force given along y");
   if (input.motion.step > 0) file.scalar("inputs/step", input.motion.step, "m", "distance rolled in a step");
   file.scalar("inputs/steps", input.motion.steps, "-", "number of steps");
-  file.text("inputs/direction", std::string(to_word(input.options.direction)), "rolling along +x or -x");
+  file.text("inputs/direction", std::string(io::to_word(input.options.direction)), "rolling along +x or -x");
 }
 
-void write_solution(ResultWriter& file, const RollingCase& input) {
+void write_solution(io::ResultWriter& file, const io::RollingCase& input) {
   const auto& options = input.options;
-  file.text("inputs/theory", std::string(to_word(input.theory)), "algorithm");
+  file.text("inputs/theory", std::string(io::to_word(input.theory)), "algorithm");
   if (input.theory == Theory::exact) {
-    file.text("inputs/discretisation", std::string(to_word(input.discretisation)), "of the exact theory");
-    file.text("inputs/elements", std::string(to_word(input.elements)), "of the classical discretisation");
+    file.text("inputs/discretisation", std::string(io::to_word(input.discretisation)), "of the exact theory");
+    file.text("inputs/elements", std::string(io::to_word(input.elements)), "of the classical discretisation");
     file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
-    file.text("inputs/slip_start", std::string(to_word(input.slip_start)),
+    file.text("inputs/slip_start", std::string(io::to_word(input.slip_start)),
               "where friction that depends on slip begins");
     file.scalar("inputs/friction_memory_distance", input.friction_memory.distance, "m", "slip that friction remembers");
     file.scalar("inputs/friction_memory_speed", input.friction_memory.slowest, "m/s", "least speed of forgetting");
@@ -217,16 +217,17 @@ void write_solution(ResultWriter& file, const RollingCase& input) {
   }
   file.scalar("inputs/mx", options.mx, "-", "cells along x");
   file.scalar("inputs/my", options.my, "-", "rows along y");
-  file.text("inputs/bound", std::string(to_word(options.bound)), "shape of the traction bound");
-  file.text("inputs/flexibility", std::string(to_word(options.flexibility)), "flexibilities of the simplified theory");
-  file.text("inputs/coefficients", std::string(to_word(options.creepage_table)), "table of creepage coefficients");
+  file.text("inputs/bound", std::string(io::to_word(options.bound)), "shape of the traction bound");
+  file.text("inputs/flexibility", std::string(io::to_word(options.flexibility)),
+            "flexibilities of the simplified theory");
+  file.text("inputs/coefficients", std::string(io::to_word(options.creepage_table)), "table of creepage coefficients");
   const auto& reduction = options.slope_reduction;
   file.scalar("inputs/slope_reduction_initial", reduction.initial, "-", "factor on the creep curve's initial slope");
   file.scalar("inputs/slope_reduction_at_infinity", reduction.at_infinity, "-", "its part that is left at large slip");
   file.scalar("inputs/slope_reduction_decay", reduction.decay, "-", "how fast it falls");
 }
 
-void write_inputs(ResultWriter& file, const RollingCase& input, const EllipticContact& contact) {
+void write_inputs(io::ResultWriter& file, const io::RollingCase& input, const EllipticContact& contact) {
   write(file, body_quantities(input.body1, 1));
   write(file, body_quantities(input.body2, 2));
   file.scalar("inputs/shear_modulus", contact.shear_modulus, "Pa", "combined shear modulus G");
@@ -242,7 +243,7 @@ void write_inputs(ResultWriter& file, const RollingCase& input, const EllipticCo
   write_solution(file, input);
 }
 
-void write_tolerances(ResultWriter& file, const std::string& theory, const DiscretisationError& error,
+void write_tolerances(io::ResultWriter& file, const std::string& theory, const DiscretisationError& error,
                       const ContactSolution& of, const std::string& cells) {
   const auto write = [&](const std::string& name, double value, std::string_view unit) {
     file.scalar("tolerances/" + theory + "/discretisation_error_" + name, value, std::string(unit),
@@ -254,12 +255,12 @@ void write_tolerances(ResultWriter& file, const std::string& theory, const Discr
   write("frictional_power", error.frictional_power, quantity("frictional_power").unit_of(of));
 }
 
-ResultWriter::Shape shape_of(const Elements& elements) {
+io::ResultWriter::Shape shape_of(const Elements& elements) {
   return {static_cast<std::size_t>(elements.my()), static_cast<std::size_t>(elements.mx())};
 }
 
 /// All that a solution has, by the names of the table of quantities.
-void write_theory(ResultWriter& file, const std::string& theory, const ContactSolution& solution) {
+void write_theory(io::ResultWriter& file, const std::string& theory, const ContactSolution& solution) {
   for (const Quantity& q : quantities())
     if (q.applies(solution))
       file.scalar(theory + "/" + std::string(q.name), q.value(solution), std::string(q.unit_of(solution)),
@@ -268,7 +269,7 @@ void write_theory(ResultWriter& file, const std::string& theory, const ContactSo
   if (!solution.report.reason.empty()) file.text(theory + "/reason", solution.report.reason, "why it is not ok");
 
   if (solution.elements.size() == 0) return;
-  const ResultWriter::Shape shape = shape_of(solution.elements);
+  const io::ResultWriter::Shape shape = shape_of(solution.elements);
   const std::string fields = theory + "/fields/";
   for (const FieldQuantity& f : field_quantities())
     if (!f.values(solution).empty())
@@ -279,7 +280,7 @@ void write_theory(ResultWriter& file, const std::string& theory, const ContactSo
   file.array(fields + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-void write_limit(ResultWriter& file, const AccurateContact& limit) {
+void write_limit(io::ResultWriter& file, const AccurateContact& limit) {
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("exact/limit/") + name, value, unit, what);
   };
@@ -295,14 +296,14 @@ void write_limit(ResultWriter& file, const AccurateContact& limit) {
 
 /// A number of every step of transient rolling.
 template <class Value>
-void write_history(ResultWriter& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
+void write_history(io::ResultWriter& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
                    const Value& value) {
   std::vector<double> values;
   for (const auto& step : history) values.push_back(value(step));
   file.array(std::string("exact/history/") + name, values, unit, std::string(name) + " after each step");
 }
 
-void write_history(ResultWriter& file, const std::vector<SolutionStep>& history, double step) {
+void write_history(io::ResultWriter& file, const std::vector<SolutionStep>& history, double step) {
   if (history.empty()) return;
   double rolled = 0;
   write_history(file, history, "distance", "m", [&](const SolutionStep&) { return rolled += step; });
@@ -314,7 +315,7 @@ void write_history(ResultWriter& file, const std::vector<SolutionStep>& history,
   write_history(file, history, "creepage_lateral", "-", [](const SolutionStep& s) { return s.creepage.lateral; });
 }
 
-void write_curve(ResultWriter& file, const std::string& theory, const CreepCurve& curve) {
+void write_curve(io::ResultWriter& file, const std::string& theory, const CreepCurve& curve) {
   const auto folder = "creep_curve/" + theory + "/";
   const auto write = [&](const std::string& name, const char* unit, double ContactForces::*member) {
     std::vector<double> values;
@@ -328,12 +329,12 @@ void write_curve(ResultWriter& file, const std::string& theory, const CreepCurve
 }
 
 /// Of results for simpler bodies than the case's.
-void write_assumption(ResultWriter& file, const std::string& group, const std::string& assumption) {
+void write_assumption(io::ResultWriter& file, const std::string& group, const std::string& assumption) {
   if (!assumption.empty()) file.attribute(group, "assumes", assumption);
 }
 
 /// Which creepage varies, and where on the curve the case is.
-void write_curve_point(ResultWriter& file, const CreepCurve& curve, const Creepage& creepage) {
+void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const Creepage& creepage) {
   const auto write = [&](const char* name, double value, const char* unit) {
     file.scalar(std::string("creep_curve/") + name, value, unit,
                 "of the case: given, or found where the force is given");
@@ -346,7 +347,7 @@ void write_curve_point(ResultWriter& file, const CreepCurve& curve, const Creepa
 
 } // namespace
 
-std::vector<StoredNumber> body_quantities(const BodyInput& body, int number) {
+std::vector<StoredNumber> body_quantities(const io::BodyInput& body, int number) {
   const auto suffix = std::to_string(number), of_body = " of body " + suffix;
   const auto quantity = [&](const std::string& name, double value, const char* unit, const std::string& what) {
     return StoredNumber{"inputs/" + name + "_" + suffix, value, unit, what + of_body};
@@ -383,22 +384,22 @@ std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz) {
           {"tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution"}};
 }
 
-std::string simplified_name(const RollingCase& input) {
+std::string simplified_name(const io::RollingCase& input) {
   if (input.theory == Theory::fastrip) return "fastrip";
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 
-std::string hertz_assumption(const RollingCase& input) {
-  const Bodies bodies = bodies_of(input);
+std::string hertz_assumption(const io::RollingCase& input) {
+  const Bodies bodies = io::bodies_of(input);
   return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
 }
 
-std::string simplified_assumption(const RollingCase& input) {
+std::string simplified_assumption(const io::RollingCase& input) {
   std::string all;
   const auto add = [&](bool is_needed, const char* assumption) {
     if (is_needed) all.append(all.empty() ? "" : ", ").append(assumption);
   };
-  const Bodies bodies = bodies_of(input);
+  const Bodies bodies = io::bodies_of(input);
   add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
   add(bodies.layer.flexibility > 0, "no layer");
   add(input.temperature_effect.has_value(), "friction without heat");
@@ -406,16 +407,16 @@ std::string simplified_assumption(const RollingCase& input) {
   return all;
 }
 
-ContactWarnings case_warnings(const RollingCase& input, const HertzContact& hertz) {
-  return contact_warnings(hertz, principal_radii(input.body1, input.body2),
+ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& hertz) {
+  return contact_warnings(hertz, io::principal_radii(input.body1, input.body2),
                           combine(input.body1.material, input.body2.material));
 }
 
-RollingContactResult solve_case(const RollingCase& input, const Progress& progress, ExactExtent extent) {
+RollingContactResult solve_case(const io::RollingCase& input, const Progress& progress, ExactExtent extent) {
   RollingContactResult result;
-  result.hertz = hertz_contact(input);
+  result.hertz = io::hertz_contact(input);
   result.warnings = case_warnings(input, result.hertz).texts;
-  result.contact = elliptic_contact(input, result.hertz);
+  result.contact = io::elliptic_contact(input, result.hertz);
   if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
   if (input.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
@@ -430,7 +431,7 @@ RollingContactResult solve_case(const RollingCase& input, const Progress& progre
   return result;
 }
 
-void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file) {
+void write_result(const io::RollingCase& input, const RollingContactResult& result, io::ResultWriter& file) {
   write_inputs(file, input, result.contact);
   write(file, hertz_quantities(result.hertz));
   write_assumption(file, "hertz", hertz_assumption(input));
@@ -460,4 +461,4 @@ void write_result(const RollingCase& input, const RollingContactResult& result, 
   }
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// How far totals are from those on another grid; NaN where there is none, as for a single element.
 struct DiscretisationError {
@@ -63,23 +63,23 @@ struct StoredNumber {
 };
 
 /// Of body `number`, 1 or 2: inputs/rolling_radius_1 and so on.
-std::vector<StoredNumber> body_quantities(const BodyInput& body, int number);
+std::vector<StoredNumber> body_quantities(const io::BodyInput& body, int number);
 /// hertz/normal_force and so on, tolerances/hertz_relative.
 std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz);
 
 /// Name of the simplified theory's group in result files.
-std::string simplified_name(const RollingCase& input);
+std::string simplified_name(const io::RollingCase& input);
 
 /// Where Hertz's solution, a table's and the simplified theory's are those of simpler bodies than the case's: which.
 /// Empty: of the same.
-std::string hertz_assumption(const RollingCase& input);
-std::string simplified_assumption(const RollingCase& input);
+std::string hertz_assumption(const io::RollingCase& input);
+std::string simplified_assumption(const io::RollingCase& input);
 
 /// What makes the case doubtful, by its Hertzian contact.
-ContactWarnings case_warnings(const RollingCase& input, const HertzContact& hertz);
+ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& hertz);
 
 /// What such a case's result files hold.
-constexpr const char* kind_of(const RollingCase&) {
+constexpr const char* kind_of(const io::RollingCase&) {
   return "rolling_contact";
 }
 
@@ -91,13 +91,13 @@ enum class ExactExtent {
 
 /// Solves a case by the theory it asks for, and beside the exact theory and a table by FASTSIM2. `progress` is told of
 /// long work. Throws Stopped if it returns false.
-RollingContactResult solve_case(const RollingCase& input, const Progress& progress = {},
+RollingContactResult solve_case(const io::RollingCase& input, const Progress& progress = {},
                                 ExactExtent extent = ExactExtent::full);
 
 /// Writes inputs, solutions and their tolerances.
-void write_result(const RollingCase& input, const RollingContactResult& result, ResultWriter& file);
+void write_result(const io::RollingCase& input, const RollingContactResult& result, io::ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.
-void write_result(const RollingCase& input, const RollingContactResult& result, const Provenance& provenance,
+void write_result(const io::RollingCase& input, const RollingContactResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path);
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <span>
 
-namespace microslip {
+namespace microslip::cases {
 namespace {
 
 /// One solution of each state.
@@ -44,7 +44,7 @@ template <class Result> void add_status(Result& result) {
   result.reason = std::string(to_string(first->reason)) + of_states(static_cast<std::size_t>(alike), all.size());
 }
 
-void add_profile_warnings(const PlacedProfile& profile, std::vector<std::string>& warnings) {
+void add_profile_warnings(const io::PlacedProfile& profile, std::vector<std::string>& warnings) {
   for (const auto& warning : profile.report.warnings) warnings.push_back(profile.report.source + ": " + warning);
 }
 
@@ -61,13 +61,13 @@ void add_warnings(const Solutions& solutions, const std::string& which, std::vec
   }
 }
 
-void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string_view side) {
+void write_inputs(io::ResultWriter& file, const io::WheelRailSetting& input, std::string_view side) {
   const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
     file.scalar(std::string("inputs/") + name, value, unit, what);
   };
   file.text("inputs/side", std::string(side), "of the track, looking along x");
-  file.text("inputs/theory", std::string(to_word(input.method.level)), "algorithm");
-  if (input.method.shape) file.text("inputs/shape", std::string(to_word(*input.method.shape)), "of the patches");
+  file.text("inputs/theory", std::string(io::to_word(input.method.level)), "algorithm");
+  if (input.method.shape) file.text("inputs/shape", std::string(io::to_word(*input.method.shape)), "of the patches");
   scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
   scalar("tolerance", input.method.tolerance, "-", "of the vertical force, relative");
   if (const auto& origin = input.track.rail_origin) {
@@ -95,14 +95,14 @@ void write_inputs(ResultWriter& file, const WheelRailSetting& input, std::string
   file.array("inputs/friction_angle", angle, "rad", "inclination of the surface, > 0 rising to the field side");
 }
 
-void write_varied(ResultWriter& file, const WheelRailSetting& input) {
+void write_varied(io::ResultWriter& file, const io::WheelRailSetting& input) {
   std::string varied;
   for (const auto name : input.varied) varied.append(varied.empty() ? "" : ", ").append(name);
   if (!varied.empty()) file.attribute("states", "varied", varied);
 }
 
 /// The numbers of the state that are not zero throughout, or that a sweep varies.
-void write_states(ResultWriter& file, const WheelRailCase& input) {
+void write_states(io::ResultWriter& file, const io::WheelRailCase& input) {
   for (const StateQuantity& q : state_quantities()) {
     std::vector<double> values;
     for (const auto& [state, force] : input.states) values.push_back(q.value(state));
@@ -120,21 +120,22 @@ void write_states(ResultWriter& file, const WheelRailCase& input) {
 }
 
 /// The same of a wheelset, with the forces that are prescribed.
-void write_states(ResultWriter& file, const WheelsetCase& input) {
+void write_states(io::ResultWriter& file, const io::WheelsetCase& input) {
   const auto varies = [&](std::string_view name) {
     return std::find(input.varied.begin(), input.varied.end(), name) != input.varied.end();
   };
   std::vector<double> values(input.states.size());
   for (const WheelsetStateQuantity& q : wheelset_state_quantities()) {
     std::transform(input.states.begin(), input.states.end(), values.begin(),
-                   [&](const LoadedWheelsetState& s) { return q.value(s.state); });
+                   [&](const io::LoadedWheelsetState& s) { return q.value(s.state); });
     if (varies(q.name) || std::any_of(values.begin(), values.end(), [](double v) { return v != 0; }))
       file.array("states/" + q.name, values, std::string(q.of_wheel->unit), std::string(q.of_wheel->description));
   }
   for (const PrescribedForce& f : prescribed_forces()) {
     if (!(PrescribedWheelsetForces(input.states.front().load).*f.of)) continue;
-    std::transform(input.states.begin(), input.states.end(), values.begin(),
-                   [&](const LoadedWheelsetState& s) { return (PrescribedWheelsetForces(s.load).*f.of).value_or(0); });
+    std::transform(input.states.begin(), input.states.end(), values.begin(), [&](const io::LoadedWheelsetState& s) {
+      return (PrescribedWheelsetForces(s.load).*f.of).value_or(0);
+    });
     file.array("states/" + std::string(f.name), values, std::string(f.unit),
                "prescribed, " + std::string(f.description));
   }
@@ -145,7 +146,7 @@ std::uint8_t code_of(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-template <class Of> void write_status(ResultWriter& file, const std::string& name, const std::vector<Of>& all) {
+template <class Of> void write_status(io::ResultWriter& file, const std::string& name, const std::vector<Of>& all) {
   std::vector<std::uint8_t> status;
   for (const auto& one : all) status.push_back(code_of(one->status));
   file.array(name, status, "-", status_codes);
@@ -153,7 +154,7 @@ template <class Of> void write_status(ResultWriter& file, const std::string& nam
 
 /// An array of each quantity that one of them has.
 template <class Of>
-void write_quantities(ResultWriter& file, const std::string& group, std::span<const RailwayQuantity<Of>> quantities,
+void write_quantities(io::ResultWriter& file, const std::string& group, std::span<const RailwayQuantity<Of>> quantities,
                       const std::vector<const Of*>& all) {
   std::vector<double> values(all.size());
   for (const auto& q : quantities) {
@@ -164,14 +165,14 @@ void write_quantities(ResultWriter& file, const std::string& group, std::span<co
 }
 
 template <class Solutions>
-void write_warning_codes(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+void write_warning_codes(io::ResultWriter& file, const std::string& group, const Solutions& solutions) {
   std::vector<int> codes;
   for (const auto* s : solutions) codes.push_back(static_cast<int>(s->warnings.code));
   file.array(group + "warning_code", codes, "-", warning_codes);
 }
 
 /// `group`: what stands before wheel/ and patches/.
-void write_wheel(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+void write_wheel(io::ResultWriter& file, const std::string& group, const Solutions& solutions) {
   write_quantities(file, group + "wheel/", wheel_quantities(), solutions);
   write_status(file, group + "wheel/status", solutions);
   std::vector<std::uint8_t> at_end;
@@ -180,7 +181,7 @@ void write_wheel(ResultWriter& file, const std::string& group, const Solutions& 
   file.array(group + "wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
 }
 
-void write_patches(ResultWriter& file, const std::string& group, const Solutions& solutions) {
+void write_patches(io::ResultWriter& file, const std::string& group, const Solutions& solutions) {
   std::vector<const WheelRailPatch*> patches;
   std::vector<int> of_state;
   for (std::size_t k = 0; k < solutions.size(); ++k)
@@ -200,13 +201,13 @@ template <class Visit> void walk(const Profile& profile, const Visit& visit) {
   visit(profile.at(profile.length()));
 }
 
-void write_curve(ResultWriter& file, const std::string& group, const std::vector<double>& y,
+void write_curve(io::ResultWriter& file, const std::string& group, const std::vector<double>& y,
                  const std::vector<double>& z, const std::string& axes) {
   file.array(group + "/y", y, "m", "y in " + axes);
   file.array(group + "/z", z, "m", "z in " + axes);
 }
 
-void write_profile(ResultWriter& file, const std::string& name, const PreparedProfile& prepared) {
+void write_profile(io::ResultWriter& file, const std::string& name, const PreparedProfile& prepared) {
   std::vector<double> y, z;
   walk(prepared.profile, [&](const CurvePoint& p) { y.push_back(p.value.y), z.push_back(p.value.z); });
   write_curve(file, "profiles/" + name, y, z, "the profile's own axes: y to the field side, z up");
@@ -214,7 +215,7 @@ void write_profile(ResultWriter& file, const std::string& name, const PreparedPr
 }
 
 /// Rail and wheel seen along the track, in track axes, at the height that was found.
-void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelRailSolution& solution) {
+void write_outlines(io::ResultWriter& file, const io::WheelRailCase& input, const WheelRailSolution& solution) {
   const double sign = input.side == TrackSide::right ? -1 : 1;
   WheelState<double> state = input.states.front().state;
   if (sign < 0) state = state.mirrored();
@@ -222,7 +223,7 @@ void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelR
   const auto nominal = nominal_placement(input.track, input.rail.profile, input.wheelset, input.wheel.profile);
   const WheelPlacement<double> placed = place(nominal, state);
   const bool touches = !solution.patches.empty(); // else a rail may be interrupted
-  const auto section = [&](const PlacedProfile& profile, double u) {
+  const auto section = [&](const io::PlacedProfile& profile, double u) {
     return touches ? section_at({&profile.profile, profile.surface.get()}, u).profile : profile.profile;
   };
   const Profile rail = section(input.rail, placed.longitudinal + placed.wheel.frame.origin.x),
@@ -242,10 +243,10 @@ void write_outlines(ResultWriter& file, const WheelRailCase& input, const WheelR
 }
 
 /// Of a patch in its frame.
-void write_fields(ResultWriter& file, const std::string& group, const ContactSolution& solution,
+void write_fields(io::ResultWriter& file, const std::string& group, const ContactSolution& solution,
                   const WheelRailPatch& patch, const SurfaceStrength& strength) {
-  const ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
-                                     static_cast<std::size_t>(solution.elements.mx())};
+  const io::ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
+                                         static_cast<std::size_t>(solution.elements.mx())};
   for (const FieldQuantity& f : field_quantities())
     if (!f.values(solution).empty())
       file.array(group + std::string(f.name), f.values(solution), std::string(f.unit_of(solution)),
@@ -259,7 +260,7 @@ void write_fields(ResultWriter& file, const std::string& group, const ContactSol
 }
 
 /// Of all patches, one after another.
-void write_fields(ResultWriter& file, const std::string& group, const Solutions& solutions,
+void write_fields(io::ResultWriter& file, const std::string& group, const Solutions& solutions,
                   const SurfaceStrength& strength) {
   std::size_t index = 0;
   for (const WheelRailSolution* solution : solutions) {
@@ -270,22 +271,23 @@ void write_fields(ResultWriter& file, const std::string& group, const Solutions&
   }
 }
 
-void write_profiles(ResultWriter& file, const WheelRailSetting& input) {
+void write_profiles(io::ResultWriter& file, const io::WheelRailSetting& input) {
   write_profile(file, "rail", input.rail);
   write_profile(file, "wheel", input.wheel);
 }
 
-void write_warnings(ResultWriter& file, const std::vector<std::string>& all) {
+void write_warnings(io::ResultWriter& file, const std::vector<std::string>& all) {
   std::string warnings;
   for (const auto& warning : all) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
 }
 
 template <class Input, class Result>
-Json document_of(const Input& input, const Result& result, const Provenance& provenance, JsonFields fields) {
-  JsonResult written(provenance, fields);
+io::Json document_of(const Input& input, const Result& result, const io::Provenance& provenance,
+                     io::JsonFields fields) {
+  io::JsonResult written(provenance, fields);
   write_result(input, result, written);
-  Json document = written.document();
+  io::Json document = written.document();
   document["status"] = to_string(result.status);
   document["warnings"] = result.warnings;
   return document;
@@ -302,46 +304,47 @@ Result solve_states(const Input& input, const Progress& progress, const Solve& s
   }
   go_on(progress, 1);
   add_status(result);
-  for (const PlacedProfile* profile : {&input.rail, &input.wheel}) add_profile_warnings(*profile, result.warnings);
+  for (const io::PlacedProfile* profile : {&input.rail, &input.wheel}) add_profile_warnings(*profile, result.warnings);
   return result;
 }
 
 } // namespace
 
-WheelRailMethod solving_method(const WheelRailCase& input) {
+WheelRailMethod solving_method(const io::WheelRailCase& input) {
   WheelRailMethod method = input.method;
   method.fields = method.level != WheelRailLevel::table && (input.interior.count() > 0 || input.states.size() == 1);
   return method;
 }
 
-WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress) {
-  WheelRail solver = solver_of(input, solving_method(input));
+WheelRailResult solve_case(const io::WheelRailCase& input, const Progress& progress) {
+  WheelRail solver = io::solver_of(input, solving_method(input));
   return solve_case(input, solver, progress);
 }
 
-WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress) {
+WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, const Progress& progress) {
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
   std::vector<std::vector<InteriorState>> interior;
-  auto result = solve_states<WheelRailResult>(input, progress, [&](const LoadedWheelState& s, const Progress& within) {
-    WheelRailSolution solution = solver.solve(s.state, s.vertical_force, within);
-    for (const ContactSolution& fields : solution.fields)
-      if (has_points)
-        interior.push_back(interior_states(input.material, input.material, fields, input.interior, within));
-    // Of a sweep at the level fastsim2 they were needed for stresses only.
-    if (!is_single && input.method.level == WheelRailLevel::fastsim2) solution.fields.clear();
-    return solution;
-  });
+  auto result =
+      solve_states<WheelRailResult>(input, progress, [&](const io::LoadedWheelState& s, const Progress& within) {
+        WheelRailSolution solution = solver.solve(s.state, s.vertical_force, within);
+        for (const ContactSolution& fields : solution.fields)
+          if (has_points)
+            interior.push_back(interior_states(input.material, input.material, fields, input.interior, within));
+        // Of a sweep at the level fastsim2 they were needed for stresses only.
+        if (!is_single && input.method.level == WheelRailLevel::fastsim2) solution.fields.clear();
+        return solution;
+      });
   result.interior = std::move(interior);
   add_warnings(solutions_of(result), "", result.warnings);
   return result;
 }
 
-WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
+WheelsetResult solve_case(const io::WheelsetCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
   method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
-  WheelsetOnTrack solver = solver_of(input, method);
+  WheelsetOnTrack solver = io::solver_of(input, method);
   auto result =
-      solve_states<WheelsetResult>(input, progress, [&](const LoadedWheelsetState& s, const Progress& within) {
+      solve_states<WheelsetResult>(input, progress, [&](const io::LoadedWheelsetState& s, const Progress& within) {
         return solver.solve(s.state, s.load, within);
       });
   for (const auto* profile : {&input.right_rail, &input.right_wheel})
@@ -354,8 +357,8 @@ WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress) {
   return result;
 }
 
-void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file) {
-  write_inputs(file, input, to_word(input.side));
+void write_result(const io::WheelRailCase& input, const WheelRailResult& result, io::ResultWriter& file) {
+  write_inputs(file, input, io::to_word(input.side));
   write_states(file, input);
   const Solutions solutions = solutions_of(result);
   write_wheel(file, "", solutions);
@@ -368,7 +371,7 @@ void write_result(const WheelRailCase& input, const WheelRailResult& result, Res
   write_warnings(file, result.warnings);
 }
 
-void write_result(const WheelsetCase& input, const WheelsetResult& result, ResultWriter& file) {
+void write_result(const io::WheelsetCase& input, const WheelsetResult& result, io::ResultWriter& file) {
   write_inputs(file, input, "both");
   write_states(file, input);
   std::vector<const WheelsetSolution*> all;
@@ -389,16 +392,16 @@ void write_result(const WheelsetCase& input, const WheelsetResult& result, Resul
   write_warnings(file, result.warnings);
 }
 
-Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
-                   JsonFields fields) {
-  Json document = document_of(input, result, provenance, fields);
+io::Json case_document(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
+                       io::JsonFields fields) {
+  io::Json document = document_of(input, result, provenance, fields);
   for (const auto& states : result.interior)
     document["interior_extremes"].push_back(extremes_json(input.interior, states));
   return document;
 }
-Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
-                   JsonFields fields) {
+io::Json case_document(const io::WheelsetCase& input, const WheelsetResult& result, const io::Provenance& provenance,
+                       io::JsonFields fields) {
   return document_of(input, result, provenance, fields);
 }
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::cases {
 
 /// All that `microslip solve` computes of a wheel on a rail.
 struct WheelRailResult {
@@ -21,17 +21,17 @@ struct WheelRailResult {
 };
 
 /// What such a case's result files hold.
-constexpr const char* kind_of(const WheelRailCase&) {
+constexpr const char* kind_of(const io::WheelRailCase&) {
   return "wheel_rail";
 }
 
 /// Solves all states. `progress` is told after each, and often within the exact theory and sums inside the bodies.
 /// Throws Stopped if it returns false.
-WheelRailResult solve_case(const WheelRailCase& input, const Progress& progress = {});
+WheelRailResult solve_case(const io::WheelRailCase& input, const Progress& progress = {});
 /// How: the method of the case, with fields where its result has them.
-WheelRailMethod solving_method(const WheelRailCase& input);
+WheelRailMethod solving_method(const io::WheelRailCase& input);
 /// The same by a solver with this method for the case's bodies, which may have solved other states before.
-WheelRailResult solve_case(const WheelRailCase& input, WheelRail& solver, const Progress& progress = {});
+WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, const Progress& progress = {});
 
 /// The same of a wheelset.
 struct WheelsetResult {
@@ -40,27 +40,27 @@ struct WheelsetResult {
   std::string reason;
   std::vector<std::string> warnings;
 };
-constexpr const char* kind_of(const WheelsetCase&) {
+constexpr const char* kind_of(const io::WheelsetCase&) {
   return "wheelset";
 }
-WheelsetResult solve_case(const WheelsetCase& input, const Progress& progress = {});
+WheelsetResult solve_case(const io::WheelsetCase& input, const Progress& progress = {});
 
 /// Writes inputs, states, what is found of the wheel and of each patch, profiles, fields, stresses inside.
-void write_result(const WheelRailCase& input, const WheelRailResult& result, ResultWriter& file);
+void write_result(const io::WheelRailCase& input, const WheelRailResult& result, io::ResultWriter& file);
 /// Writes it as HDF5. Error if that is impossible.
-void write_result(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
+void write_result(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path);
 
 /// The same of a wheelset: `wheelset/`, and `left/` and `right/` with what there is of a wheel.
-void write_result(const WheelsetCase& input, const WheelsetResult& result, ResultWriter& file);
-void write_result(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
+void write_result(const io::WheelsetCase& input, const WheelsetResult& result, io::ResultWriter& file);
+void write_result(const io::WheelsetCase& input, const WheelsetResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path);
 
 /// The same as a JSON object: what JsonResult makes of it, then `status`, `warnings`, and `interior_extremes` of each
 /// patch where there are points inside the bodies.
-Json case_document(const WheelRailCase& input, const WheelRailResult& result, const Provenance& provenance,
-                   JsonFields fields = JsonFields::left_out);
-Json case_document(const WheelsetCase& input, const WheelsetResult& result, const Provenance& provenance,
-                   JsonFields fields = JsonFields::left_out);
+io::Json case_document(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
+                       io::JsonFields fields = io::JsonFields::left_out);
+io::Json case_document(const io::WheelsetCase& input, const WheelsetResult& result, const io::Provenance& provenance,
+                       io::JsonFields fields = io::JsonFields::left_out);
 
-} // namespace microslip
+} // namespace microslip::cases

@@ -35,9 +35,9 @@ struct Parameters {
   ProfileParameters rail{.profile = "60e1.prr"}, wheel{.profile = "s1002.prw"};
   Track track;
   Wheelset wheelset;
-  std::string side{to_word(TrackSide::left)};
+  std::string side{io::to_word(TrackSide::left)};
   double young_modulus = 210e9, poisson_ratio = 0.28, friction = 0.3;
-  std::string theory{to_word(WheelRailLevel::fastsim2)}, shape;
+  std::string theory{io::to_word(WheelRailLevel::fastsim2)}, shape;
   int grid = WheelRailMethod{}.elements;
   double tolerance = WheelRailMethod{}.tolerance;
 };
@@ -116,23 +116,23 @@ public:
     for_each_parameter(p, [&](const auto&, const char*, const char*, auto& member) { read(v, place++, member); });
     solver_.reset();
     std::vector<std::string> warnings;
-    const PlacedProfile& rail = read_once("rail", ProfileRole::rail, p.rail, rail_, warnings);
-    const PlacedProfile& wheel = read_once("wheelset", ProfileRole::wheel, p.wheel, wheel_, warnings);
+    const io::PlacedProfile& rail = read_once("rail", ProfileRole::rail, p.rail, rail_, warnings);
+    const io::PlacedProfile& wheel = read_once("wheelset", ProfileRole::wheel, p.wheel, wheel_, warnings);
     const Material material = Material::from_young(p.young_modulus, p.poisson_ratio);
     solver_.emplace(WheelRailBodies{.rail = rail.profile,
                                     .wheel = wheel.profile,
                                     .track = p.track,
                                     .wheelset = p.wheelset,
-                                    .side = from_word<TrackSide>("wheel.side", p.side),
+                                    .side = io::from_word<TrackSide>("wheel.side", p.side),
                                     .material = combine(material, material),
                                     .friction = {{0, p.friction}},
                                     .strength = {},
                                     .rail_surface = rail.surface,
                                     .wheel_surface = wheel.surface},
-                    WheelRailMethod{.level = from_word<WheelRailLevel>("solution.theory", p.theory),
+                    WheelRailMethod{.level = io::from_word<WheelRailLevel>("solution.theory", p.theory),
                                     .shape = p.shape.empty()
                                                  ? std::nullopt
-                                                 : std::optional(from_word<PatchShape>("solution.shape", p.shape)),
+                                                 : std::optional(io::from_word<PatchShape>("solution.shape", p.shape)),
                                     .elements = p.grid,
                                     .tolerance = p.tolerance});
     first_input_ = place;
@@ -165,20 +165,20 @@ public:
 private:
   struct Read {
     ProfileParameters from;
-    PlacedProfile prepared;
+    io::PlacedProfile prepared;
   };
 
-  const PlacedProfile& read_once(const std::string& section, ProfileRole role, const ProfileParameters& p,
-                                 std::optional<Read>& kept, std::vector<std::string>& warnings) const {
+  const io::PlacedProfile& read_once(const std::string& section, ProfileRole role, const ProfileParameters& p,
+                                     std::optional<Read>& kept, std::vector<std::string>& warnings) const {
     if (!kept || !(kept->from == p)) {
       kept.reset();
-      ProfileFileOptions options{.role = role};
-      if (!p.unit.empty()) options.unit = length_of_unit(section + ".unit", p.unit);
-      if (!p.y_axis.empty()) options.y_axis = from_word<LateralSense>(section + ".y_axis", p.y_axis);
-      if (!p.z_axis.empty()) options.z_axis = from_word<VerticalSense>(section + ".z_axis", p.z_axis);
+      io::ProfileFileOptions options{.role = role};
+      if (!p.unit.empty()) options.unit = io::length_of_unit(section + ".unit", p.unit);
+      if (!p.y_axis.empty()) options.y_axis = io::from_word<io::LateralSense>(section + ".y_axis", p.y_axis);
+      if (!p.z_axis.empty()) options.z_axis = io::from_word<io::VerticalSense>(section + ".z_axis", p.z_axis);
       options.treatment.smoothing_length =
           require_between(section + ".smoothing_length", p.smoothing_length, "m", 0, 1);
-      kept = {p, read_placed_profile(resources_ / p.profile, options)};
+      kept = {p, io::read_placed_profile(resources_ / p.profile, options)};
       for (const std::string& warning : kept->prepared.report.warnings)
         warnings.push_back(section + ".profile: " + warning);
     }

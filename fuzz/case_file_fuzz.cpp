@@ -12,14 +12,14 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace microslip;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  RollingCase input;
+  io::RollingCase input;
   try {
-    input = parse_case(text, "name");
+    input = io::parse_case(text, "name");
   } catch (const Error& error) {
     if (!std::string_view(error.what()).starts_with("name:")) std::abort();
     return 0;
   }
-  const auto contact = elliptic_contact(input, hertz_contact(input));
+  const auto contact = io::elliptic_contact(input, io::hertz_contact(input));
   if (!std::isfinite(contact.a * contact.b) || !(contact.normal_force > 0)) std::abort();
   const auto coefficient = contact.friction.static_coefficient();
   if (!(coefficient >= 0 && coefficient <= FrictionLaw::largest_coefficient)) std::abort();

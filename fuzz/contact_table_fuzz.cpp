@@ -21,10 +21,10 @@ struct Table {
 
 Table read_table(const std::string& csv) {
   std::istringstream stream(csv);
-  ContactTableReader reader(stream, "name");
+  io::ContactTableReader reader(stream, "name");
   Table table;
   for (const auto name : reader.columns()) table.text.append(table.text.empty() ? "" : ",").append(name);
-  TextChunk chunk;
+  io::TextChunk chunk;
   while (reader.read(chunk)) {
     const auto rows = reader.parse(chunk);
     std::size_t begin = 0;

@@ -21,7 +21,7 @@ void require(bool condition) {
 /// What the first byte chooses: the file's name, and options beside it.
 struct Choice {
   std::string name;
-  ProfileFileOptions options;
+  io::ProfileFileOptions options;
 };
 
 Choice choice_of(std::uint8_t byte) {
@@ -31,7 +31,7 @@ Choice choice_of(std::uint8_t byte) {
   if ((byte & 8) != 0) choice.options.treatment.smoothing_length = 3e-3;
   if ((byte & 16) != 0) choice.options.section = 2;
   if ((byte & 32) != 0) choice.options.role = ProfileRole::wheel;
-  if ((byte & 64) != 0) choice.options.y_axis = LateralSense::gauge;
+  if ((byte & 64) != 0) choice.options.y_axis = io::LateralSense::gauge;
   if ((byte & 128) != 0) choice.options.treatment.y_min = -0.02;
   return choice;
 }
@@ -58,16 +58,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto [name, options] = choice_of(data[0]);
   std::optional<PreparedProfile> prepared;
   try {
-    prepared = parse_profile({reinterpret_cast<const char*>(data) + 1, size - 1}, name, options);
+    prepared = io::parse_profile({reinterpret_cast<const char*>(data) + 1, size - 1}, name, options);
   } catch (const Error& error) {
     require(std::string_view(error.what()).starts_with(name + ":"));
     return 0;
   }
   check(*prepared);
   const auto role = prepared->profile.role();
-  for (const auto format : {ProfileFormat::simpack, ProfileFormat::columns}) try {
-      const auto text = profile_text(*prepared, format);
-      check(parse_profile(text, "again", {.format = format, .role = role, .unit = 1e-3}));
+  for (const auto format : {io::ProfileFormat::simpack, io::ProfileFormat::columns}) try {
+      const auto text = io::profile_text(*prepared, format);
+      check(io::parse_profile(text, "again", {.format = format, .role = role, .unit = 1e-3}));
     } catch (const Error& error) { // smoothing may have made it cross itself, and the reader may straighten zig-zags
       require(std::string_view(error.what()).starts_with("again:"));
     }

@@ -15,7 +15,7 @@
 #include <tuple>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
@@ -395,4 +395,4 @@ std::string read_case_text(const std::filesystem::path& path) {
   return text;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 class TomlSection;
 
@@ -85,4 +85,4 @@ bool needs_classical(const RollingCase& input);
 /// The text of a case file. Error if it cannot be read or is longer than 1 MiB.
 std::string read_case_text(const std::filesystem::path& path);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr std::size_t chunk_size = std::size_t{32} * 1024;
@@ -269,4 +269,4 @@ std::string result_rows(const TableRows& rows, std::span<const ContactForces> fo
   return csv;
 }
 
-} // namespace microslip
+} // namespace microslip::io

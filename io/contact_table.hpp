@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// Whole lines of a file.
 struct TextChunk {
@@ -107,4 +107,4 @@ std::string result_header(const std::vector<std::string>& columns, bool exact = 
 std::string result_rows(const TableRows& rows, std::span<const ContactForces> forces,
                         std::span<const Iteration> iterations = {});
 
-} // namespace microslip
+} // namespace microslip::io

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ void write_creep_table(const CreepTableNodes& nodes, OutputFile& file) {
   file.commit();
 }
 
-} // namespace microslip
+} // namespace microslip::io

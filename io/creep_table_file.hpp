@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace microslip {
+namespace microslip::io {
 
 class OutputFile;
 
@@ -30,4 +30,4 @@ void write_creep_table(const CreepTableNodes& nodes, const std::filesystem::path
 /// The same into a file that has been tried before.
 void write_creep_table(const CreepTableNodes& nodes, OutputFile& file);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ CreepTables::get(const TomlSection& solution, std::optional<double> poisson_rati
   return table;
 }
 
-} // namespace microslip
+} // namespace microslip::io

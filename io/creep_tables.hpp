@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 class TomlSection;
 
@@ -39,4 +39,4 @@ private:
   mutable std::vector<Entry> entries_; ///< the one that was asked for last stands last
 };
 
-} // namespace microslip
+} // namespace microslip::io

@@ -10,7 +10,7 @@
 
 #include <csv.h>
 
-namespace microslip {
+namespace microslip::io {
 
 struct CsvLine::Parser {
   explicit Parser(char separator) {
@@ -101,4 +101,4 @@ std::string csv_field(std::string_view text) {
   return quoted + "\"";
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// Splits lines of CSV into their fields: quotes as in RFC 4180, blanks around fields taken away.
 class CsvLine {
@@ -48,4 +48,4 @@ double csv_number(std::string_view label, std::string_view field, bool decimal_c
 /// A field as CSV with commas has it: in quotes where it has what separates fields in any table.
 std::string csv_field(std::string_view text);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace microslip {
+namespace microslip::io {
 
 std::filesystem::path file_beside(const std::filesystem::path& folder, std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
   return folder / name;
 }
 
-} // namespace microslip
+} // namespace microslip::io

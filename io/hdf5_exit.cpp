@@ -2,10 +2,10 @@
 
 #include <hdf5.h>
 
-namespace microslip {
+namespace microslip::io {
 
 void leave_hdf5_at_exit() {
   H5dont_atexit();
 }
 
-} // namespace microslip
+} // namespace microslip::io

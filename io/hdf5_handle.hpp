@@ -5,7 +5,7 @@
 
 #include <hdf5.h>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The name by which HDF5 opens a file: UTF-8 on every system.
 inline std::string hdf5_name(const std::filesystem::path& path) {
@@ -35,4 +35,4 @@ private:
   Close close_;
 };
 
-} // namespace microslip
+} // namespace microslip::io

@@ -3,7 +3,7 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
-namespace microslip {
+namespace microslip::io {
 
 InteriorGrid read_interior(const TomlSection& interior, std::size_t solutions) {
   interior.allow({"x", "y", "z"});
@@ -15,4 +15,4 @@ InteriorGrid read_interior(const TomlSection& interior, std::size_t solutions) {
   return points;
 }
 
-} // namespace microslip
+} // namespace microslip::io

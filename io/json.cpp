@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace microslip {
+namespace microslip::io {
 
 Json json_number(double value) {
   if (std::isfinite(value)) return value;
@@ -14,4 +14,4 @@ std::string json_text(const Json& value) {
   return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace microslip
+} // namespace microslip::io

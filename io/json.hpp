@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace microslip {
+namespace microslip::io {
 
 /// A JSON value whose members keep the order in which they are added.
 using Json = nlohmann::ordered_json;
@@ -16,4 +16,4 @@ Json json_number(double value);
 /// become U+FFFD.
 std::string json_text(const Json& value);
 
-} // namespace microslip
+} // namespace microslip::io

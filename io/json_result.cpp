@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 Json::json_pointer pointer_to(const std::string& path) {
@@ -70,4 +70,4 @@ Json JsonResult::document() const {
   return all;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -3,7 +3,7 @@
 #include "io/json.hpp"
 #include "io/result_writer.hpp"
 
-namespace microslip {
+namespace microslip::io {
 
 /// Whether a document has what is_field tells of, and arrays of several dimensions: as flat arrays, the last index
 /// fastest, with `shapes` by their paths.
@@ -34,4 +34,4 @@ private:
 /// documents leave out unless they are asked for.
 bool is_field(const std::string& path);
 
-} // namespace microslip
+} // namespace microslip::io

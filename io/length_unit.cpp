@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace microslip {
+namespace microslip::io {
 
 double length_of_unit(std::string_view field, std::string_view word) {
   constexpr auto words = std::to_array<std::string_view>({"mm", "m", "in"});
@@ -12,4 +12,4 @@ double length_of_unit(std::string_view field, std::string_view word) {
   return word == "mm" ? 1e-3 : word == "m" ? 1 : 0.0254;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr std::size_t longest_word = 64;
@@ -86,4 +86,4 @@ std::string printable(std::string_view text) {
   return result + (text.size() > longest ? "...\"" : "\"");
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The known word that differs least from a misspelt one, counting letters inserted, left out, replaced or swapped
 /// with their neighbour; letters of either case count as equal. Empty if more than a third of the letters differ. Cost:
@@ -20,4 +20,4 @@ std::string listed(std::span<const std::string_view> words, std::string_view con
 /// Text from a file as a message can show it: in double quotes, bytes that do not print as \xNN, shortened if long.
 std::string printable(std::string_view text);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -9,7 +9,7 @@
 #include <array>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 using Word = std::string_view;
@@ -117,4 +117,4 @@ void require_word(std::string_view field, std::string_view word, std::span<const
   throw Error(std::string(field) + " = " + printable(word) + ": must be " + listed(words) + suggestion(word, words));
 }
 
-} // namespace microslip
+} // namespace microslip::io

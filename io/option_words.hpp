@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
 /// words for Theory, TractionBound, FlexibilityModel, CreepageTable, Precision, RollingDirection,
@@ -22,4 +22,4 @@ template <class Option> Option from_word(std::string_view field, std::string_vie
 /// Error as above unless `word` is one of `words`.
 void require_word(std::string_view field, std::string_view word, std::span<const std::string_view> words);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -18,7 +18,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// Where links lead, also if nothing is there yet. With links that lead to one another, one of them.
@@ -214,4 +214,4 @@ void create_folder(const std::filesystem::path& path) {
   if (error) throw Error(path.string() + ": cannot be made a folder: " + error.message());
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 /// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by commit().
 /// Without commit() nothing is left and an older file of that name stays as it was. Symbolic links are followed, also
@@ -52,4 +52,4 @@ void require_writable_file(const std::filesystem::path& path);
 /// The same of a file in a folder that may still be missing.
 void require_writable_file_in(const std::filesystem::path& folder, const std::filesystem::path& name);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -9,7 +9,7 @@
 #include <map>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr std::size_t base_units = 5; ///< as many as the table has
@@ -168,4 +168,4 @@ std::optional<UnitSystem::Conversion> UnitSystem::conversion(const std::string& 
   };
 }
 
-} // namespace microslip
+} // namespace microslip::io

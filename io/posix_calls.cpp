@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace microslip::system_calls {
+namespace microslip::io::system_calls {
 
 int open(const std::filesystem::path& path, int flags) {
   return ::open(path.c_str(), flags | O_CLOEXEC, 0666);
@@ -46,4 +46,4 @@ bool is_dead(long process) {
   return ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
-} // namespace microslip::system_calls
+} // namespace microslip::io::system_calls

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// A line's fields; the numbers of one with decimal commas get points.
@@ -95,4 +95,4 @@ ProfileFile parse_columns(ProfileLines lines) {
   return file;
 }
 
-} // namespace microslip
+} // namespace microslip::io

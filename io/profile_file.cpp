@@ -13,7 +13,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -281,4 +281,4 @@ PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& opt
   return parse_profile(read_profile_text(path), path.string(), options);
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The grammars of profile files; docs/profiles.md has them.
 enum class ProfileFormat { simpack, miniprof, columns };
@@ -37,4 +37,4 @@ PreparedProfile parse_profile(std::string_view text, const std::string& name, co
 /// The same of a file of at most 16 MiB. Throws Error as well if it cannot be read or changes meanwhile.
 PreparedProfile read_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
-} // namespace microslip
+} // namespace microslip::io

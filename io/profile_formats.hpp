@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// What a file says: points in its own axes and unit, after what the file itself asks for, and what it tells of them.
 struct ProfileFile {
@@ -61,4 +61,4 @@ ProfileFile parse_simpack(ProfileLines lines);
 ProfileFile parse_miniprof(ProfileLines lines, int section);
 ProfileFile parse_columns(ProfileLines lines);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// Which of the columns of numbers are y and z.
@@ -194,4 +194,4 @@ ProfileFile parse_miniprof(ProfileLines lines, int section) {
   return MiniprofReader(std::move(lines), section).read();
 }
 
-} // namespace microslip
+} // namespace microslip::io

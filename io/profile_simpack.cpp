@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr auto known_keys = std::to_array<std::string_view>(
@@ -208,4 +208,4 @@ ProfileFile parse_simpack(ProfileLines lines) {
   return SimpackReader(std::move(lines)).read();
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// Rows of y and z [mm], with these signs.
@@ -84,4 +84,4 @@ ProfileFormat format_of_ending(const std::filesystem::path& path, ProfileRole ro
   return ProfileFormat::columns;
 }
 
-} // namespace microslip
+} // namespace microslip::io

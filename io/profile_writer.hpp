@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The points of a profile as the text of a file, in mm: Simpack with z down, MiniProf with x to the gauge side for
 /// rails, to the field side for wheels and y down, columns in the profile's own axes. Numbers read back to 1e-16 m.
@@ -16,4 +16,4 @@ std::string profile_text(const PreparedProfile& profile, ProfileFormat format);
 /// the other role.
 ProfileFormat format_of_ending(const std::filesystem::path& path, ProfileRole role);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -8,7 +8,7 @@
 #include <dlfcn.h>
 #endif
 
-namespace microslip {
+namespace microslip::io {
 
 namespace fs = std::filesystem;
 
@@ -44,4 +44,4 @@ fs::path explorer_page() {
   return program_file().parent_path().parent_path() / "share/microslip/explorer/index.html";
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The file of the program that runs; empty if the system does not tell.
 std::filesystem::path program_file();
@@ -18,4 +18,4 @@ std::filesystem::path python_folder();
 /// The explorer's page, share/microslip/explorer/index.html beside the program's folder, whether it is there or not.
 std::filesystem::path explorer_page();
 
-} // namespace microslip
+} // namespace microslip::io

@@ -2,7 +2,7 @@
 
 #include "io/hdf5_handle.hpp"
 
-namespace microslip {
+namespace microslip::io {
 
 std::optional<std::string> result_attribute(const std::filesystem::path& result_file, const std::string& name) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // else HDF5 prints every error by itself
@@ -19,4 +19,4 @@ std::optional<std::string> result_attribute(const std::filesystem::path& result_
   return value;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// Access properties of a file that lives in memory only, or on disk.
@@ -206,4 +206,4 @@ void ResultFile::commit() {
   contents_->output.commit();
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 
 /// An HDF5 file of results. Every dataset has the text attributes `unit` ("-" for pure numbers) and `description`.
 /// A path such as "creep_curve/fx" creates the groups it names. The file appears whole at commit() or, after any
@@ -43,4 +43,4 @@ private:
   std::unique_ptr<Contents> contents_;
 };
 
-} // namespace microslip
+} // namespace microslip::io

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// Without what HDF5 prints of every error by itself.
@@ -141,4 +141,4 @@ Json result_json(const std::filesystem::path& result_file) {
   return Reader(result_file).read();
 }
 
-} // namespace microslip
+} // namespace microslip::io

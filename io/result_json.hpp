@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace microslip {
+namespace microslip::io {
 
 /// What a result file holds, except its fields, as a JSON object: groups are objects and datasets numbers, texts or
 /// arrays of the same names; text attributes of the root and of groups are members beside them. `units` has the unit of
@@ -13,4 +13,4 @@ namespace microslip {
 /// if the file cannot be read.
 Json result_json(const std::filesystem::path& result_file);
 
-} // namespace microslip
+} // namespace microslip::io

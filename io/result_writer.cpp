@@ -5,7 +5,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 std::string now() {
@@ -38,4 +38,4 @@ std::vector<std::pair<std::string, std::string>> provenance_attributes(const Pro
           {"case_text", provenance.case_text}};
 }
 
-} // namespace microslip
+} // namespace microslip::io

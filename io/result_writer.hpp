@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// The format of result files and of the JSON documents with the same names: root attribute `format`. Raised when
 /// names, shapes or meanings change so that readers of the one before would be wrong; not by what is added.
@@ -49,4 +49,4 @@ public:
   virtual void attribute(const std::string& path, const std::string& name, const std::string& value) = 0;
 };
 
-} // namespace microslip
+} // namespace microslip::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace microslip {
+namespace microslip::io {
 
 namespace {
 
@@ -64,4 +64,4 @@ PlacedProfile read_placed_profile(const std::filesystem::path& path, const Profi
   return profile;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// A profile that varies, of a file of slices, in the axes and units of a Profile.
 struct SlicedProfile {
@@ -29,4 +29,4 @@ struct PlacedProfile : PreparedProfile {
 /// Reads either kind of file, as read_profile and read_sliced_profile do.
 PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
-} // namespace microslip
+} // namespace microslip::io

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -282,4 +282,4 @@ SlicesFile read_slices(const fs::path& path) {
   return parse_slices(read_profile_text(path), path);
 }
 
-} // namespace microslip
+} // namespace microslip::io

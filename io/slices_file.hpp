@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// A slice that a file names.
 struct SliceEntry {
@@ -41,4 +41,4 @@ SlicesFile parse_slices(std::string_view text, const std::filesystem::path& path
 /// The same of a file of at most 16 MiB. The profiles that it names are not opened.
 SlicesFile read_slices(const std::filesystem::path& path);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -6,7 +6,7 @@
 
 /// What the readers and writers of files ask of the system where POSIX and Windows differ. A call that fails returns -1
 /// and leaves the reason in errno.
-namespace microslip::system_calls {
+namespace microslip::io::system_calls {
 
 /// Opens a file for bytes as they are, which child processes do not inherit; flags of <fcntl.h>. Permissions of a new
 /// file are what the user's mask leaves.
@@ -26,4 +26,4 @@ std::string host_name();
 /// False where the system does not tell.
 bool is_dead(long process);
 
-} // namespace microslip::system_calls
+} // namespace microslip::io::system_calls

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace microslip {
+namespace microslip::io {
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t";
@@ -40,4 +40,4 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 /// Without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
@@ -17,4 +17,4 @@ bool is_no_utf8(std::string_view text);
 /// A finite decimal number and nothing else, whatever the locale; its exponent may be written with d as Fortran does.
 std::optional<double> parse_number(std::string_view text);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace microslip::detail {
+namespace microslip::io::detail {
 
 /// toml++ met an assertion of its own.
 class TomlAssertion : public std::logic_error {
@@ -13,7 +13,7 @@ class TomlAssertion : public std::logic_error {
   throw TomlAssertion(condition);
 }
 
-} // namespace microslip::detail
+} // namespace microslip::io::detail
 
 // toml++ 3.3 relies on what some malformed texts do not fulfil. A key such as [$] meets an assertion, which release
 // builds let the compiler assume: here it throws. A letter such as ä outside of text leads to code that is called
@@ -21,7 +21,7 @@ class TomlAssertion : public std::logic_error {
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(condition)                                                                                         \
-  ((condition) ? static_cast<void>(0) : ::microslip::detail::fail_toml_assertion(#condition))
+  ((condition) ? static_cast<void>(0) : ::microslip::io::detail::fail_toml_assertion(#condition))
 #define TOML_MAX_NESTED_VALUES 16
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 std::string type_name(const toml::node& node) {
@@ -296,4 +296,4 @@ double TomlSection::number(std::string_view key, std::string_view unit, std::opt
   return value;
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 /// Parses TOML; `file` is its name for messages. Error with file and line if it is malformed.
 toml::table parse_toml(std::string_view text, const std::string& file);
@@ -102,4 +102,4 @@ private:
   ReadKeys* keys_ = nullptr;
 };
 
-} // namespace microslip
+} // namespace microslip::io

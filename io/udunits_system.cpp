@@ -4,7 +4,7 @@
 
 #include <udunits2.h>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 /// UDUNITS for one thread, and silent.
@@ -80,4 +80,4 @@ std::optional<UnitSystem::Conversion> UnitSystem::conversion(const std::string& 
   return [converter](double value) { return cv_convert_double(converter.get(), value); };
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace microslip {
+namespace microslip::io {
 
 /// A unit by what stands before it in the table; base units have no value.
 struct UnitDefinition {
@@ -41,4 +41,4 @@ private:
   std::unique_ptr<Kept> kept_;
 };
 
-} // namespace microslip
+} // namespace microslip::io

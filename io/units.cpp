@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr UnitDefinition definitions[] = {
@@ -256,4 +256,4 @@ UnitScale scale_to_unit(std::string_view field, std::string_view from, std::stri
   }
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::io {
 
 /// Numbers in one unit as such in another. Only one of the two is not 1, so that decimal numbers of a prefix, 1435 mm,
 /// are the nearest numbers of the unit without it.
@@ -25,4 +25,4 @@ double number_in_unit(std::string_view field, std::string_view text, std::string
 /// From a unit to another without an offset. Error as above.
 UnitScale scale_to_unit(std::string_view field, std::string_view from, std::string_view unit);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace microslip {
+namespace microslip::io {
 namespace {
 
 constexpr int most_states = 10000;
@@ -503,4 +503,4 @@ WheelsetOnTrack solver_of(const WheelsetCase& input, const WheelRailMethod& meth
   return WheelsetOnTrack(bodies_of(input, TrackSide::left), bodies_of(input, TrackSide::right), method);
 }
 
-} // namespace microslip
+} // namespace microslip::io

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::io {
 
 class TomlSection;
 
@@ -85,4 +85,4 @@ WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side);
 WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method);
 WheelsetOnTrack solver_of(const WheelsetCase& input, const WheelRailMethod& method);
 
-} // namespace microslip
+} // namespace microslip::io

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <windows.h>
 
-namespace microslip::system_calls {
+namespace microslip::io::system_calls {
 
 int open(const std::filesystem::path& path, int flags) {
   return ::_wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
@@ -59,4 +59,4 @@ bool is_dead(long process) {
   return is_known && code != STILL_ACTIVE;
 }
 
-} // namespace microslip::system_calls
+} // namespace microslip::io::system_calls

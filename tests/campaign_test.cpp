@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CampaignPlan small_plan(std::size_t count = 103, std::size_t chunk = 4) {
-  return {.identity = hash_of("a test"), .count = count, .width = 3, .chunk = chunk};
+campaign::CampaignPlan small_plan(std::size_t count = 103, std::size_t chunk = 4) {
+  return {.identity = campaign::hash_of("a test"), .count = count, .width = 3, .chunk = chunk};
 }
 
 /// Every seventh case fails with a reason, every eleventh by an Error.
@@ -43,7 +43,7 @@ std::string fill(std::size_t index, std::span<double> row, const Progress&) {
   return index % 7 == 6 ? "reason of " + std::to_string(index) : "";
 }
 
-std::function<RowWorker()> always(const RowWorker& worker) {
+std::function<campaign::RowWorker()> always(const campaign::RowWorker& worker) {
   return [worker] { return worker; };
 }
 
@@ -59,12 +59,12 @@ void expect_told(const std::function<void()>& call, const std::string& what) {
 
 struct AllRows {
   std::vector<double> values;
-  std::vector<FailedCase> failed;
+  std::vector<campaign::FailedCase> failed;
 };
 
-AllRows rows_of(const Campaign& campaign) {
+AllRows rows_of(const campaign::Campaign& campaign) {
   AllRows all;
-  campaign.read([&](const CampaignRows& rows) {
+  campaign.read([&](const campaign::CampaignRows& rows) {
     EXPECT_EQ(rows.number * campaign.plan().chunk * campaign.plan().width, all.values.size());
     all.values.insert(all.values.end(), rows.values.begin(), rows.values.end());
     all.failed.insert(all.failed.end(), rows.failed.begin(), rows.failed.end());
@@ -72,7 +72,7 @@ AllRows rows_of(const Campaign& campaign) {
   return all;
 }
 
-void expect_right(const Campaign& campaign) {
+void expect_right(const campaign::Campaign& campaign) {
   const AllRows all = rows_of(campaign);
   const auto& plan = campaign.plan();
   ASSERT_EQ(all.values.size(), plan.count * plan.width);
@@ -89,19 +89,19 @@ void expect_right(const Campaign& campaign) {
     }
     if (reason.empty()) continue;
     ASSERT_LT(failed, all.failed.size());
-    EXPECT_EQ(all.failed[failed], (FailedCase{i, reason}));
+    EXPECT_EQ(all.failed[failed], (campaign::FailedCase{i, reason}));
     ++failed;
   }
   EXPECT_EQ(failed, all.failed.size());
 }
 
 /// Keeps the first chunks of the plan, as a run that was ended leaves them.
-void begin(const fs::path& folder, const CampaignPlan& plan, std::size_t chunks) {
-  Ranks alone;
-  Campaign campaign(folder, plan, alone);
-  CampaignRows rows;
+void begin(const fs::path& folder, const campaign::CampaignPlan& plan, std::size_t chunks) {
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder, plan, alone);
+  campaign::CampaignRows rows;
   for (std::size_t number = 0; number < chunks; ++number) {
-    ASSERT_TRUE(compute_chunk(plan, number, fill, {}, rows));
+    ASSERT_TRUE(campaign::compute_chunk(plan, number, fill, {}, rows));
     campaign.keep(rows);
   }
 }
@@ -110,8 +110,8 @@ TEST(Campaign, SameRowsOnAnyThreadsAndChunks) {
   for (const std::size_t chunk : {1, 4, 103, 1000})
     for (const int threads : {1, 2, 7}) {
       const TemporaryFolder folder;
-      Ranks alone;
-      Campaign campaign(folder / "c", small_plan(103, chunk), alone);
+      campaign::Ranks alone;
+      campaign::Campaign campaign(folder / "c", small_plan(103, chunk), alone);
       EXPECT_EQ(campaign.kept_cases(), 0u);
       ASSERT_TRUE(campaign.run({.threads = threads}, always(fill)));
       expect_right(campaign);
@@ -122,16 +122,18 @@ TEST(Campaign, SameRowsOnAnyThreadsAndChunks) {
 
 TEST(Campaign, OfOneCase) {
   const TemporaryFolder folder;
-  Ranks alone;
-  Campaign campaign(folder / "c", small_plan(1), alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", small_plan(1), alone);
   ASSERT_TRUE(campaign.run({}, always(fill)));
   expect_right(campaign);
 }
 
 TEST(Campaign, PlansOutOfRange) {
   const TemporaryFolder folder;
-  Ranks alone;
-  const auto make = [&](const CampaignPlan& plan) { return [&] { const Campaign c(folder / "c", plan, alone); }; };
+  campaign::Ranks alone;
+  const auto make = [&](const campaign::CampaignPlan& plan) {
+    return [&] { const campaign::Campaign c(folder / "c", plan, alone); };
+  };
   expect_told(make(small_plan(0)), "cases");
   expect_told(make(small_plan(2'000'000'001, 1000)), "cases");
   expect_told(make(small_plan(1'000'000'000, 1)), "chunks");
@@ -142,8 +144,8 @@ TEST(Campaign, GoesOnWithWhatIsMissing) {
   const TemporaryFolder folder;
   const auto plan = small_plan();
   begin(folder / "c", plan, 5);
-  Ranks alone;
-  Campaign campaign(folder / "c", plan, alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", plan, alone);
   EXPECT_EQ(campaign.kept_cases(), 20u);
   std::atomic<std::size_t> computed = 0;
   const auto worker = [&](std::size_t index, std::span<double> row, const Progress& progress) {
@@ -165,8 +167,8 @@ TEST(Campaign, ACheckpointCutOffAnywhereIsRecovered) {
   std::size_t last = plan.count;
   for (std::size_t size = whole.size() + 1; size-- > 0;) {
     save(journal, whole.substr(0, size));
-    Ranks alone;
-    Campaign campaign(folder / "c", plan, alone);
+    campaign::Ranks alone;
+    campaign::Campaign campaign(folder / "c", plan, alone);
     EXPECT_LE(campaign.kept_cases(), last);
     last = campaign.kept_cases();
     if (size % 16 != 0) continue;
@@ -186,13 +188,13 @@ TEST(Campaign, ADamagedByteAnywhereIsNamed) {
     std::string damaged = whole;
     damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
     save(journal, damaged);
-    Ranks alone;
-    expect_told([&] { const Campaign campaign(folder / "c", plan, alone); }, "rank-0: ");
+    campaign::Ranks alone;
+    expect_told([&] { const campaign::Campaign campaign(folder / "c", plan, alone); }, "rank-0: ");
     EXPECT_EQ(contents(journal), damaged);
   }
   fs::remove(journal);
-  Ranks alone;
-  Campaign campaign(folder / "c", plan, alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", plan, alone);
   ASSERT_TRUE(campaign.run({}, always(fill)));
   expect_right(campaign);
 }
@@ -201,9 +203,9 @@ TEST(Campaign, ForeignCheckpointsAreNamed) {
   const TemporaryFolder folder;
   const auto plan = small_plan(12);
   begin(folder / "c", plan, 3);
-  const auto refused = [&](const CampaignPlan& other, const std::string& what) {
-    Ranks alone;
-    expect_told([&] { const Campaign campaign(folder / "c", other, alone); }, what);
+  const auto refused = [&](const campaign::CampaignPlan& other, const std::string& what) {
+    campaign::Ranks alone;
+    expect_told([&] { const campaign::Campaign campaign(folder / "c", other, alone); }, what);
   };
   auto other = plan;
   other.identity ^= 1;
@@ -242,12 +244,12 @@ int in_child(const std::function<void()>& work) {
 
 TEST(Campaign, TwoRunsOnOneCheckpointAreRefused) {
   const TemporaryFolder folder;
-  Ranks alone;
-  Campaign campaign(folder / "c", small_plan(), alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", small_plan(), alone);
   const int status = in_child([&] {
-    Ranks other;
+    campaign::Ranks other;
     try {
-      const Campaign second(folder / "c", small_plan(), other);
+      const campaign::Campaign second(folder / "c", small_plan(), other);
     } catch (const Error& error) {
       const std::string expected = "another run is writing to it, process " + std::to_string(getppid());
       _exit(std::strstr(error.what(), expected.c_str()) != nullptr ? 3 : 4);
@@ -266,8 +268,8 @@ TEST(Campaign, KilledAtAnyMomentItLosesNothingAndComputesNothingTwice) {
     const auto journal = folder / "computed";
     const int after = std::uniform_int_distribution(1, 60)(random);
     const int status = in_child([&] {
-      Ranks alone;
-      Campaign campaign(folder / "c", plan, alone);
+      campaign::Ranks alone;
+      campaign::Campaign campaign(folder / "c", plan, alone);
       if (campaign.kept_cases() < kept) _exit(5); // something is lost
       std::atomic<int> computed = 0;
       const auto worker = [&](std::size_t index, std::span<double> row, const Progress& progress) {
@@ -280,8 +282,8 @@ TEST(Campaign, KilledAtAnyMomentItLosesNothingAndComputesNothingTwice) {
     if (!WIFSIGNALED(status)) {
       EXPECT_EQ(WEXITSTATUS(status), 0);
     }
-    Ranks alone;
-    const Campaign campaign(folder / "c", plan, alone);
+    campaign::Ranks alone;
+    const campaign::Campaign campaign(folder / "c", plan, alone);
     // All chunks that were finished before the one that died.
     if (WIFSIGNALED(status)) {
       EXPECT_EQ(campaign.kept_cases(), kept + static_cast<std::size_t>(after - 1) / 4 * 4);
@@ -289,8 +291,8 @@ TEST(Campaign, KilledAtAnyMomentItLosesNothingAndComputesNothingTwice) {
     kept = campaign.kept_cases();
   }
   EXPECT_GT(kills, 5);
-  Ranks alone;
-  const Campaign campaign(folder / "c", plan, alone);
+  campaign::Ranks alone;
+  const campaign::Campaign campaign(folder / "c", plan, alone);
   expect_right(campaign);
 }
 
@@ -298,13 +300,13 @@ TEST(Campaign, AFullDiskIsAnErrorThatLosesNothing) {
   const TemporaryFolder folder;
   const auto plan = small_plan(400, 4);
   {
-    Ranks alone;
-    Campaign campaign(folder / "c", plan, alone);
+    campaign::Ranks alone;
+    campaign::Campaign campaign(folder / "c", plan, alone);
     const FileSizeLimit limit(5000);
     expect_told([&] { campaign.run({.threads = 2}, always(fill)); }, "rank-0: cannot be written: ");
   }
-  Ranks alone;
-  Campaign campaign(folder / "c", plan, alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", plan, alone);
   EXPECT_GT(campaign.kept_cases(), 0u);
   EXPECT_LT(campaign.kept_cases(), 200u);
   ASSERT_TRUE(campaign.run({.threads = 2}, always(fill)));
@@ -315,8 +317,8 @@ TEST(Campaign, ProgressTellsOfAllCasesAndEndsTheRun) {
   const TemporaryFolder folder;
   const auto plan = small_plan(1000, 10);
   begin(folder / "c", plan, 50);
-  Ranks alone;
-  Campaign campaign(folder / "c", plan, alone);
+  campaign::Ranks alone;
+  campaign::Campaign campaign(folder / "c", plan, alone);
   double last = 0;
   const auto tell = [&](double fraction) {
     EXPECT_GE(fraction, std::max(last, 0.5));
@@ -330,28 +332,28 @@ TEST(Campaign, ProgressTellsOfAllCasesAndEndsTheRun) {
   };
   EXPECT_FALSE(campaign.run({.threads = 2, .progress = tell}, always(slow)));
   EXPECT_GE(last, 0.7);
-  const Campaign rest(folder / "c", plan, alone);
+  const campaign::Campaign rest(folder / "c", plan, alone);
   EXPECT_GT(rest.kept_cases(), 500u);
   EXPECT_LT(rest.kept_cases(), 1000u);
-  expect_told([&] { rest.read([](const CampaignRows&) {}); }, "not all cases are computed");
+  expect_told([&] { rest.read([](const campaign::CampaignRows&) {}); }, "not all cases are computed");
 }
 
 TEST(Campaign, ChunksComputedElsewhereAreKept) {
   const TemporaryFolder folder;
   const auto plan = small_plan();
-  Ranks alone;
+  campaign::Ranks alone;
   {
-    Campaign campaign(folder / "c", plan, alone);
+    campaign::Campaign campaign(folder / "c", plan, alone);
     ASSERT_EQ(campaign.missing_chunks().size(), plan.chunks());
     auto chunks = campaign.missing_chunks();
     std::shuffle(chunks.begin(), chunks.end(), std::mt19937(3));
-    CampaignRows rows;
+    campaign::CampaignRows rows;
     for (const std::size_t number : chunks) {
-      ASSERT_TRUE(compute_chunk(plan, number, fill, {}, rows));
+      ASSERT_TRUE(campaign::compute_chunk(plan, number, fill, {}, rows));
       campaign.keep(rows);
     }
   }
-  const Campaign campaign(folder / "c", plan, alone);
+  const campaign::Campaign campaign(folder / "c", plan, alone);
   EXPECT_TRUE(campaign.missing_chunks().empty());
   expect_right(campaign);
 }

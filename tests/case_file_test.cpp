@@ -55,7 +55,7 @@ std::string with(const std::string& part, const std::string& replacement) {
 
 std::string message_of(const std::string& text) {
   try {
-    parse_case(text, "w.toml");
+    io::parse_case(text, "w.toml");
   } catch (const Error& error) {
     return error.what();
   }
@@ -68,7 +68,7 @@ TEST(CaseFile, SaysOfACaseOfAWheelOnARailWhatItIs) {
 }
 
 TEST(CaseFile, ReadsTheShortestCase) {
-  const auto input = parse_case(good, "w.toml");
+  const auto input = io::parse_case(good, "w.toml");
   EXPECT_EQ(input.title, "t");
   EXPECT_EQ(input.body1.rolling_radius, 0.46);
   EXPECT_TRUE(std::isinf(input.body1.transverse_radius));
@@ -87,7 +87,7 @@ TEST(CaseFile, ReadsTheShortestCase) {
 }
 
 TEST(CaseFile, ReadsEveryKey) {
-  const auto input = parse_case(with("rolling_speed = 30", R"(creepage_longitudinal = 1e-3
+  const auto input = io::parse_case(with("rolling_speed = 30", R"(creepage_longitudinal = 1e-3
 creepage_lateral = -2e-3
 spin = 0.5
 rolling_speed = 20.5
@@ -99,7 +99,7 @@ bound = "elliptic"
 flexibility = "blended"
 coefficients = "computed"
 slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
-                                "w.toml");
+                                    "w.toml");
   EXPECT_EQ(input.creepage.longitudinal, 1e-3);
   EXPECT_EQ(input.creepage.lateral, -2e-3);
   EXPECT_EQ(input.creepage.spin, 0.5);
@@ -117,16 +117,18 @@ slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
 }
 
 TEST(CaseFile, LoadAndApproachAreTheSameContact) {
-  const auto by_load = hertz_contact(parse_case(good, "w.toml"));
+  const auto by_load = io::hertz_contact(io::parse_case(good, "w.toml"));
   char approach[64];
   std::snprintf(approach, sizeof approach, "approach = %.17g", by_load.approach);
-  const auto by_approach = hertz_contact(parse_case(with("normal_force = 80e3", approach), "w.toml"));
+  const auto by_approach = io::hertz_contact(io::parse_case(with("normal_force = 80e3", approach), "w.toml"));
   EXPECT_NEAR(by_approach.normal_force, 80e3, 80e3 * 1e-12);
   EXPECT_NEAR(by_approach.a, by_load.a, by_load.a * 1e-12);
 }
 
 TEST(CaseFile, ReadsEveryFrictionLaw) {
-  const auto law = [](const std::string& keys) { return parse_case(with("coefficient = 0.3", keys), "w").friction; };
+  const auto law = [](const std::string& keys) {
+    return io::parse_case(with("coefficient = 0.3", keys), "w").friction;
+  };
   const std::string terms = "kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 2\n";
   EXPECT_DOUBLE_EQ(law("law = \"linear\"\n" + terms).coefficient(1.0), 0.2 + 0.1 * 0.75);
   EXPECT_DOUBLE_EQ(law("law = \"rational\"\n" + terms).coefficient(2.0), 0.25);
@@ -164,7 +166,7 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
 }
 
 TEST(CaseFile, ReadsWhatTheExactTheoryTakes) {
-  const auto input = parse_case(with("rolling_speed = 30", R"(kind = "transient"
+  const auto input = io::parse_case(with("rolling_speed = 30", R"(kind = "transient"
 force_longitudinal = -5e3
 creepage_lateral = 1e-3
 rolling_speed = 2
@@ -175,7 +177,7 @@ theory = "exact"
 grid = [24, 12]
 discretisation = "classical"
 tolerance = 1e-9)"),
-                                "w.toml");
+                                    "w.toml");
   EXPECT_EQ(input.theory, Theory::exact);
   EXPECT_EQ(input.motion.kind, ContactMotion::transient);
   EXPECT_EQ(input.motion.force_x, -5e3);
@@ -184,18 +186,18 @@ tolerance = 1e-9)"),
   EXPECT_EQ(input.creepage.lateral, 1e-3);
   EXPECT_EQ(input.motion.step, 1e-3);
   EXPECT_EQ(input.motion.steps, 7);
-  const auto options = exact_options(input);
+  const auto options = io::exact_options(input);
   EXPECT_EQ(options.mx, 24);
   EXPECT_EQ(options.my, 12);
   EXPECT_EQ(options.tolerance, 1e-9);
   EXPECT_EQ(options.discretisation, Discretisation::classical);
-  const auto shift = parse_case(with("rolling_speed = 30", R"(kind = "shift"
+  const auto shift = io::parse_case(with("rolling_speed = 30", R"(kind = "shift"
 shift_longitudinal = 1e-5
 force_lateral = 10
 rotation = 1e-4
 [solution]
 theory = "exact")"),
-                                "w.toml");
+                                    "w.toml");
   EXPECT_EQ(shift.creepage.longitudinal, 1e-5);
   EXPECT_EQ(shift.creepage.spin, 1e-4);
   EXPECT_EQ(shift.motion.force_y, 10);
@@ -205,11 +207,12 @@ TEST(CaseFile, BilinearElementsNeedTheClassicalDiscretisation) {
   const std::string elements = "[solution]\nelements = \"bilinear\"\n";
   const std::string similar =
       with("shear_modulus = 82e9\npoisson_ratio = 0.3", "young_modulus = 210e9\npoisson_ratio = 0.28");
-  EXPECT_EQ(parse_case(good, "w.toml").elements, ElementShape::constant);
-  const auto input = parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
-  EXPECT_EQ(exact_options(input).elements, ElementShape::bilinear);
-  const auto dissimilar = parse_case(good + elements + "theory = \"exact\"\n", "w.toml"); // always classical
-  EXPECT_EQ(exact_options(dissimilar).elements, ElementShape::bilinear);
+  EXPECT_EQ(io::parse_case(good, "w.toml").elements, ElementShape::constant);
+  const auto input =
+      io::parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
+  EXPECT_EQ(io::exact_options(input).elements, ElementShape::bilinear);
+  const auto dissimilar = io::parse_case(good + elements + "theory = \"exact\"\n", "w.toml"); // always classical
+  EXPECT_EQ(io::exact_options(dissimilar).elements, ElementShape::bilinear);
   EXPECT_EQ(message_of(similar + elements + "theory = \"exact\"\n"),
             "w.toml:19: solution.elements: bilinear ones need solution.discretisation = \"classical\"");
   EXPECT_EQ(message_of(similar + elements), "w.toml:19: solution.elements: needs solution.theory = \"exact\"");
@@ -241,7 +244,8 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
             "w.toml:18: motion.rolling_speed: unknown key; must be kind, shift_longitudinal, force_longitudinal, "
             "shift_lateral, force_lateral or rotation");
   const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
-  EXPECT_EQ(parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation, Discretisation::classical);
+  EXPECT_EQ(io::parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation,
+            Discretisation::classical);
   EXPECT_EQ(
       message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
       "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
@@ -258,17 +262,18 @@ TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
   const std::string creep = "poisson_ratio = 0.28\ncreep_ratio = 1.5\ncreep_time = 0.01";
   const std::string exact = "\n[solution]\ntheory = \"exact\"\n",
                     layer = "\n[layer]\nshear_modulus = 8e9\nthickness = 1e-5\n";
-  const RollingCase slow = parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
+  const io::RollingCase slow = io::parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
   EXPECT_EQ(slow.body1.creep.ratio, 1.5);
   EXPECT_EQ(slow.discretisation, Discretisation::classical);
-  ASSERT_EQ(bodies_of(slow).retarded.size(), 1u);
-  EXPECT_DOUBLE_EQ(bodies_of(slow).retarded[0].retardation.distance, 0.3);
+  ASSERT_EQ(io::bodies_of(slow).retarded.size(), 1u);
+  EXPECT_DOUBLE_EQ(io::bodies_of(slow).retarded[0].retardation.distance, 0.3);
   EXPECT_NE(
       message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
       std::string::npos);
-  const RollingCase layered = parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
-  EXPECT_DOUBLE_EQ(bodies_of(layered).layer.flexibility, 1e-5 / 8e9);
-  EXPECT_FALSE(bodies_of(layered).layer.yields());
+  const io::RollingCase layered =
+      io::parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
+  EXPECT_DOUBLE_EQ(io::bodies_of(layered).layer.flexibility, 1e-5 / 8e9);
+  EXPECT_FALSE(io::bodies_of(layered).layer.yields());
   EXPECT_EQ(layered.discretisation, Discretisation::classical);
   EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer)).find("needs solution.theory"),
             std::string::npos);
@@ -286,7 +291,7 @@ TEST(CaseFile, ReadsTemperatures) {
     return all.replace(all.find("poisson_ratio = 0.3\n"), 20, "poisson_ratio = 0.3\n" + body2 + "\n") + exact;
   };
   const std::string effect = "thermal_change = -0.2\nthermal_begin = 100\nthermal_range = 400\n";
-  const RollingCase input = parse_case(text(effect + "memory_distance = 1e-6", thermal, thermal), "w.toml");
+  const io::RollingCase input = io::parse_case(text(effect + "memory_distance = 1e-6", thermal, thermal), "w.toml");
   EXPECT_EQ(input.body1.thermal->density, 7850);
   EXPECT_EQ(input.body2.thermal->bulk_temperature, 20);
   EXPECT_EQ(input.temperature_effect->change, -0.2);
@@ -294,10 +299,10 @@ TEST(CaseFile, ReadsTemperatures) {
   EXPECT_EQ(input.temperature_effect->range, 400);
   EXPECT_EQ(input.friction_memory.distance, 1e-6);
   EXPECT_EQ(input.discretisation, Discretisation::classical);
-  EXPECT_EQ(exact_options(input).thermal->body2.conductivity, 50);
-  const RollingCase only_temperatures = parse_case(text("", thermal, thermal), "w.toml");
-  EXPECT_TRUE(exact_options(only_temperatures).thermal);
-  EXPECT_FALSE(exact_options(only_temperatures).temperature_effect);
+  EXPECT_EQ(io::exact_options(input).thermal->body2.conductivity, 50);
+  const io::RollingCase only_temperatures = io::parse_case(text("", thermal, thermal), "w.toml");
+  EXPECT_TRUE(io::exact_options(only_temperatures).thermal);
+  EXPECT_FALSE(io::exact_options(only_temperatures).temperature_effect);
   const auto expect_refused = [](const std::string& refused, const std::string& why) {
     EXPECT_NE(message_of(refused).find(why), std::string::npos) << message_of(refused);
   };
@@ -321,11 +326,11 @@ TEST(CaseFile, FaStripTakesWhatItNeeds) {
   const auto with_fastrip = [](const std::string& more) {
     return with("rolling_speed = 30", "rolling_speed = 30\n[solution]\ntheory = \"fastrip\"\n" + more);
   };
-  const RollingCase input = parse_case(with_fastrip(""), "w.toml");
+  const io::RollingCase input = io::parse_case(with_fastrip(""), "w.toml");
   EXPECT_EQ(input.theory, Theory::fastrip);
   EXPECT_EQ(input.options.bound, TractionBound::elliptic);
   EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
-  EXPECT_EQ(parse_case(with_fastrip("flexibility = \"one\""), "w.toml").options.flexibility, FlexibilityModel::one);
+  EXPECT_EQ(io::parse_case(with_fastrip("flexibility = \"one\""), "w.toml").options.flexibility, FlexibilityModel::one);
   EXPECT_EQ(message_of(with_fastrip("bound = \"parabolic\"")),
             "w.toml:20: solution.bound: must be elliptic with solution.theory = \"fastrip\"");
   EXPECT_EQ(message_of(with_fastrip("[solution.slope_reduction]\ninitial = 0.5")),
@@ -337,7 +342,8 @@ TEST(CaseFile, ReadsPointsInsideTheBodies) {
     return with("rolling_speed = 30",
                 "rolling_speed = 30\n[solution]\ntheory = \"" + theory + "\"\n[interior]\n" + points);
   };
-  const RollingCase input = parse_case(with_interior("x = [-1e-3, 0]\ny = [2e-3]\nz = [1e-3, -1e-3, 2]\n"), "w.toml");
+  const io::RollingCase input =
+      io::parse_case(with_interior("x = [-1e-3, 0]\ny = [2e-3]\nz = [1e-3, -1e-3, 2]\n"), "w.toml");
   EXPECT_EQ(input.interior.x, (std::vector<double>{-1e-3, 0}));
   EXPECT_EQ(input.interior.z, (std::vector<double>{1e-3, -1e-3, 2}));
   EXPECT_EQ(input.interior.count(), 6U);
@@ -366,15 +372,16 @@ TEST(CaseFile, NamesWhatIsMissing) {
 }
 
 TEST(CaseFile, TakesTextsWithUnits) {
-  const auto expected = parse_case(good, "w.toml");
+  const auto expected = io::parse_case(good, "w.toml");
   const auto text = with("rolling_radius = 0.46", "rolling_radius = \"460 mm\"");
-  const auto input = parse_case(text.substr(0, text.find("[body2]")) +
-                                    "[body2]\nrolling_radius = \"inf m\"\ntransverse_radius = \"30 cm\"\nshear_modulus "
-                                    "= \"82 GPa\"\npoisson_ratio "
-                                    "= 0.3\n[load]\nnormal_force = \"80 kN\"\n[friction]\ncoefficient = \"30 "
-                                    "%\"\n[motion]\nrolling_speed = \"108 "
-                                    "km/h\"\n",
-                                "w.toml");
+  const auto input =
+      io::parse_case(text.substr(0, text.find("[body2]")) +
+                         "[body2]\nrolling_radius = \"inf m\"\ntransverse_radius = \"30 cm\"\nshear_modulus "
+                         "= \"82 GPa\"\npoisson_ratio "
+                         "= 0.3\n[load]\nnormal_force = \"80 kN\"\n[friction]\ncoefficient = \"30 "
+                         "%\"\n[motion]\nrolling_speed = \"108 "
+                         "km/h\"\n",
+                     "w.toml");
   EXPECT_EQ(input.body1.rolling_radius, expected.body1.rolling_radius);
   EXPECT_EQ(input.body2.rolling_radius, expected.body2.rolling_radius);
   EXPECT_EQ(input.body2.transverse_radius, expected.body2.transverse_radius);
@@ -400,11 +407,11 @@ TEST(CaseFile, LeavesNothingInMemory) {
 #ifdef MICROSLIP_SANITIZED
   GTEST_SKIP() << "the sanitizer has an allocator of its own, and looks for leaks itself";
 #endif
-  const std::string text = read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
+  const std::string text = io::read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
   const std::string wrong = with("80e3", "\"80 mm\"");
   const auto read = [&](int times) {
     for (int k = 0; k < times; ++k) {
-      parse_case(text, "w.toml");
+      io::parse_case(text, "w.toml");
       EXPECT_NE(message_of(wrong), "");
     }
   };
@@ -420,28 +427,28 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
   std::size_t count = 0;
   const auto check = [&](const std::string& name, const auto& read) {
     const std::string file = MICROSLIP_SOURCE_DIR "/examples/" + name;
-    const auto table = parse_toml(read_case_text(file), file);
-    TomlSection::ReadKeys found;
-    read(TomlSection(table, file, {}, &found));
-    for (const auto& [key, unit] : TomlSection::units_of(found)) {
+    const auto table = io::parse_toml(io::read_case_text(file), file);
+    io::TomlSection::ReadKeys found;
+    read(io::TomlSection(table, file, {}, &found));
+    for (const auto& [key, unit] : io::TomlSection::units_of(found)) {
       ++count;
       try {
-        number_in_unit(key, "1 kg s", unit);
+        io::number_in_unit(key, "1 kg s", unit);
         ADD_FAILURE() << key;
       } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("must be in "), std::string::npos) << error.what();
       }
     }
   };
-  check("hertzian_contact.toml", [](const TomlSection& root) { read_case(root); });
-  check("two_rollers.toml", [](const TomlSection& root) { read_case(root); });
-  check("wheel_on_rail.toml", [](const TomlSection& root) { read_wheel_rail_case(root); });
-  check("wheelset_in_curve.toml", [](const TomlSection& root) { read_wheelset_case(root); });
+  check("hertzian_contact.toml", [](const io::TomlSection& root) { io::read_case(root); });
+  check("two_rollers.toml", [](const io::TomlSection& root) { io::read_case(root); });
+  check("wheel_on_rail.toml", [](const io::TomlSection& root) { io::read_wheel_rail_case(root); });
+  check("wheelset_in_curve.toml", [](const io::TomlSection& root) { io::read_wheelset_case(root); });
   EXPECT_GT(count, 60u);
   for (const StateQuantity& q : state_quantities())
-    EXPECT_EQ(number_in_unit("x", "0 " + std::string(q.unit), q.unit), 0);
+    EXPECT_EQ(io::number_in_unit("x", "0 " + std::string(q.unit), q.unit), 0);
   for (const PrescribedForce& f : prescribed_forces())
-    EXPECT_EQ(number_in_unit("x", "0 " + std::string(f.unit), f.unit), 0);
+    EXPECT_EQ(io::number_in_unit("x", "0 " + std::string(f.unit), f.unit), 0);
 }
 
 TEST(CaseFile, NamesWrongTypes) {
@@ -460,7 +467,7 @@ TEST(CaseFile, NamesWrongTypes) {
 
 TEST(CaseFile, OneNumberOfElementsIsForBothDirections) {
   for (const char* grid : {"12", "[12, 12]"}) {
-    const auto options = parse_case(good + "[solution]\ngrid = " + grid, "w.toml").options;
+    const auto options = io::parse_case(good + "[solution]\ngrid = " + grid, "w.toml").options;
     EXPECT_EQ(options.mx, 12) << grid;
     EXPECT_EQ(options.my, 12) << grid;
   }
@@ -550,14 +557,15 @@ TEST(CaseFile, TakesCarriageReturnsAndByteOrderMark) {
 TEST(CaseFile, ReadsAFileOrSaysWhyNot) {
   const TemporaryFolder folder;
   std::ofstream(folder / "w.toml", std::ios::binary) << good;
-  EXPECT_EQ(read_case_text(folder / "w.toml"), good);
-  EXPECT_EQ(parse_case(read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml"), "example").normal_force,
+  EXPECT_EQ(io::read_case_text(folder / "w.toml"), good);
+  EXPECT_EQ(io::parse_case(io::read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml"), "example")
+                .normal_force,
             80e3);
 
   std::ofstream(folder / "long.toml") << std::string((1 << 20) + 1, '#');
   const auto message = [](const std::filesystem::path& path) {
     try {
-      read_case_text(path);
+      io::read_case_text(path);
     } catch (const Error& error) {
       return std::string(error.what());
     }

@@ -219,13 +219,13 @@ TEST(Conicity, IntegralOfTheStandardsOwnRadiusDifferences) {
 
 TEST(Conicity, WheelsAAndBOfEn15302) {
   if (!std::filesystem::exists(reference("rail.dat"))) GTEST_SKIP() << "the standard's profiles are not at hand";
-  ProfileFileOptions options;
+  io::ProfileFileOptions options;
   options.unit = 1e-3;
-  options.y_axis = LateralSense::field;
-  options.z_axis = VerticalSense::up;
+  options.y_axis = io::LateralSense::field;
+  options.z_axis = io::VerticalSense::up;
   const auto read = [&](const std::string& name, ProfileRole role) {
     options.role = role;
-    return read_profile(reference(name), options).profile;
+    return io::read_profile(reference(name), options).profile;
   };
   const Profile rail = read("rail.dat", ProfileRole::rail);
   Track track;

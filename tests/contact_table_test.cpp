@@ -27,15 +27,15 @@ struct Table {
 /// With an Error for the first bad row.
 Table read_table(const std::string& csv) {
   std::istringstream stream(csv);
-  ContactTableReader reader(stream, "in.csv");
+  io::ContactTableReader reader(stream, "in.csv");
   Table table;
   table.columns = reader.columns();
-  TextChunk chunk;
+  io::TextChunk chunk;
   while (reader.read(chunk)) {
     const auto rows = reader.parse(chunk);
     if (!rows.bad.empty()) throw Error(reader.message(rows.bad.front()));
     table.contacts.insert(table.contacts.end(), rows.contacts.begin(), rows.contacts.end());
-    table.text += result_rows(rows, std::vector<ContactForces>(rows.contacts.size()));
+    table.text += io::result_rows(rows, std::vector<ContactForces>(rows.contacts.size()));
   }
   EXPECT_EQ(reader.bytes_read(), csv.size());
   return table;
@@ -77,8 +77,8 @@ TEST(ContactTable, ReadsARow) {
 
 TEST(ContactTable, ReadsDissimilarityAndSpeedWhereTheyAreGiven) {
   std::istringstream stream("rolling_speed,dissimilarity," + header + "30,-0.22," + row + "40,0," + row);
-  ContactTableReader reader(stream, "in.csv");
-  TextChunk chunk;
+  io::ContactTableReader reader(stream, "in.csv");
+  io::TextChunk chunk;
   ASSERT_TRUE(reader.read(chunk));
   const auto rows = reader.parse(chunk);
   ASSERT_EQ(rows.contacts.size(), 2u);
@@ -99,9 +99,9 @@ TEST(ContactTable, RefusesImpossibleDissimilaritiesAndThoseThatTheSolverCannotHo
   EXPECT_EQ(message_of("rolling_speed," + header + "0," + row),
             "in.csv:2: column rolling_speed = 0 [m/s]: must be positive and finite");
   std::istringstream stream("dissimilarity," + header + "0," + row + "1e-9," + row);
-  ContactTableReader reader(stream, "in.csv");
+  io::ContactTableReader reader(stream, "in.csv");
   reader.refuse_dissimilar_bodies("unless pigs fly");
-  TextChunk chunk;
+  io::TextChunk chunk;
   ASSERT_TRUE(reader.read(chunk));
   const auto rows = reader.parse(chunk);
   ASSERT_EQ(rows.bad.size(), 1u);
@@ -111,7 +111,7 @@ TEST(ContactTable, RefusesImpossibleDissimilaritiesAndThoseThatTheSolverCannotHo
 TEST(ContactTable, ReadsColumnsByTheirFormerNames) {
   const std::string former = "a,b,shear_modulus,poisson_ratio,friction,normal_force,creep_x,creep_y,spin\n";
   std::istringstream stream(former + row);
-  ContactTableReader reader(stream, "in.csv");
+  io::ContactTableReader reader(stream, "in.csv");
   EXPECT_EQ(reader.columns().at(6), "creepage_longitudinal");
   EXPECT_EQ(message_of(former + row), "no error");
 }
@@ -175,7 +175,7 @@ TEST(ContactTable, PassesFurtherColumnsOn) {
   EXPECT_EQ(table.columns.at(0), "name");
   EXPECT_EQ(table.columns.at(1), "time");
   const auto named = read_table("\";;;;;;;;;;;;\"," + header + "x," + row);
-  EXPECT_EQ(read_table(result_header(named.columns) + named.text).text, named.text);
+  EXPECT_EQ(read_table(io::result_header(named.columns) + named.text).text, named.text);
   const std::string fields = row.substr(0, row.size() - 1) + ",0,0,0,0,0,ok\n";
   EXPECT_EQ(table.text, "\"a;b, \"\"c\"\"\",\"0,5\"," + fields + ",," + fields);
 }
@@ -184,8 +184,8 @@ TEST(ContactTable, PassesFurtherColumnsOn) {
 TEST(ContactTable, ReplacesResultsOfAnEarlierRun) {
   const auto first = read_table(header + row);
   const auto second =
-      read_table(result_header(first.columns, true) + row.substr(0, row.size() - 1) + ",1,2,3,4,5,ok,1e-9,7\n");
-  EXPECT_EQ(result_header(second.columns), result_header(first.columns));
+      read_table(io::result_header(first.columns, true) + row.substr(0, row.size() - 1) + ",1,2,3,4,5,ok,1e-9,7\n");
+  EXPECT_EQ(io::result_header(second.columns), io::result_header(first.columns));
   EXPECT_EQ(second.text, first.text);
 }
 
@@ -211,8 +211,8 @@ TEST(ContactTable, ColumnsHaveOtherUnits) {
 
 TEST(ContactTable, FindsAllBadRows) {
   std::istringstream stream(header + row + "1,2,3\n" + row_with(4, "abc") + row + row_with(3, "0.7"));
-  ContactTableReader reader(stream, "in.csv");
-  TextChunk chunk;
+  io::ContactTableReader reader(stream, "in.csv");
+  io::TextChunk chunk;
   reader.read(chunk);
   const auto rows = reader.parse(chunk);
   EXPECT_EQ(rows.contacts.size(), 2u);
@@ -221,7 +221,7 @@ TEST(ContactTable, FindsAllBadRows) {
   EXPECT_EQ(reader.message(rows.bad[0]), "in.csv:3: 3 fields, not 9");
   EXPECT_EQ(reader.message(rows.bad[1]), "in.csv:4: column friction: \"abc\" is not a number");
   EXPECT_EQ(reader.message(rows.bad[2]), "in.csv:6: column poisson_ratio = 0.7 [-]: must be in [0, 0.5]");
-  EXPECT_EQ(result_rows(rows, std::vector<ContactForces>(2)), read_table(header + row + row).text);
+  EXPECT_EQ(io::result_rows(rows, std::vector<ContactForces>(2)), read_table(header + row + row).text);
 }
 
 TEST(ContactTable, NamesColumnsThatAreWrong) {
@@ -301,16 +301,17 @@ TEST(ContactTable, ReadsMoreThanAChunkWithTheRightLineNumbers) {
 
 TEST(ContactTable, WritesNumbersThatReadBackAsTheSame) {
   std::istringstream stream(header + row);
-  ContactTableReader reader(stream, "in.csv");
-  TextChunk chunk;
+  io::ContactTableReader reader(stream, "in.csv");
+  io::TextChunk chunk;
   reader.read(chunk);
   const auto rows = reader.parse(chunk);
   const double third = 1.0 / 3, tiny = std::numeric_limits<double>::denorm_min();
   const std::vector<ContactForces> forces = {{third, -2e300, tiny, 0.1, 0, Status::ok}};
-  EXPECT_EQ(result_rows(rows, forces), row.substr(0, row.size() - 1) + ",0.3333333333333333,-2e+300,5e-324,0.1,0,ok\n");
+  EXPECT_EQ(io::result_rows(rows, forces),
+            row.substr(0, row.size() - 1) + ",0.3333333333333333,-2e+300,5e-324,0.1,0,ok\n");
   const std::vector<ContactForces> invalid = {{std::nan(""), 0, 0, 0, 0, Status::invalid_input}};
-  EXPECT_EQ(result_rows(rows, invalid), row.substr(0, row.size() - 1) + ",nan,0,0,0,0,invalid_input\n");
-  EXPECT_EQ(result_header(reader.columns()),
+  EXPECT_EQ(io::result_rows(rows, invalid), row.substr(0, row.size() - 1) + ",nan,0,0,0,0,invalid_input\n");
+  EXPECT_EQ(io::result_header(reader.columns()),
             header.substr(0, header.size() - 1) + ",fx,fy,mz,adhesion_area,slip_area,status\n");
 }
 

@@ -21,8 +21,8 @@ Case first_case(const std::string& text) {
   return *reader.next();
 }
 
-RollingCase converted(const std::string& text) {
-  return parse_case(to_toml(first_case(text), "a case"), "a.toml");
+io::RollingCase converted(const std::string& text) {
+  return io::parse_case(to_toml(first_case(text), "a case"), "a.toml");
 }
 
 void expect_refused(const std::string& text, const std::string& why) {
@@ -39,16 +39,16 @@ std::string with(std::string text, const std::string& from, const std::string& t
 }
 
 /// The forces that a case file gives.
-ContactForces forces_of(const RollingCase& input) {
-  const EllipticContact contact = elliptic_contact(input, hertz_contact(input));
-  return EllipticContactSolver(exact_options(input)).solve(contact, input.motion).forces();
+ContactForces forces_of(const io::RollingCase& input) {
+  const EllipticContact contact = io::elliptic_contact(input, io::hertz_contact(input));
+  return EllipticContactSolver(io::exact_options(input)).solve(contact, input.motion).forces();
 }
 
 TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
   for (const std::string chi : {"0", "180d"}) {
     const std::string text = steady_rolling("100. 2d-4 -1d-4 1d-4 .2 .1", chi + " .1 30000.");
     const PrintedTotals t = run_cases(text).at(0).outcome.totals;
-    const RollingCase input = converted(text);
+    const io::RollingCase input = converted(text);
     EXPECT_EQ(input.title, "a case");
     EXPECT_EQ(input.theory, Theory::exact);
     EXPECT_EQ(input.options.mx, 12);
@@ -60,7 +60,7 @@ TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
 }
 
 TEST(ContactToml, ForcesAndShifts) {
-  const RollingCase input = converted(first_shift);
+  const io::RollingCase input = converted(first_shift);
   EXPECT_EQ(input.motion.kind, ContactMotion::shift);
   EXPECT_NEAR(*input.motion.force_x, -0.2 * 9.1954, 1e-12);
   EXPECT_DOUBLE_EQ(input.body1.rolling_radius, 0.05);
@@ -87,7 +87,7 @@ TEST(ContactToml, BilinearElements) {
 TEST(ContactToml, FastsimWithAFallingLaw) {
   std::string text = with(steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "233100"), "022020", "422320");
   text = with(with(text, ".3 .3", ".2 .1 500. 0 0\n .003 10"), "82000. 82000.", "82000. 82000.\n .5 .1 .6");
-  const RollingCase input = converted(text);
+  const io::RollingCase input = converted(text);
   EXPECT_EQ(input.theory, Theory::fastsim);
   EXPECT_EQ(input.options.bound, TractionBound::parabolic);
   EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
@@ -101,7 +101,7 @@ TEST(ContactToml, FaStrip) {
     return with(with(steady_rolling("100. 2d-4 0 0", "0 .1 30000.", control), "022020", "022520"), "82000. 82000.",
                 "82000. 82000.\n " + reduction);
   };
-  const RollingCase input = converted(text("223100", "1. 1. 1."));
+  const io::RollingCase input = converted(text("223100", "1. 1. 1."));
   EXPECT_EQ(input.theory, Theory::fastrip);
   EXPECT_EQ(input.options.bound, TractionBound::elliptic);
   expect_refused(text("233100", "1. 1. 1."), "M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");

@@ -26,18 +26,19 @@ std::string case_text(const std::string& solution = "theory = \"table\"", const 
          motion + "[solution]\n" + solution + "\n";
 }
 
-RollingCase table_case(const std::string& solution = "theory = \"table\"", const std::string& motion = "",
-                       const std::string& transverse_radius = "0.3") {
-  return parse_case(case_text(solution, motion, transverse_radius), "c.toml");
+io::RollingCase table_case(const std::string& solution = "theory = \"table\"", const std::string& motion = "",
+                           const std::string& transverse_radius = "0.3") {
+  return io::parse_case(case_text(solution, motion, transverse_radius), "c.toml");
 }
 
 TEST(CreepTableCase, HasTheTablesForcesAndWhatTheCreepagesDo) {
   for (const auto direction : {RollingDirection::forward, RollingDirection::backward}) {
     const bool forward = direction == RollingDirection::forward;
-    const RollingCase input = table_case("theory = \"table\"", forward ? "" : "direction = \"backward\"\n");
-    const EllipticContact contact = elliptic_contact(input, hertz_contact(input));
-    const ContactForces expected = CreepForceTable(read_creep_table(shipped_creep_table()), direction).solve(contact);
-    const ContactSolution found = solve_case(input).table->solution;
+    const io::RollingCase input = table_case("theory = \"table\"", forward ? "" : "direction = \"backward\"\n");
+    const EllipticContact contact = io::elliptic_contact(input, io::hertz_contact(input));
+    const ContactForces expected =
+        CreepForceTable(io::read_creep_table(io::shipped_creep_table()), direction).solve(contact);
+    const ContactSolution found = cases::solve_case(input).table->solution;
     EXPECT_EQ(found.totals.fx, expected.fx);
     EXPECT_EQ(found.totals.fy, expected.fy);
     EXPECT_EQ(found.totals.mz, expected.mz);
@@ -50,17 +51,18 @@ TEST(CreepTableCase, HasTheTablesForcesAndWhatTheCreepagesDo) {
 }
 
 TEST(CreepTableCase, StandsBesideFastsim2AndNearTheExactTheory) {
-  const RollingContactResult found = solve_case(table_case()), exact = solve_case(table_case("theory = \"exact\""));
+  const cases::RollingContactResult found = cases::solve_case(table_case()),
+                                    exact = cases::solve_case(table_case("theory = \"exact\""));
   ASSERT_TRUE(found.table && found.simplified && exact.exact);
   EXPECT_EQ(found.status, Status::ok);
   EXPECT_NEAR(found.table->solution.totals.fx, exact.exact->contact.totals.fx, 0.005 * 24e3);
   EXPECT_NEAR(found.table->solution.totals.fy, exact.exact->contact.totals.fy, 0.005 * 24e3);
   EXPECT_EQ(found.table->curve.value, found.simplified->curve.value);
-  EXPECT_EQ(found.simplified->solution.totals.fx, solve_case(table_case("")).simplified->solution.totals.fx);
+  EXPECT_EQ(found.simplified->solution.totals.fx, cases::solve_case(table_case("")).simplified->solution.totals.fx);
 }
 
 TEST(CreepTableCase, BeyondTheRangeTheReasonNamesIt) {
-  const RollingContactResult found = solve_case(table_case("theory = \"table\"", "", "0.0008"));
+  const cases::RollingContactResult found = cases::solve_case(table_case("theory = \"table\"", "", "0.0008"));
   EXPECT_EQ(found.status, Status::out_of_range);
   EXPECT_NE(found.reason.find("a/b = "), std::string::npos) << found.reason;
   EXPECT_NE(found.reason.find("is beyond the creep-force table's range, 0.05 to 20: the forces are those of limits"),
@@ -90,8 +92,8 @@ TEST(CreepTableCase, RefusesWhatATableDoesNotHave) {
 }
 
 TEST(CreepTableCase, TablesAreMadeOnce) {
-  const CreepTables tables;
-  const auto file = shipped_creep_table();
+  const io::CreepTables tables;
+  const auto file = io::shipped_creep_table();
   const auto steel = tables.get(file, 0.28, RollingDirection::forward);
   EXPECT_EQ(tables.get(file, 0.28, RollingDirection::forward), steel);
   const auto backward = tables.get(file, 0.28, RollingDirection::backward);
@@ -111,7 +113,7 @@ TEST(CreepTableCase, TheProgramWritesItsForcesAndPictures) {
   EXPECT_NE(outcome.output.find("creep-force table, steady rolling"), std::string::npos) << outcome.output;
   const Hdf5Reader file(folder / "out/result.h5");
   EXPECT_EQ(file.values<double>("table/fx", H5T_NATIVE_DOUBLE).front(),
-            solve_case(table_case()).table->solution.totals.fx);
+            cases::solve_case(table_case()).table->solution.totals.fx);
   EXPECT_FALSE(file.has("table/fields"));
   EXPECT_TRUE(file.has("fastsim2/fields/px"));
   EXPECT_TRUE(file.has("creep_curve/table/fx"));

@@ -39,8 +39,8 @@ TEST(CreepTableFile, IsReadAsItWasWritten) {
   const TemporaryFolder folder;
   const fs::path path = folder / "some.creep";
   const CreepTableNodes written = empty_table();
-  write_creep_table(written, path);
-  const CreepTableNodes nodes = read_creep_table(path);
+  io::write_creep_table(written, path);
+  const CreepTableNodes nodes = io::read_creep_table(path);
   fs::remove(path); // it stays mapped
   EXPECT_EQ(nodes.axes, written.axes);
   EXPECT_EQ(nodes.origin, written.origin);
@@ -49,38 +49,38 @@ TEST(CreepTableFile, IsReadAsItWasWritten) {
 
 /// By whatever name it is asked for, and from any thread.
 TEST(CreepTableFile, TheShippedTableIsReadOnce) {
-  const CreepTableSource first = creep_table_source(shipped_creep_table());
+  const CreepTableSource first = io::creep_table_source(io::shipped_creep_table());
   const TemporaryFolder folder;
   const fs::path link = folder / "link.creep";
-  fs::create_symlink(fs::absolute(shipped_creep_table()), link);
-  EXPECT_EQ(creep_table_source(link), first);
+  fs::create_symlink(fs::absolute(io::shipped_creep_table()), link);
+  EXPECT_EQ(io::creep_table_source(link), first);
   std::vector<char> same(4);
   std::vector<std::thread> threads;
   for (char& one : same)
-    threads.emplace_back([&] { one = creep_table_source(shipped_creep_table()) == first ? 1 : 0; });
+    threads.emplace_back([&] { one = io::creep_table_source(io::shipped_creep_table()) == first ? 1 : 0; });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(std::ranges::count(same, 1), 4);
   const fs::path other = folder / "other.creep";
-  write_creep_table(empty_table(), other);
-  EXPECT_NE(creep_table_source(other), first);
+  io::write_creep_table(empty_table(), other);
+  EXPECT_NE(io::creep_table_source(other), first);
 }
 
 TEST(CreepTableFile, WhatCannotBeReadIsNamed) {
   const TemporaryFolder folder;
   const fs::path path = folder / "some.creep";
-  EXPECT_NE(refusal([&] { read_creep_table(path); }).find(path.string() + ": cannot be read: "), std::string::npos);
-  EXPECT_NE(refusal([&] { read_creep_table(path.parent_path()); }), "");
+  EXPECT_NE(refusal([&] { io::read_creep_table(path); }).find(path.string() + ": cannot be read: "), std::string::npos);
+  EXPECT_NE(refusal([&] { io::read_creep_table(path.parent_path()); }), "");
   std::ofstream(path).close();
-  EXPECT_EQ(refusal([&] { read_creep_table(path); }), path.string() + ": is empty, no creep-force table");
-  write_creep_table(empty_table(), path);
+  EXPECT_EQ(refusal([&] { io::read_creep_table(path); }), path.string() + ": is empty, no creep-force table");
+  io::write_creep_table(empty_table(), path);
   fs::resize_file(path, fs::file_size(path) - 1);
-  EXPECT_NE(refusal([&] { read_creep_table(path); }).find("cut short"), std::string::npos);
+  EXPECT_NE(refusal([&] { io::read_creep_table(path); }).find("cut short"), std::string::npos);
 }
 
 TEST(CreepTableFile, WhatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   const fs::path path = folder / "none/some.creep";
-  EXPECT_NE(refusal([&] { write_creep_table(empty_table(), path); }).find(path.string()), std::string::npos);
+  EXPECT_NE(refusal([&] { io::write_creep_table(empty_table(), path); }).find(path.string()), std::string::npos);
   EXPECT_FALSE(fs::exists(path));
 }
 

@@ -137,7 +137,7 @@ TEST(ExtremeContacts, ByFastrip) {
 
 TEST(ExtremeContacts, ByATable) {
   const CreepTableSource source =
-      creep_table_source(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep");
+      io::creep_table_source(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep");
   for (const auto direction : {RollingDirection::forward, RollingDirection::backward}) {
     const CreepForceTable all(source, direction), one(source, 0.28, direction);
     EXPECT_GT(count_solved(all, "all"), 1000);

@@ -13,14 +13,14 @@
 namespace microslip {
 namespace {
 
-using Storage = ResultFile::Storage;
+using Storage = io::ResultFile::Storage;
 
 TEST(GrowingArray, PiecesBecomeOneArray) {
   for (const auto storage : {Storage::memory, Storage::disk}) {
     const TemporaryFolder folder;
     std::vector<double> all;
     {
-      ResultFile file(folder / "a.h5", {.kind = "test"}, storage);
+      io::ResultFile file(folder / "a.h5", {.kind = "test"}, storage);
       for (int n : {3, 0, 5000, 1}) {
         std::vector<double> piece(static_cast<std::size_t>(n));
         std::iota(piece.begin(), piece.end(), static_cast<double>(all.size()));
@@ -45,7 +45,7 @@ TEST(GrowingArray, PiecesBecomeOneArray) {
 TEST(GrowingArray, WithoutCommitNothingIsLeft) {
   const TemporaryFolder folder;
   {
-    ResultFile file(folder / "a.h5", {}, Storage::disk);
+    io::ResultFile file(folder / "a.h5", {}, Storage::disk);
     const std::vector<double> values(100000, 1.0);
     file.append("values", std::span<const double>(values), "m", "many");
     EXPECT_EQ(folder.entries().size(), 1u);
@@ -55,7 +55,7 @@ TEST(GrowingArray, WithoutCommitNothingIsLeft) {
 
 TEST(GrowingArray, AFolderThatCannotBeWrittenFailsAtOnce) {
   const TemporaryFolder folder;
-  EXPECT_THROW(ResultFile(folder / "none" / "a.h5", {}, Storage::disk), Error);
+  EXPECT_THROW(io::ResultFile(folder / "none" / "a.h5", {}, Storage::disk), Error);
 }
 
 } // namespace

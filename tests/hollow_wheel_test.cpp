@@ -20,7 +20,7 @@ namespace {
 const WheelsetBase base{1.5, 0.46};
 
 Profile example_profile(const char* name) {
-  return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+  return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
 }
 
 /// S1002 with a tread that is worn by `depth` [m] in the middle of a hollow from y = -20 to 30 mm.

@@ -34,7 +34,7 @@ constexpr const char* yielding = "[layer]\nshear_modulus = 1e9\nthickness = 1e-5
 
 std::string message_of(const std::string& text) {
   try {
-    parse_case(text, "w.toml");
+    io::parse_case(text, "w.toml");
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -162,7 +162,7 @@ TEST(Incompatibilities, AreTheLibrarysWords) {
   EXPECT_EQ(first(gap, {.accuracy = 1e-3}),
             "solution.accuracy: needs an ellipse; a gap on a grid is solved on that grid");
   EXPECT_EQ(first(problem, {.theory = Theory::table}), "solution.theory: needs a creep-force table, solution.table");
-  const auto backward = CreepTables().get(shipped_creep_table(), 0.28, RollingDirection::backward);
+  const auto backward = io::CreepTables().get(io::shipped_creep_table(), 0.28, RollingDirection::backward);
   EXPECT_EQ(first(problem, {.theory = Theory::table, .table = backward}),
             "motion.direction: must be that of the creep-force table");
   EXPECT_EQ(first(problem, {.table = backward}), "solution.table: needs solution.theory = \"table\"");

@@ -30,7 +30,7 @@ std::string contents(const fs::path& path) {
 }
 
 void write_file(const fs::path& path, const std::string& text) {
-  OutputFile file(path);
+  io::OutputFile file(path);
   file.write(text);
   file.commit();
 }
@@ -38,7 +38,7 @@ void write_file(const fs::path& path, const std::string& text) {
 /// Why a file cannot be written, without its name.
 std::string refusal(const fs::path& path) {
   try {
-    const OutputFile file(path);
+    const io::OutputFile file(path);
   } catch (const Error& error) {
     return std::string(error.what()).substr(path.string().size());
   }
@@ -47,7 +47,7 @@ std::string refusal(const fs::path& path) {
 
 TEST(OutputFile, AppearsAtCommitOnly) {
   const TemporaryFolder folder;
-  OutputFile file(folder / "f");
+  io::OutputFile file(folder / "f");
   file.write("one");
   EXPECT_FALSE(fs::exists(folder / "f"));
   file.write("two");
@@ -59,7 +59,7 @@ TEST(OutputFile, AppearsAtCommitOnly) {
 TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
   const TemporaryFolder folder;
   write_file(folder / "f", "old");
-  { OutputFile(folder / "f").write("new"); }
+  { io::OutputFile(folder / "f").write("new"); }
   EXPECT_EQ(contents(folder / "f"), "old");
   EXPECT_EQ(folder.entries(), Names{"f"});
 }
@@ -122,7 +122,7 @@ template <class Work> void run_and_kill(const Work& work) {
 TEST(OutputFile, RemovesWhatKilledProgramsHaveLeft) {
   const TemporaryFolder folder;
   std::ofstream(folder / ".f.1.tmp") << "the user's";
-  run_and_kill([&] { (new OutputFile(folder / "f"))->write("cut short"); });
+  run_and_kill([&] { (new io::OutputFile(folder / "f"))->write("cut short"); });
   ASSERT_EQ(folder.entries().size(), 2u);
   write_file(folder / "f", "whole");
   EXPECT_EQ(folder.entries(), (Names{".f.1.tmp", "f"}));
@@ -130,7 +130,7 @@ TEST(OutputFile, RemovesWhatKilledProgramsHaveLeft) {
 
 TEST(OutputFile, LeavesTheFilesOfRunningProgramsAndOtherComputersAlone) {
   const TemporaryFolder folder, other;
-  OutputFile running(folder / "f");
+  io::OutputFile running(folder / "f");
   const auto name = running.temporary().filename().string(), number = std::to_string(::getpid());
   const auto at = name.rfind("." + number);
   const auto elsewhere = name.substr(0, at) + "x.1" + name.substr(at + 1 + number.size());
@@ -150,16 +150,16 @@ TEST(OutputFile, TemporaryFilesCanAllBeRemovedAtOnce) {
   const TemporaryFolder folder;
   run_and_kill([&] {
     write_file(folder / "done", "whole");
-    new OutputFile(folder / "f");
-    new OutputFile(folder / "g");
-    remove_temporary_files();
+    new io::OutputFile(folder / "f");
+    new io::OutputFile(folder / "g");
+    io::remove_temporary_files();
   });
   EXPECT_EQ(folder.entries(), Names{"done"});
 }
 
 TEST(OutputFile, TakesAnotherNameThanTheRemainsOfAKilledProgram) {
   const TemporaryFolder folder;
-  OutputFile first(folder / "f"), second(folder / "f");
+  io::OutputFile first(folder / "f"), second(folder / "f");
   first.write("first");
   second.write("second");
   first.commit();
@@ -181,7 +181,7 @@ TEST(OutputFile, NamesFileAndReasonOfAFailure) {
 TEST(OutputFile, LeavesNothingOnAFullDisk) {
   const TemporaryFolder folder;
   {
-    OutputFile file(folder / "f");
+    io::OutputFile file(folder / "f");
     const FileSizeLimit limit(4096);
     EXPECT_THROW(file.write(std::string(100000, 'x')), Error);
   }
@@ -190,36 +190,37 @@ TEST(OutputFile, LeavesNothingOnAFullDisk) {
 
 TEST(OutputFile, SaysBeforehandWhereNoFolderCanBe) {
   const TemporaryFolder folder;
-  require_writable_folder(folder / "new/below");
-  require_writable_folder(folder.path());
-  require_writable_folder("");
-  require_writable_folder("new");
+  io::require_writable_folder(folder / "new/below");
+  io::require_writable_folder(folder.path());
+  io::require_writable_folder("");
+  io::require_writable_folder("new");
   EXPECT_EQ(folder.entries(), std::vector<std::string>());
   std::ofstream(folder / "file") << "x";
-  for (const auto* place : {"file", "file/out"}) EXPECT_THROW(require_writable_folder(folder / place), Error) << place;
+  for (const auto* place : {"file", "file/out"})
+    EXPECT_THROW(io::require_writable_folder(folder / place), Error) << place;
   if (::geteuid() == 0) return; // may write everywhere
-  EXPECT_THROW(require_writable_folder("/proc/out"), Error);
+  EXPECT_THROW(io::require_writable_folder("/proc/out"), Error);
 }
 
 TEST(OutputFile, RefusesToReplaceAnInput) {
   const TemporaryFolder folder;
   std::ofstream(folder / "in") << "x";
   std::filesystem::create_symlink("in", folder / "link");
-  EXPECT_THROW(require_other_file(folder / "in", folder / "link"), Error);
-  EXPECT_THROW(require_other_file(folder / "link", folder / "in"), Error);
-  require_other_file(folder / "out", folder / "in");
-  require_other_file("/dev/null", "/dev/null");
+  EXPECT_THROW(io::require_other_file(folder / "in", folder / "link"), Error);
+  EXPECT_THROW(io::require_other_file(folder / "link", folder / "in"), Error);
+  io::require_other_file(folder / "out", folder / "in");
+  io::require_other_file("/dev/null", "/dev/null");
 }
 
 TEST(OutputFile, CreatesFolders) {
   const TemporaryFolder folder;
-  create_folder(folder / "a/b");
-  create_folder(folder / "a/b");
+  io::create_folder(folder / "a/b");
+  io::create_folder(folder / "a/b");
   EXPECT_TRUE(fs::is_directory(folder / "a/b"));
   write_file(folder / "file", "x");
-  EXPECT_THROW(create_folder(folder / "file"), Error);
-  EXPECT_THROW(create_folder(folder / "file/c"), Error);
-  EXPECT_THROW(create_folder("/proc/c"), Error);
+  EXPECT_THROW(io::create_folder(folder / "file"), Error);
+  EXPECT_THROW(io::create_folder(folder / "file/c"), Error);
+  EXPECT_THROW(io::create_folder("/proc/c"), Error);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const fs::path source = MICROSLIP_SOURCE_DIR;
 
 Profile example(const char* name) {
-  return read_profile(source / "examples/profiles" / name).profile;
+  return io::read_profile(source / "examples/profiles" / name).profile;
 }
 
 /// The largest distance of the points that one curve is laid through from another curve, for z above `lowest_z`, after
@@ -129,9 +129,9 @@ TEST(ProfileDimensions, CrossingsAreThoseOfASampledCurve) {
 TEST(ProfileDimensions, ExamplesAgreeWithTheManchesterBenchmark) {
   const auto cases = source / "../shared/contact-cases";
   if (!fs::exists(cases)) GTEST_SKIP() << cases << " is absent";
-  const auto wheel = read_profile(cases / "MBench_S1002_v3.prw").profile;
+  const auto wheel = io::read_profile(cases / "MBench_S1002_v3.prw").profile;
   EXPECT_LT(distance(wheel, example("s1002.prw"), -1, 0, {0, 0}), 5e-7);
-  const auto rail = read_profile(cases / "MBench_UIC60_v3.prr").profile;
+  const auto rail = io::read_profile(cases / "MBench_UIC60_v3.prr").profile;
   const double angle = -1 / 40.;
   const ProfilePoint origin = {-7.4925e-3, -7.1e-5}; // of 60E1 in the benchmark's axes
   const ProfilePoint shift = {-std::cos(angle) * origin.y + std::sin(angle) * origin.z,
@@ -144,7 +144,7 @@ TEST(ProfileDimensions, ExamplesAgreeWithTheManchesterBenchmark) {
 TEST(ProfileDimensions, AgreeWithAMiniprofInstrument) {
   const auto file = source / "../shared/contact-cases/wheel-rail/profiles/left-wheel-v1-pre-dry.whl";
   if (!fs::exists(file)) GTEST_SKIP() << file << " is absent";
-  const auto wheel = read_profile(file).profile;
+  const auto wheel = io::read_profile(file).profile;
   const auto dimensions = wheel_dimensions(wheel, default_tape_line(wheel));
   EXPECT_EQ(dimensions.tape_line, 0.07);
   EXPECT_NEAR(dimensions.flange_thickness.value() * 1e3, 36.1416, 0.03);

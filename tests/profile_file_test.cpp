@@ -56,9 +56,9 @@ std::string simpack(const std::string& keys, const std::string& points, int type
 }
 
 std::string error_of(const std::string& text, const std::string& name = "a.prr",
-                     const ProfileFileOptions& options = {}) {
+                     const io::ProfileFileOptions& options = {}) {
   try {
-    parse_profile(text, name, options);
+    io::parse_profile(text, name, options);
   } catch (const Error& error) {
     return error.what();
   }
@@ -82,23 +82,23 @@ void expect_points(const Profile& profile, const std::vector<ProfilePoint>& poin
 TEST(ProfileFile, ReadsSimpack) {
   const auto down = rows(head(), 1, -1);
   const std::string unit = "units.len.f = 1000.\n";
-  const auto prepared = parse_profile(simpack(unit + "comment = 'a head! of % steel' ! why\n", down), "x");
+  const auto prepared = io::parse_profile(simpack(unit + "comment = 'a head! of % steel' ! why\n", down), "x");
   EXPECT_EQ(prepared.profile.role(), ProfileRole::rail);
   EXPECT_EQ(prepared.report.format, "Simpack");
   EXPECT_EQ(prepared.report.comment, "a head! of % steel");
   EXPECT_TRUE(prepared.report.assumptions.empty());
   expect_points(prepared.profile, head(), "plain");
 
-  expect_points(parse_profile(simpack("units.len.f = 1.0D0", rows(head(), 1e-3, -1e-3)), "x").profile, head(),
+  expect_points(io::parse_profile(simpack("units.len.f = 1.0D0", rows(head(), 1e-3, -1e-3)), "x").profile, head(),
                 "metres");
-  expect_points(parse_profile(simpack(unit + "mirror.y = 1\nmirror.z = 1", rows(head(), -1, 1)), "x").profile, head(),
-                "mirrors");
-  expect_points(parse_profile(simpack(unit + "inversion = 1", down), "x").profile, head(), "inversion");
+  expect_points(io::parse_profile(simpack(unit + "mirror.y = 1\nmirror.z = 1", rows(head(), -1, 1)), "x").profile,
+                head(), "mirrors");
+  expect_points(io::parse_profile(simpack(unit + "inversion = 1", down), "x").profile, head(), "inversion");
   auto with_weights = rows(head(), 1, -1);
   with_weights.insert(with_weights.find('\n'), "   1.0");
-  expect_points(parse_profile(simpack(unit, "! y z weight\n\n" + with_weights + "!9 9\n"), "x").profile, head(),
+  expect_points(io::parse_profile(simpack(unit, "! y z weight\n\n" + with_weights + "!9 9\n"), "x").profile, head(),
                 "weights and comments");
-  EXPECT_EQ(parse_profile(simpack(unit, rows(wheel(), 1, -1), 1), "x").profile.role(), ProfileRole::wheel);
+  EXPECT_EQ(io::parse_profile(simpack(unit, rows(wheel(), 1, -1), 1), "x").profile.role(), ProfileRole::wheel);
 }
 
 TEST(ProfileFile, SimpackShiftsThenTurnsThenBoundsThenMirrors) {
@@ -111,18 +111,19 @@ TEST(ProfileFile, SimpackShiftsThenTurnsThenBoundsThenMirrors) {
   }
   const std::string keys = "units.len.f = 1000\nunits.ang.f = 57.29577951308232\nshift.y = 5\nshift.z = -2\nrotate = " +
                            std::to_string(angle * 180 / std::numbers::pi) + "\nmirror.y = 1\n";
-  const auto prepared = parse_profile(simpack(keys, rows(listed, 1, 1)), "x");
+  const auto prepared = io::parse_profile(simpack(keys, rows(listed, 1, 1)), "x");
   ASSERT_EQ(prepared.profile.pieces().size(), 60u);
   for (std::size_t k = 0; k < 60; ++k) EXPECT_NEAR(prepared.profile.pieces()[k].c[0].z * 1e3, head()[k].z, 1e-4);
   EXPECT_TRUE(is_named(prepared.report.steps, "rotated by 0.3 rad"));
 
   // Bounds are those of y before the mirror: the head's y below -10 is bounded away.
-  const auto bounded = parse_profile(simpack(keys + "bound.y.min = -100\nbound.y.max = 10\n", rows(listed, 1, 1)), "x");
+  const auto bounded =
+      io::parse_profile(simpack(keys + "bound.y.min = -100\nbound.y.max = 10\n", rows(listed, 1, 1)), "x");
   EXPECT_GE(bounded.profile.at(0).value.y, -10e-3);
   EXPECT_NEAR(bounded.profile.at(bounded.profile.length()).value.y * 1e3, head().back().y, 1e-3);
   EXPECT_TRUE(is_named(bounded.report.steps, "bound.y: dropped"));
   const auto clipped =
-      parse_profile(simpack("units.len.f = 1000\nbound.z.min = -1\nbound.z.max = 10\n", rows(head(), 1, -1)), "x");
+      io::parse_profile(simpack("units.len.f = 1000\nbound.z.min = -1\nbound.z.max = 10\n", rows(head(), 1, -1)), "x");
   EXPECT_NEAR(clipped.profile.at(0).value.z, -10e-3, 1e-12);
   EXPECT_TRUE(is_named(clipped.report.steps, "bound.z: clipped"));
 }
@@ -132,7 +133,7 @@ TEST(ProfileFile, ReadsMiniprof) {
   auto shifted = head();
   for (auto& p : shifted) p = {-p.y - 1.5, -p.z + 2}; // x to the gauge side, z down
   auto text = header + "ColumnDef=X,Y\n\n" + rows(shifted, 1, 1, "\t");
-  auto prepared = parse_profile(text, "a.ban");
+  auto prepared = io::parse_profile(text, "a.ban");
   EXPECT_EQ(prepared.report.format, "MiniProf");
   EXPECT_TRUE(is_named(prepared.report.assumptions, "y runs to the gauge side"));
   EXPECT_TRUE(is_named(prepared.report.assumptions, "z is positive downwards"));
@@ -143,7 +144,7 @@ TEST(ProfileFile, ReadsMiniprof) {
   std::ostringstream table;
   table.precision(12);
   for (const auto& p : shifted) table << "7, " << p.y * 0 + p.z << ", " << p.y << "\n\" 1 2 3\n";
-  prepared = parse_profile(header + "ColumnDef=N,Y,X\n" + table.str(), "a.ban");
+  prepared = io::parse_profile(header + "ColumnDef=N,Y,X\n" + table.str(), "a.ban");
   expect_points(prepared.profile, head(), "columns");
   EXPECT_TRUE(is_named(prepared.report.steps, "left out 61 lines"));
   EXPECT_TRUE(is_named(prepared.report.warnings, "XYPoints = 61, but there are 122"));
@@ -156,7 +157,7 @@ TEST(ProfileFile, WhatFollowsMiniprofsNumbersIsARemark) {
   };
   const auto table = rows(head(), -1, 1);
   for (const std::string remark : {" added", " x 1 2", " \xb5m", " 1 2 a"}) {
-    const auto prepared = parse_profile("Rail=low\n\n" + remarked(table, remark), "a.ban");
+    const auto prepared = io::parse_profile("Rail=low\n\n" + remarked(table, remark), "a.ban");
     expect_points(prepared.profile, head(), remark);
     EXPECT_TRUE(is_named(prepared.report.steps, "left out the text behind the numbers of 1 line"));
   }
@@ -168,39 +169,40 @@ TEST(ProfileFile, WhatFollowsMiniprofsNumbersIsARemark) {
 
 TEST(ProfileFile, ReadsWheelsAndOldAndManyProfilesOfMiniprof) {
   const auto down = rows(wheel(), 1, -1);
-  const auto prepared = parse_profile("Stock=%Talent\nWheelDiameterTaperline=70.0\n\n" + down, "a.txt");
+  const auto prepared = io::parse_profile("Stock=%Talent\nWheelDiameterTaperline=70.0\n\n" + down, "a.txt");
   EXPECT_EQ(prepared.profile.role(), ProfileRole::wheel);
   expect_points(prepared.profile, wheel(), "whl");
-  expect_points(parse_profile("Stock=x\nSd=1\n\n" + rows(wheel(), -1, 1), "a.whl").profile, wheel(), "mirrored whl");
-  const auto old = parse_profile("#MINIWHEELPROF V1\ncar 7216 0001\n7216 12\n\n" + down, "Car7216_0001r");
+  expect_points(io::parse_profile("Stock=x\nSd=1\n\n" + rows(wheel(), -1, 1), "a.whl").profile, wheel(),
+                "mirrored whl");
+  const auto old = io::parse_profile("#MINIWHEELPROF V1\ncar 7216 0001\n7216 12\n\n" + down, "Car7216_0001r");
   EXPECT_EQ(old.profile.role(), ProfileRole::wheel);
   expect_points(old.profile, wheel(), "old");
 
   const std::string mpt = "[FileInfo]\nProgramName=MiniProf\n[Profile1Info]\nXOffset=0\n[Profile1Points]\n" + down +
                           "[Profile2Info]\nXOffset=3\n[Profile2Points]\n" + down;
-  expect_points(parse_profile(mpt, "wheel.mpt").profile, wheel(), "first");
-  const auto second = parse_profile(mpt, "wheel.mpt", {.section = 2});
+  expect_points(io::parse_profile(mpt, "wheel.mpt").profile, wheel(), "first");
+  const auto second = io::parse_profile(mpt, "wheel.mpt", {.section = 2});
   EXPECT_NEAR(second.profile.at(0).value.y * 1e3, wheel()[0].y + 3, 1e-9);
   EXPECT_TRUE(is_named(second.report.assumptions, "profile 2 of 2"));
   EXPECT_EQ(error_of(mpt, "wheel.mpt", {.section = 3}), "wheel.mpt: section 3 is asked for: there are 2");
 }
 
 TEST(ProfileFile, ReadsColumnsWithAnySeparator) {
-  const ProfileFileOptions rail = {.role = ProfileRole::rail};
+  const io::ProfileFileOptions rail = {.role = ProfileRole::rail};
   for (const std::string separator : {" ", "\t", ",", ";", " , ", "  ;\t", "|"})
-    expect_points(parse_profile(rows(head(), 1, 1, separator), "x", rail).profile, head(), separator);
+    expect_points(io::parse_profile(rows(head(), 1, 1, separator), "x", rail).profile, head(), separator);
   auto commas = rows(head(), 1, 1, ";");
   std::replace(commas.begin(), commas.end(), '.', ',');
-  const auto prepared = parse_profile(commas, "x", rail);
+  const auto prepared = io::parse_profile(commas, "x", rail);
   expect_points(prepared.profile, head(), "decimal commas");
   EXPECT_TRUE(is_named(prepared.report.assumptions, "commas are decimal points"));
   const std::string remarks = "\xef\xbb\xbf# one\n% two\n! three\n// four\n* five\n\ny [mm]  z [mm]\n";
   auto crlf = rows(head(), 1, 1) + "# end\n";
   for (std::size_t k = 0; (k = crlf.find('\n', k)) != std::string::npos; k += 2) crlf.insert(k, "\r");
-  const auto remarked = parse_profile(remarks + crlf, "x", rail);
+  const auto remarked = io::parse_profile(remarks + crlf, "x", rail);
   expect_points(remarked.profile, head(), "remarks");
   EXPECT_TRUE(is_named(remarked.report.assumptions, "1 line before the first number"));
-  expect_points(parse_profile("61\n" + rows(head(), 1, 1), "x", rail).profile, head(), "count");
+  expect_points(io::parse_profile("61\n" + rows(head(), 1, 1), "x", rail).profile, head(), "count");
   EXPECT_EQ(error_of("62\n" + rows(head(), 1, 1), "x", rail),
             "x: the first line announces 62 points, but there are 61; is it truncated?");
 }
@@ -209,30 +211,30 @@ TEST(ProfileFile, DecidesWhatColumnsLeaveOpenAndSaysSo) {
   for (const double y : {1., -1.})
     for (const double z : {1., -1.})
       for (const double unit : {1., 1e-3}) {
-        const auto prepared = parse_profile(rows(wheel(), unit * y, unit * z), "my_wheel.dat");
+        const auto prepared = io::parse_profile(rows(wheel(), unit * y, unit * z), "my_wheel.dat");
         expect_points(prepared.profile, wheel(), "wheel");
         EXPECT_EQ(prepared.report.assumptions.size(), 4u); // role, unit, z, y
         EXPECT_EQ(prepared.report.unit, unit == 1 ? 1e-3 : 1);
       }
   // What is given is not decided.
-  const ProfileFileOptions given = {
-      .role = ProfileRole::wheel, .unit = 0.0254, .y_axis = LateralSense::gauge, .z_axis = VerticalSense::down};
-  const auto prepared = parse_profile(rows(wheel(), -1 / 25.4, -1 / 25.4), "x", given);
+  const io::ProfileFileOptions given = {
+      .role = ProfileRole::wheel, .unit = 0.0254, .y_axis = io::LateralSense::gauge, .z_axis = io::VerticalSense::down};
+  const auto prepared = io::parse_profile(rows(wheel(), -1 / 25.4, -1 / 25.4), "x", given);
   EXPECT_TRUE(prepared.report.assumptions.empty());
   expect_points(prepared.profile, wheel(), "inches");
-  EXPECT_TRUE(
-      is_named(parse_profile(rows(wheel(), 1, -1), "x", {.role = ProfileRole::wheel, .z_axis = VerticalSense::up})
-                   .report.warnings,
-               "is z mirrored"));
+  EXPECT_TRUE(is_named(
+      io::parse_profile(rows(wheel(), 1, -1), "x", {.role = ProfileRole::wheel, .z_axis = io::VerticalSense::up})
+          .report.warnings,
+      "is z mirrored"));
   // Of a rail the side that is measured further down is the gauge side.
   auto deep = head();
   for (int k = 1; k <= 10; ++k) deep.insert(deep.begin(), {deep.front().y, deep.front().z - 1});
   for (const double y : {1., -1.}) {
-    const auto rail = parse_profile(rows(deep, y, -1), "rail.csv");
+    const auto rail = io::parse_profile(rows(deep, y, -1), "rail.csv");
     EXPECT_TRUE(is_named(rail.report.assumptions, "by the side that reaches further down"));
     expect_points(rail.profile, deep, "deep rail");
   }
-  const auto scaled = parse_profile(rows(head(), 1, 1), "rail", {.scale = 2});
+  const auto scaled = io::parse_profile(rows(head(), 1, 1), "rail", {.scale = 2});
   EXPECT_NEAR(scaled.profile.at(0).value.y * 1e3, 2 * head()[0].y, 1e-9);
 }
 
@@ -278,28 +280,28 @@ TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
 }
 
 TEST(ProfileFile, SuggestsTheKeyThatWasMeant) {
-  const auto prepared = parse_profile(simpack("units.len.f = 1000\nmiror.y = 0", rows(head(), 1, -1)), "a.prr");
+  const auto prepared = io::parse_profile(simpack("units.len.f = 1000\nmiror.y = 0", rows(head(), 1, -1)), "a.prr");
   EXPECT_TRUE(is_named(prepared.report.warnings, "unknown key \"miror.y\"; did you mean mirror.y?"));
 }
 
 /// The result of two mirrors is none: what the file asks for and what the options say of it.
 TEST(ProfileFile, MirroredTwiceIsNotMirrored) {
   const auto text = simpack("units.len.f = 1000\nmirror.y = 1", rows(head(), 1, -1));
-  expect_points(parse_profile(text, "x", {.y_axis = LateralSense::gauge}).profile, head(), "twice");
+  expect_points(io::parse_profile(text, "x", {.y_axis = io::LateralSense::gauge}).profile, head(), "twice");
 }
 
 TEST(ProfileFile, ReadsFilesAndNamesThoseThatCannotBe) {
   const TemporaryFolder folder;
   const auto error = [](const fs::path& path) -> std::string {
     try {
-      read_profile(path);
+      io::read_profile(path);
     } catch (const Error& caught) {
       return caught.what();
     }
     return "no error";
   };
   std::ofstream(folder / "rail.txt") << rows(head(), 1, 1);
-  EXPECT_EQ(read_profile(folder / "rail.txt").report.source, (folder / "rail.txt").string());
+  EXPECT_EQ(io::read_profile(folder / "rail.txt").report.source, (folder / "rail.txt").string());
   EXPECT_NE(error(folder / "none.prr").find("none.prr: cannot be read: No such file"), std::string::npos);
   EXPECT_NE(error(folder.path()).find("it is a folder"), std::string::npos);
   std::ofstream(folder / "large.prr") << std::string((16u << 20) + 1, '1');
@@ -319,7 +321,7 @@ TEST(ProfileFile, NoticesThatAFileChangesWhileItIsRead) {
   int read = 0, refused = 0;
   for (int k = 0; k < 300; ++k) {
     try {
-      expect_points(read_profile(path).profile, head(), "whole");
+      expect_points(io::read_profile(path).profile, head(), "whole");
       ++read;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("rail.txt"), std::string::npos);
@@ -340,17 +342,17 @@ TEST(ProfileFile, ReadsTheFilesOfOtherPrograms) {
     for (const auto& entry : fs::directory_iterator(shared / folder)) {
       const auto ending = entry.path().extension();
       if (ending != ".prr" && ending != ".prw" && ending != ".ban" && ending != ".whl") continue;
-      const auto prepared = read_profile(entry.path());
+      const auto prepared = io::read_profile(entry.path());
       EXPECT_EQ(prepared.profile.role(), ending == ".prr" || ending == ".ban" ? ProfileRole::rail : ProfileRole::wheel);
       ++read;
     }
   EXPECT_GE(read, 30);
   for (const auto* name : {"rail.dat", "wheel_a.dat", "wheel_b.dat"})
-    EXPECT_TRUE(read_profile(shared / "data/en15302" / name).report.warnings.empty()) << name;
+    EXPECT_TRUE(io::read_profile(shared / "data/en15302" / name).report.warnings.empty()) << name;
 
   // The same rail, as Simpack and as MiniProf, whose file has some points as comments.
-  const auto one = read_profile(shared / "contact-cases/MBench_UIC60_v3.prr").profile;
-  const auto other = read_profile(shared / "contact-cases/MBench_UIC60_v3.ban").profile;
+  const auto one = io::read_profile(shared / "contact-cases/MBench_UIC60_v3.prr").profile;
+  const auto other = io::read_profile(shared / "contact-cases/MBench_UIC60_v3.ban").profile;
   EXPECT_NEAR(one.length(), other.length(), 2e-7);
   for (int k = 0; k <= 100; ++k) {
     const auto a = one.at(one.length() * k / 100).value, b = other.at(other.length() * k / 100).value;

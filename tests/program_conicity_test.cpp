@@ -18,10 +18,10 @@ namespace {
 const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/profiles/s1002.prw";
 const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
 
-Json document(const TemporaryFolder& folder, const std::string& arguments) {
+io::Json document(const TemporaryFolder& folder, const std::string& arguments) {
   const auto outcome = run_program(folder, "conicity " + arguments + " --json");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  return Json::parse(outcome.output);
+  return io::Json::parse(outcome.output);
 }
 
 /// Columns in mm: a cone with the flange's back at y = -70 mm, z up, of which the words of the options may differ.

@@ -22,15 +22,15 @@ const std::string example = MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.tom
 const std::string contact_example = MICROSLIP_SOURCE_DIR "/examples/sphere_on_plane.inp";
 
 /// The document that a run of the program prints. Fails if it prints anything else, or errors.
-Json document(const TemporaryFolder& folder, const std::string& arguments, int exit_code = 0) {
+io::Json document(const TemporaryFolder& folder, const std::string& arguments, int exit_code = 0) {
   const auto outcome = run_program(folder, arguments + " --json");
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.errors;
   if (exit_code == 0) {
     EXPECT_EQ(outcome.errors, "");
   }
-  const auto parsed = Json::parse(outcome.output, nullptr, false);
+  const auto parsed = io::Json::parse(outcome.output, nullptr, false);
   EXPECT_FALSE(parsed.is_discarded()) << outcome.output;
-  EXPECT_EQ(json_text(parsed), outcome.output);
+  EXPECT_EQ(io::json_text(parsed), outcome.output);
   const auto build = build_info();
   EXPECT_EQ(parsed.at("version"), build.version);
   EXPECT_EQ(parsed.at("commit"), build.commit);
@@ -50,7 +50,7 @@ TEST(ProgramJson, SolveHasTheNumbersOfTheResultFile) {
   for (const std::string path :
        {"hertz/a", "inputs/normal_force", "inputs/tolerance", "exact/fx", "exact/mz", "exact/residual", "fastsim2/fy",
         "tolerances/exact/discretisation_error_fx", "tolerances/fastsim2/discretisation_error_mz"}) {
-    EXPECT_EQ(json.at(Json::json_pointer("/" + path)), file.values<double>(path, H5T_NATIVE_DOUBLE).at(0)) << path;
+    EXPECT_EQ(json.at(io::Json::json_pointer("/" + path)), file.values<double>(path, H5T_NATIVE_DOUBLE).at(0)) << path;
     EXPECT_EQ(json.at("units").at(path), file.attribute(path, "unit")) << path;
   }
   EXPECT_EQ(json.at("exact").at("status"), file.text("exact/status"));
@@ -129,7 +129,7 @@ TEST(ProgramJson, WarnsOfImplausibleContacts) {
   for (const std::string command : {"solve c.toml -o out --no-pictures", "hertz c.toml"}) {
     const auto outcome = run_program(folder, command + " --json");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    const auto warnings = Json::parse(outcome.output).at("warnings").get<Names>();
+    const auto warnings = io::Json::parse(outcome.output).at("warnings").get<Names>();
     ASSERT_FALSE(warnings.empty());
     for (const auto& warning : warnings) {
       EXPECT_NE(warning.find(warning.starts_with("Young's modulus") ? "is it in MPa? Numbers are in Pa"
@@ -141,7 +141,7 @@ TEST(ProgramJson, WarnsOfImplausibleContacts) {
   }
   const auto stored = Hdf5Reader(folder / "out/result.h5").attribute("/", "warnings");
   EXPECT_NE(stored.find("rolling radius of body 1, 0.46 m"), std::string::npos) << stored;
-  EXPECT_EQ(document(folder, "solve " + example + " -o out --no-pictures").at("warnings"), Json::array());
+  EXPECT_EQ(document(folder, "solve " + example + " -o out --no-pictures").at("warnings"), io::Json::array());
   EXPECT_FALSE(Hdf5Reader(folder / "out/result.h5").has_attribute("/", "warnings"));
 }
 
@@ -166,8 +166,8 @@ TEST(ProgramJson, RunHasTheTotalsOfAllCases) {
   EXPECT_EQ(json.at("cases").at("motion").get<std::vector<int>>(), file.values<int>("cases/motion", H5T_NATIVE_INT));
   EXPECT_EQ(json.at("units").at("cases/mz"), "N m");
   EXPECT_FALSE(json.contains("elements"));
-  EXPECT_EQ(json.at("cases_not_run"), Json::array());
-  EXPECT_EQ(json.at("cases_not_solved"), Json::array());
+  EXPECT_EQ(json.at("cases_not_run"), io::Json::array());
+  EXPECT_EQ(json.at("cases_not_solved"), io::Json::array());
   EXPECT_EQ(json.at("files").size(), 4u);
   for (const std::string name : json.at("files")) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
 }
@@ -180,7 +180,7 @@ TEST(ProgramJson, RunNamesWhatIsNotRun) {
   save(folder / "a.inp", text.replace(digits, 6, "250100")); // B = 5
   const auto outcome = run_program(folder, "run a.inp --json");
   EXPECT_EQ(outcome.exit_code, 1);
-  const auto json = Json::parse(outcome.output);
+  const auto json = io::Json::parse(outcome.output);
   ASSERT_FALSE(json.at("cases_not_run").empty()) << outcome.output;
   EXPECT_GT(json.at("cases_not_run").at(0).at("line"), 0);
   EXPECT_FALSE(json.at("cases_not_run").at(0).at("reasons").empty());

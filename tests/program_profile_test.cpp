@@ -21,10 +21,10 @@ namespace {
 const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/profiles/s1002.prw";
 const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
 
-Json document(const TemporaryFolder& folder, const std::string& arguments) {
+io::Json document(const TemporaryFolder& folder, const std::string& arguments) {
   const auto outcome = run_program(folder, "profile " + arguments + " --json");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  return Json::parse(outcome.output);
+  return io::Json::parse(outcome.output);
 }
 
 TEST(ProgramProfile, PrintsTheDimensions) {
@@ -46,10 +46,10 @@ TEST(ProgramProfile, ShowsTheSlicesOfAProfileThatVaries) {
   const auto printed = run_program(folder, "profile " + file);
   EXPECT_EQ(printed.exit_code, 0) << printed.errors;
   EXPECT_NE(printed.output.find("rail of 2 slices, interpolated"), std::string::npos) << printed.output;
-  const Json json = document(folder, file);
+  const io::Json json = document(folder, file);
   EXPECT_EQ(json["slices"].size(), 2u);
   EXPECT_DOUBLE_EQ(json["slices"][1]["u"].get<double>(), 0.3);
-  EXPECT_DOUBLE_EQ(json["slices"][0]["length"].get<double>(), read_profile(rail).profile.length());
+  EXPECT_DOUBLE_EQ(json["slices"][0]["length"].get<double>(), io::read_profile(rail).profile.length());
   EXPECT_NEAR(json["waves"][0]["wavenumber"].get<double>(), 2 * std::numbers::pi / 0.05, 1e-9);
   const auto refused = run_program(folder, "profile " + file + " -o out");
   EXPECT_EQ(refused.exit_code, 2);
@@ -58,7 +58,7 @@ TEST(ProgramProfile, ShowsTheSlicesOfAProfileThatVaries) {
 
 TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {
   const TemporaryFolder folder;
-  const auto profile = read_profile(wheel).profile;
+  const auto profile = io::read_profile(wheel).profile;
   const auto dimensions = wheel_dimensions(profile, 0.001);
   const auto json = document(folder, wheel + " --tape-line 0.001");
   EXPECT_EQ(json.at("kind"), "profile");
@@ -70,7 +70,7 @@ TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {
   EXPECT_TRUE(json.at("assumptions").empty());
   EXPECT_EQ(json.at("steps").size(), 2u);
   const auto gauge = document(folder, rail + " --gauge-height 0.016").at("dimensions").at("gauge_point");
-  EXPECT_EQ(gauge.at("y"), gauge_point(read_profile(rail).profile, 0.016).point.y);
+  EXPECT_EQ(gauge.at("y"), gauge_point(io::read_profile(rail).profile, 0.016).point.y);
 }
 
 TEST(ProgramProfile, ResultFileHasTheCurve) {
@@ -80,7 +80,7 @@ TEST(ProgramProfile, ResultFileHasTheCurve) {
   const auto y = file.values<double>("curve/y", H5T_NATIVE_DOUBLE),
              z = file.values<double>("curve/z", H5T_NATIVE_DOUBLE);
   const auto curvature = file.values<double>("curve/curvature", H5T_NATIVE_DOUBLE);
-  ASSERT_EQ(y.size(), 3 * read_profile(rail).profile.pieces().size());
+  ASSERT_EQ(y.size(), 3 * io::read_profile(rail).profile.pieces().size());
   bool has_top = false;
   for (std::size_t k = 0; k < y.size(); ++k) {
     EXPECT_LT(std::abs(y[k]), 0.037);
@@ -99,8 +99,8 @@ TEST(ProgramProfile, ConvertsThereAndBack) {
   const auto expect_same = [&](const std::string& source, const std::string& name, ProfileRole role) {
     const auto written = run_program(folder, "profile " + source + " --convert " + name);
     EXPECT_EQ(written.exit_code, 0) << written.errors;
-    const auto one = read_profile(source);
-    const auto other = read_profile(folder / name, {.role = role});
+    const auto one = io::read_profile(source);
+    const auto other = io::read_profile(folder / name, {.role = role});
     ASSERT_EQ(one.profile.pieces().size(), other.profile.pieces().size()) << name;
     EXPECT_EQ(one.profile.kinks().size(), other.profile.kinks().size()) << name;
     for (std::size_t k = 0; k < one.profile.pieces().size(); ++k) {

@@ -66,9 +66,9 @@ TEST(ProgramBench, HasATimeOfEveryLine) {
   const TemporaryFolder folder;
   const auto outcome = run_program(folder, "bench --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  const Json document = Json::parse(outcome.output);
+  const io::Json document = io::Json::parse(outcome.output);
   ASSERT_GT(document["rows"].size(), 10u);
-  for (const Json& row : document["rows"]) {
+  for (const io::Json& row : document["rows"]) {
     EXPECT_GT(row["seconds"].get<double>(), 0) << row;
     EXPECT_EQ(row.contains("over"), row.contains("ratio")) << row;
   }

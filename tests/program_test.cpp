@@ -105,9 +105,9 @@ TEST(Program, SolvesTheExample) {
 TEST(Program, WritesWhatTheLibraryComputes) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
-  const auto input = parse_case(read_case_text(example), example);
-  const auto hertz = hertz_contact(input);
-  const auto expected = Fastsim2(input.options).fields(elliptic_contact(input, hertz));
+  const auto input = io::parse_case(io::read_case_text(example), example);
+  const auto hertz = io::hertz_contact(input);
+  const auto expected = Fastsim2(input.options).fields(io::elliptic_contact(input, hertz));
 
   const Hdf5Reader reader(folder / "out/result.h5");
   const auto scalar = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
@@ -123,7 +123,7 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
   EXPECT_EQ(scalar("fastsim2/fx"), expected.totals.fx);
   EXPECT_EQ(scalar("fastsim2/mz"), expected.totals.mz);
-  const auto exact = EllipticContactSolver(exact_options(input)).solve(elliptic_contact(input, hertz));
+  const auto exact = EllipticContactSolver(io::exact_options(input)).solve(io::elliptic_contact(input, hertz));
   EXPECT_EQ(scalar("exact/fx"), exact.totals.fx);
   EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.report.products));
   EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.traction.x);

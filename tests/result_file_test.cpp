@@ -25,7 +25,7 @@ TEST(ResultFile, GivesBackWhatWasWritten) {
   const std::vector<double> field = {1, -2.5, 1e-300, std::nan(""), std::numeric_limits<double>::infinity(), 6};
   const std::vector<int> grids = {5, 10, 20};
   const std::vector<std::uint8_t> states = {0, 1, 2, 1};
-  ResultFile file(folder / "r.h5", {.kind = "rolling_contact", .title = "a title"});
+  io::ResultFile file(folder / "r.h5", {.kind = "rolling_contact", .title = "a title"});
   file.scalar("hertz/a", 0.1 + 0.2, "m", "semi-axis");
   file.text("inputs/bound", "parabolic", "traction bound");
   file.array("fastsim2/fields/px", field, "Pa", "traction", {2, 3});
@@ -53,11 +53,11 @@ TEST(ResultFile, GivesBackWhatWasWritten) {
 TEST(ResultFile, NamesItsOrigin) {
   const TemporaryFolder folder;
   const std::string long_text(200000, '#');
-  ResultFile file(folder / "r.h5", {.kind = "k",
-                                    .title = "Räder",
-                                    .command_line = "microslip solve w.toml",
-                                    .case_file = "w.toml",
-                                    .case_text = long_text});
+  io::ResultFile file(folder / "r.h5", {.kind = "k",
+                                        .title = "Räder",
+                                        .command_line = "microslip solve w.toml",
+                                        .case_file = "w.toml",
+                                        .case_text = long_text});
   file.commit();
   const Hdf5Reader reader(folder / "r.h5");
   EXPECT_EQ(reader.attribute("/", "kind"), "k");
@@ -78,7 +78,7 @@ TEST(ResultFile, NamesItsOrigin) {
 TEST(ResultFile, LeavesNothingWithoutCommit) {
   const TemporaryFolder folder;
   {
-    ResultFile file(folder / "r.h5", {.kind = "k"});
+    io::ResultFile file(folder / "r.h5", {.kind = "k"});
     file.scalar("a", 1, "m", "d");
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -87,7 +87,7 @@ TEST(ResultFile, LeavesNothingWithoutCommit) {
 TEST(ResultFile, KeepsTheOldFileUntilCommit) {
   const TemporaryFolder folder;
   std::ofstream(folder / "r.h5") << "old";
-  ResultFile file(folder / "r.h5", {.kind = "k"});
+  io::ResultFile file(folder / "r.h5", {.kind = "k"});
   EXPECT_EQ(fs::file_size(folder / "r.h5"), 3u);
   file.commit();
   EXPECT_GT(fs::file_size(folder / "r.h5"), 3u);
@@ -100,7 +100,7 @@ TEST(ResultFile, RefusesAFolderThatCannotBeWritten) {
   const fs::path below_a_file = folder / "file/r.h5", in_proc = "/proc/r.h5", nowhere = folder / "none/r.h5";
   for (const auto& path : {below_a_file, in_proc, nowhere}) {
     try {
-      const ResultFile file(path, {.kind = "k"});
+      const io::ResultFile file(path, {.kind = "k"});
       FAIL() << path;
     } catch (const Error& error) {
       EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": cannot be written: ", 0), 0u) << error.what();
@@ -114,7 +114,7 @@ TEST(ResultFile, LeavesNothingOnAFullDisk) {
   const std::vector<double> field(100000);
   std::string text;
   {
-    ResultFile file(folder / "r.h5", {.kind = "k"});
+    io::ResultFile file(folder / "r.h5", {.kind = "k"});
     file.array("field", field, "Pa", "d");
     const FileSizeLimit limit(4096);
     try {
@@ -129,14 +129,14 @@ TEST(ResultFile, LeavesNothingOnAFullDisk) {
 
 TEST(ResultFile, RefusesAShapeThatDoesNotFit) {
   const TemporaryFolder folder;
-  ResultFile file(folder / "r.h5", {.kind = "k"});
+  io::ResultFile file(folder / "r.h5", {.kind = "k"});
   const std::vector<double> field(6);
   EXPECT_THROW(file.array("field", field, "Pa", "d", {4, 2}), Error);
 }
 
 TEST(ResultFile, RefusesANameTwice) {
   const TemporaryFolder folder;
-  ResultFile file(folder / "r.h5", {.kind = "k"});
+  io::ResultFile file(folder / "r.h5", {.kind = "k"});
   file.scalar("a", 1, "m", "d");
   EXPECT_THROW(file.scalar("a", 2, "m", "d"), Error);
 }

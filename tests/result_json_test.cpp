@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 TEST(ResultJson, HasGroupsUnitsAndAttributes) {
   const TemporaryFolder folder;
   {
-    ResultFile file(folder / "r.h5", {.kind = "test", .title = "T", .case_text = "a = 1\n"});
+    io::ResultFile file(folder / "r.h5", {.kind = "test", .title = "T", .case_text = "a = 1\n"});
     file.scalar("exact/fx", -1.25, "N", "force");
     file.scalar("exact/limit/error", infinity, "mu Fn", "error");
     file.text("exact/status", "ok", "how it ended");
@@ -33,35 +33,36 @@ TEST(ResultJson, HasGroupsUnitsAndAttributes) {
     file.attribute("curve", "variable", "spin");
     file.commit();
   }
-  const auto json = result_json(folder / "r.h5");
+  const auto json = io::result_json(folder / "r.h5");
   EXPECT_EQ(json.at("kind"), "test");
   EXPECT_EQ(json.at("title"), "T");
   EXPECT_EQ(json.at("case_text"), "a = 1\n");
   EXPECT_EQ(json.at("version"), build_info().version);
-  EXPECT_EQ(json.at("exact"), Json::parse(R"({"fx": -1.25, "limit": {"error": "inf"}, "status": "ok"})"));
-  EXPECT_EQ(json.at("curve"), Json::parse(R"({"variable": "spin", "count": [3, -4], "fx": [0.0, 0.1, "nan"]})"));
-  EXPECT_EQ(json.at("cases").at("fy"), Json::parse("[2.5, 3.5]"));
-  EXPECT_EQ(json.at("units"), Json::parse(R"({"cases/fy": "N", "curve/count": "-", "curve/fx": "N", "exact/fx": "N",
+  EXPECT_EQ(json.at("exact"), io::Json::parse(R"({"fx": -1.25, "limit": {"error": "inf"}, "status": "ok"})"));
+  EXPECT_EQ(json.at("curve"), io::Json::parse(R"({"variable": "spin", "count": [3, -4], "fx": [0.0, 0.1, "nan"]})"));
+  EXPECT_EQ(json.at("cases").at("fy"), io::Json::parse("[2.5, 3.5]"));
+  EXPECT_EQ(json.at("units"), io::Json::parse(R"({"cases/fy": "N", "curve/count": "-", "curve/fx": "N", "exact/fx": "N",
                                               "exact/limit/error": "mu Fn"})"));
 }
 
 TEST(ResultJson, RefusesAFormatOfLaterVersions) {
   const TemporaryFolder folder;
   {
-    ResultFile file(folder / "now.h5", {});
+    io::ResultFile file(folder / "now.h5", {});
     file.commit();
-    const Hdf5Handle later(H5Fcreate((folder / "later.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose),
+    const io::Hdf5Handle later(H5Fcreate((folder / "later.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                               H5Fclose),
         space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.get(), H5T_VARIABLE);
     H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    const Hdf5Handle format(H5Acreate2(later.get(), "format", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
-                            H5Aclose);
+    const io::Hdf5Handle format(H5Acreate2(later.get(), "format", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                                H5Aclose);
     const char* const number = "2";
     H5Awrite(format.get(), type.get(), static_cast<const void*>(&number));
   }
-  EXPECT_EQ(result_json(folder / "now.h5").at("format"), "1");
+  EXPECT_EQ(io::result_json(folder / "now.h5").at("format"), "1");
   try {
-    result_json(folder / "later.h5");
+    io::result_json(folder / "later.h5");
     FAIL() << "a format that is not known was read";
   } catch (const Error& error) {
     EXPECT_EQ(error.what(),
@@ -72,7 +73,7 @@ TEST(ResultJson, RefusesAFormatOfLaterVersions) {
 TEST(ResultJson, LeavesFieldsOut) {
   const TemporaryFolder folder;
   {
-    ResultFile file(folder / "r.h5", {});
+    io::ResultFile file(folder / "r.h5", {});
     file.array("exact/fields/px", std::vector<double>{1, 2, 3, 4}, "Pa", "traction", {2, 2});
     file.array("elements/px", std::vector<double>{1, 2}, "Pa", "traction");
     file.array("interior/z", std::vector<double>{1, 2}, "m", "depth");
@@ -80,13 +81,13 @@ TEST(ResultJson, LeavesFieldsOut) {
     file.scalar("exact/fx", 1, "N", "force");
     file.commit();
   }
-  const auto json = result_json(folder / "r.h5");
-  EXPECT_EQ(json.at("exact"), Json::parse(R"({"fx": 1.0})"));
+  const auto json = io::result_json(folder / "r.h5");
+  EXPECT_EQ(json.at("exact"), io::Json::parse(R"({"fx": 1.0})"));
   for (const auto* name : {"elements", "interior", "table"}) EXPECT_FALSE(json.contains(name)) << name;
-  EXPECT_EQ(json.at("units"), Json::parse(R"({"exact/fx": "N"})"));
+  EXPECT_EQ(json.at("units"), io::Json::parse(R"({"exact/fx": "N"})"));
 }
 
-void write_all_kinds(ResultWriter& result) {
+void write_all_kinds(io::ResultWriter& result) {
   result.scalar("exact/fx", -1.25, "N", "force");
   result.scalar("exact/limit/elements", 32, "-", "a number of that name is no field");
   result.text("inputs/elements", "bilinear", "nor a text");
@@ -102,14 +103,14 @@ void write_all_kinds(ResultWriter& result) {
 
 TEST(ResultJson, IsWhatJsonResultMakesWithoutAFile) {
   const TemporaryFolder folder;
-  const Provenance provenance = {.kind = "test", .title = "T"};
-  ResultFile file(folder / "r.h5", provenance);
+  const io::Provenance provenance = {.kind = "test", .title = "T"};
+  io::ResultFile file(folder / "r.h5", provenance);
   write_all_kinds(file);
   file.commit();
-  JsonResult direct(provenance);
+  io::JsonResult direct(provenance);
   write_all_kinds(direct);
   // In no order: that of HDF5 is the alphabet's.
-  nlohmann::json read = result_json(folder / "r.h5"), made = direct.document();
+  nlohmann::json read = io::result_json(folder / "r.h5"), made = direct.document();
   for (auto* document : {&read, &made}) document->erase("created");
   EXPECT_EQ(read, made);
   EXPECT_EQ(read.at("exact").at("limit").at("elements"), 32);
@@ -122,7 +123,7 @@ TEST(ResultJson, RefusesWhatIsNoResultFile) {
   for (const auto* name : {"text.h5", "none.h5"}) {
     const auto path = folder / name;
     try {
-      result_json(path);
+      io::result_json(path);
       ADD_FAILURE() << name;
     } catch (const Error& error) {
       EXPECT_EQ(error.what(), path.string() + ": cannot be read as HDF5");

@@ -28,7 +28,7 @@ constexpr double a = 6e-3, b = 4e-3, mu = 0.3, load = 60e3, speed = 2;
 
 std::shared_ptr<const CreepForceTable> steel_table() {
   static const auto table = std::make_shared<const CreepForceTable>(
-      read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio);
+      io::read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio);
   return table;
 }
 
@@ -273,8 +273,8 @@ TEST(RowLookUp, ALopsidedPatchHasTheForcesOfTheExactTheory) {
 /// The example's profiles, a wheel on the right.
 WheelRailBodies example_bodies() {
   const std::string folder = std::string(MICROSLIP_SOURCE_DIR) + "/examples/profiles/";
-  WheelRailBodies bodies{read_profile(folder + "60e1.prr").profile,
-                         read_profile(folder + "s1002.prw").profile,
+  WheelRailBodies bodies{io::read_profile(folder + "60e1.prr").profile,
+                         io::read_profile(folder + "s1002.prw").profile,
                          {},
                          {},
                          TrackSide::right,
@@ -378,7 +378,7 @@ TEST(TableLevel, WhatItCannotDoIsSaid) {
   expect_refused(method, "shape");
   method.shape.reset();
   method.table = std::make_shared<const CreepForceTable>(
-      read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio,
+      io::read_creep_table(std::string(MICROSLIP_SOURCE_DIR) + "/python/microslip/hertz.creep"), steel.poisson_ratio,
       RollingDirection::backward);
   expect_refused(method, "rolling forward");
   WheelRail contact = table_level(example_bodies());

@@ -35,7 +35,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 std::string message_of(const std::string& text, const char* name = "dir/x.slcs") {
   try {
-    parse_slices(text, name);
+    io::parse_slices(text, name);
     return "none";
   } catch (const Error& error) {
     return error.what();
@@ -43,7 +43,7 @@ std::string message_of(const std::string& text, const char* name = "dir/x.slcs")
 }
 
 TEST(SlicesFile, HasItsWholeGrammar) {
-  const SlicesFile file = parse_slices(rail, "dir/x.slcs");
+  const io::SlicesFile file = io::parse_slices(rail, "dir/x.slcs");
   EXPECT_EQ(file.role, ProfileRole::rail);
   ASSERT_EQ(file.slices.size(), 3u);
   EXPECT_NEAR(file.slices[0].u, 400, 1e-12);
@@ -64,7 +64,7 @@ TEST(SlicesFile, HasItsWholeGrammar) {
 }
 
 TEST(SlicesFile, WheelsHaveAnglesAndOrders) {
-  const SlicesFile file = parse_slices("0 1\n2\n0\n1 2\n-.5 'a.prw'\n.5 'b.prw'\n1\n.1 12 0\n", "x.slcw");
+  const io::SlicesFile file = io::parse_slices("0 1\n2\n0\n1 2\n-.5 'a.prw'\n.5 'b.prw'\n1\n.1 12 0\n", "x.slcw");
   EXPECT_EQ(file.role, ProfileRole::wheel);
   EXPECT_TRUE(file.slices[0].features.empty());
   EXPECT_EQ(file.waves.at(0).wavenumber, 12);
@@ -95,9 +95,9 @@ TEST(SlicesFile, MistakesAreNamedWithTheirLine) {
 TEST(SlicesFile, WarnsOfWhatItLeavesOut) {
   const std::string two = "0 1\n2 NSLC\n0\n1\n0 'a.prr'\n1 'b.prr' remark\n",
                     third = "% more\n\n2 'c.prr'\n3 'd.prr'\n";
-  EXPECT_TRUE(parse_slices(two + "% the end\n\n", "x.slcs").warnings.empty());
-  EXPECT_TRUE(parse_slices(rail, "x.slcs").warnings.empty());
-  const SlicesFile file = parse_slices(two + third, "x.slcs");
+  EXPECT_TRUE(io::parse_slices(two + "% the end\n\n", "x.slcs").warnings.empty());
+  EXPECT_TRUE(io::parse_slices(rail, "x.slcs").warnings.empty());
+  const io::SlicesFile file = io::parse_slices(two + third, "x.slcs");
   EXPECT_EQ(file.slices.size(), 2u);
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_EQ(file.warnings[0], "line 9 is left out with all that follows: NSLC = 2, and nothing belongs to these slices "
@@ -118,11 +118,11 @@ TEST(SlicesFile, WheelsLieWithinATurnOrReachBeyondIt) {
 TEST(SlicesFile, ReadsThoseOfContact) {
   const std::filesystem::path folder = MICROSLIP_SOURCE_DIR "/../shared/contact-cases/wheel-rail";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
-  const SlicesFile nose = read_slices(folder / "profiles/cross_nose.slcs");
+  const io::SlicesFile nose = io::read_slices(folder / "profiles/cross_nose.slcs");
   EXPECT_EQ(nose.slices.size(), 21u);
   EXPECT_EQ(nose.features(), 5u);
   EXPECT_EQ(nose.slices.back().features.back(), 299);
-  const SlicesFile flat = read_slices(folder / "cases/S1002_flat.slcw");
+  const io::SlicesFile flat = io::read_slices(folder / "cases/S1002_flat.slcw");
   EXPECT_EQ(flat.slices.size(), 258u);
   EXPECT_TRUE(nose.warnings.empty() && flat.warnings.empty());
   EXPECT_EQ(flat.method, SliceMethod::approximating);

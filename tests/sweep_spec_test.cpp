@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* inside = "[case]\nx.y = 1\n";
 
-double number(const SweepSpec& spec, std::size_t index, std::size_t k) {
-  const CaseValue value = spec.value(index, k);
+double number(const campaign::SweepSpec& spec, std::size_t index, std::size_t k) {
+  const campaign::CaseValue value = spec.value(index, k);
   return value.node == nullptr ? value.number : value.node->value_or(std::nan(""));
 }
 
-std::vector<double> numbers(const SweepSpec& spec, std::size_t k) {
+std::vector<double> numbers(const campaign::SweepSpec& spec, std::size_t k) {
   std::vector<double> all;
   for (std::size_t i = 0; i < spec.count(); ++i) all.push_back(number(spec, i, k));
   return all;
@@ -32,7 +32,7 @@ std::vector<double> numbers(const SweepSpec& spec, std::size_t k) {
 
 void expect_refused(const std::string& text, const std::string& what) {
   try {
-    const SweepSpec spec(text, "s.toml");
+    const campaign::SweepSpec spec(text, "s.toml");
     ADD_FAILURE() << "no Error: " << what;
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what() << "\nexpected: " << what;
@@ -45,7 +45,7 @@ TEST(SweepSpec, KeysOfACasesOwnSweepAreNone) {
 }
 
 TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
-  const SweepSpec spec(
+  const campaign::SweepSpec spec(
       std::string("[grid]\nz.z = [1, 2]\n\"a.a\" = { from = 0, to = 1, count = 3 }\nm.b = [7]\n") + inside, "s.toml");
   ASSERT_EQ(spec.count(), 6u);
   EXPECT_EQ(spec.shape(), (std::vector<std::size_t>{2, 3, 1}));
@@ -57,11 +57,12 @@ TEST(SweepSpec, GridsVaryTheLastKeyFastestInTheOrderOfTheFile) {
 
 TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
   const std::string base = "[case.load]\nnormal_force = \"80 kN\"\n[case.a]\nword = \"3d\"\n";
-  const TomlSection::KeyUnits units = {{"load.normal_force", "N"}, {"body.radius", "m"}, {"body.temperature", "deg C"}};
-  SweepSpec spec("[grid]\nbody.radius = { from = \"100 mm\", to = 0.4, count = 4 }\n"
-                 "body.temperature = [20, \"293.15 K\", \"50 degC\"]\na.word = [\"3d\", \"2d\"]\n" +
-                     base,
-                 "s.toml");
+  const io::TomlSection::KeyUnits units = {
+      {"load.normal_force", "N"}, {"body.radius", "m"}, {"body.temperature", "deg C"}};
+  campaign::SweepSpec spec("[grid]\nbody.radius = { from = \"100 mm\", to = 0.4, count = 4 }\n"
+                           "body.temperature = [20, \"293.15 K\", \"50 degC\"]\na.word = [\"3d\", \"2d\"]\n" +
+                               base,
+                           "s.toml");
   ASSERT_TRUE(spec.has_units());
   EXPECT_EQ(spec.case_as_written(0).at_path("body.radius").value_or(std::string()), "100 mm");
   spec.convert_units(units);
@@ -75,7 +76,7 @@ TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
   EXPECT_EQ(spec.text_of(1, 2), "2d");
   EXPECT_EQ(spec.base().at_path("load.normal_force").value_or(0.0), 80e3);
   const auto refused = [&](const std::string& line) {
-    SweepSpec wrong("[grid]\n" + line + "\n" + base, "s.toml");
+    campaign::SweepSpec wrong("[grid]\n" + line + "\n" + base, "s.toml");
     try {
       wrong.convert_units(units);
     } catch (const Error& error) {
@@ -92,7 +93,7 @@ TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
 }
 
 TEST(SweepSpec, ALogarithmicScaleHasConstantRatios) {
-  const SweepSpec spec(
+  const campaign::SweepSpec spec(
       std::string("[grid]\na.a = { from = -1e-3, to = -10, count = 9, scale = \"logarithmic\" }\n") + inside, "s.toml");
   const auto values = numbers(spec, 0);
   EXPECT_EQ(values.front(), -1e-3);
@@ -101,7 +102,7 @@ TEST(SweepSpec, ALogarithmicScaleHasConstantRatios) {
 }
 
 TEST(SweepSpec, KeysMayTakeOneValueTogether) {
-  const SweepSpec spec(std::string("[grid]\n\"a.n, b.n\" = [0.25, 0.5]\n") + inside, "s.toml");
+  const campaign::SweepSpec spec(std::string("[grid]\n\"a.n, b.n\" = [0.25, 0.5]\n") + inside, "s.toml");
   toml::table table = spec.base();
   spec.set(1, 0, table);
   EXPECT_EQ(table.at_path("a.n").value<double>(), 0.5);
@@ -110,7 +111,7 @@ TEST(SweepSpec, KeysMayTakeOneValueTogether) {
 }
 
 TEST(SweepSpec, WholeNumbersServeKeysOfEitherKind) {
-  const SweepSpec spec(std::string("[grid]\na.a = { from = 0, to = 1, count = 3 }\n") + inside, "s.toml");
+  const campaign::SweepSpec spec(std::string("[grid]\na.a = { from = 0, to = 1, count = 3 }\n") + inside, "s.toml");
   toml::table table = spec.base();
   spec.set(2, 0, table);
   EXPECT_TRUE(table.at_path("a.a").is_integer());
@@ -121,40 +122,40 @@ TEST(SweepSpec, WholeNumbersServeKeysOfEitherKind) {
 TEST(SweepSpec, ListsAreTablesOfCases) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a, b.word ,c.c\n1,left,2.5\n\n-3e2,right,4\n");
-  const SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  const campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
   ASSERT_EQ(spec.count(), 2u);
   EXPECT_EQ(numbers(spec, 0), (std::vector<double>{1, -300}));
   EXPECT_FALSE(spec.parameters()[1].is_number);
   EXPECT_EQ(spec.text_of(1, 1), "right");
   save(folder / "l.csv", "a.a,b.b\n1,2\n3\n");
-  EXPECT_THROW(SweepSpec(spec.text(), spec.name()), Error);
+  EXPECT_THROW(campaign::SweepSpec(spec.text(), spec.name()), Error);
   save(folder / "l.csv", "a.a,b.b\n");
-  EXPECT_THROW(SweepSpec(spec.text(), spec.name()), Error);
+  EXPECT_THROW(campaign::SweepSpec(spec.text(), spec.name()), Error);
 }
 
 TEST(SweepSpec, ListsAreReadAsTheyComeFromSpreadsheets) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a,b.word,c.c\n1.5,left,2.5\n-3e2,right,4\n");
   const std::string text = std::string("[list]\nfile = \"l.csv\"\n") + inside, name = (folder / "s.toml").string();
-  const SweepSpec plain(text, name);
+  const campaign::SweepSpec plain(text, name);
   for (const char* table : {"\xef\xbb\xbf"
                             "a.a;b.word;c.c\r\n1,5;left;2,5\r\n-3e2;right;4\r\n",
                             "\"a.a\"\tb.word\tc.c\n1,5\tleft\t2.5\n\n-300\tright\t4"}) {
     save(folder / "l.csv", table);
-    const SweepSpec spec(text, name);
+    const campaign::SweepSpec spec(text, name);
     ASSERT_EQ(spec.count(), plain.count());
     for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
       EXPECT_EQ(numbers(spec, k), numbers(plain, k)) << table;
     EXPECT_EQ(spec.text_of(1, 1), "right");
   }
   save(folder / "l.csv", std::string("a\0,\0b\0\n\0", 8));
-  EXPECT_THROW(SweepSpec(text, name), Error);
+  EXPECT_THROW(campaign::SweepSpec(text, name), Error);
 }
 
 TEST(SweepSpec, ListsHaveUnitsInTheirHeadings) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a [mm];b.n [-];c.c\n6,5;3;7 mm\n-1;4;8 mm\n");
-  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
   spec.convert_units({{"a.a", "m"}, {"c.c", "m"}});
   EXPECT_EQ(numbers(spec, 0), (std::vector<double>{6.5e-3, -1e-3}));
   EXPECT_EQ(numbers(spec, 1), (std::vector<double>{3, 4}));
@@ -164,7 +165,7 @@ TEST(SweepSpec, ListsHaveUnitsInTheirHeadings) {
 TEST(SweepSpec, ListsMayHaveTextsAmongNumbers) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a,c.c\n1.25,5 mm\n\nbad,0.5\n");
-  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
   EXPECT_EQ(spec.value(0, 0).node->value<double>(), 1.25);
   EXPECT_EQ(spec.text_of(1, 0), "bad");
   spec.convert_units({{"a.a", "m"}, {"c.c", "m"}});
@@ -177,7 +178,7 @@ TEST(SweepSpec, AKeyVariesOnce) {
   save(folder / "l.csv", "a.a,c.c,a.a\n1,2,3\n");
   const auto expect_twice = [&](const std::string& text, const std::string& file) {
     try {
-      SweepSpec(text, (folder / "s.toml").string());
+      campaign::SweepSpec(text, (folder / "s.toml").string());
       ADD_FAILURE() << text;
     } catch (const Error& error) {
       EXPECT_EQ(error.what(), (folder / file).string() + ": a.a: is varied twice");
@@ -190,7 +191,7 @@ TEST(SweepSpec, AKeyVariesOnce) {
 TEST(SweepSpec, WrongUnitsInListsHaveTheirLine) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a\n3 mm\n\n4 kN\n");
-  SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
+  campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
   EXPECT_EQ(spec.place(1), (folder / "l.csv").string() + ":4: ");
   try {
     spec.convert_units({{"a.a", "m"}});
@@ -209,7 +210,8 @@ std::string sample(int count, int seed) {
 }
 
 TEST(SweepSpec, SamplesAreUniformAndOfTheirSeedAlone) {
-  const SweepSpec spec(sample(20000, 1), "s.toml"), more(sample(40000, 1), "s.toml"), other(sample(20000, 2), "s.toml");
+  const campaign::SweepSpec spec(sample(20000, 1), "s.toml"), more(sample(40000, 1), "s.toml"),
+      other(sample(20000, 2), "s.toml");
   double sum = 0, squares = 0, mixed = 0, logarithms = 0;
   std::size_t words = 0;
   for (std::size_t i = 0; i < spec.count(); ++i) {
@@ -234,10 +236,10 @@ TEST(SweepSpec, SamplesAreUniformAndOfTheirSeedAlone) {
 
 TEST(SweepSpec, ABillionCasesTakeNoMemory) {
   const std::string axis = " = { from = 0, to = 1, count = 1000 }\n";
-  const SweepSpec spec("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + inside, "s.toml");
+  const campaign::SweepSpec spec("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + inside, "s.toml");
   EXPECT_EQ(spec.count(), 1'000'000'000u);
   EXPECT_EQ(number(spec, 999'999'999, 2), 1);
-  EXPECT_LE((spec.count() + spec.chunk() - 1) / spec.chunk(), most_chunks);
+  EXPECT_LE((spec.count() + spec.chunk() - 1) / spec.chunk(), campaign::most_chunks);
   expect_refused("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + "a.d" + axis + inside,
                  "s.toml: [grid]: more than 2000000000 cases");
 }
@@ -267,7 +269,7 @@ TEST(SweepSpec, WhatIsWrongIsNamed) {
 TEST(SweepSpec, ItsIdentityIsThatOfAllItsFiles) {
   const TemporaryFolder folder;
   const auto identity = [&](const std::string& text) {
-    return SweepSpec(text, (folder / "s.toml").string()).identity();
+    return campaign::SweepSpec(text, (folder / "s.toml").string()).identity();
   };
   const std::string text = "case = \"c.toml\"\n[grid]\na.a = [1]\n";
   save(folder / "p.prr", "1");

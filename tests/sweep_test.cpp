@@ -62,13 +62,13 @@ struct Row {
   }
 };
 
-Row row_of(const Sweep& sweep, const RowWorker& worker, std::size_t index) {
+Row row_of(const campaign::Sweep& sweep, const campaign::RowWorker& worker, std::size_t index) {
   Row row{std::vector<double>(sweep.columns().size(), 0), ""};
   row.reason = worker(index, row.values, {});
   return row;
 }
 
-double number(const Sweep& sweep, const Row& row, const std::string& path) {
+double number(const campaign::Sweep& sweep, const Row& row, const std::string& path) {
   const auto& columns = sweep.columns();
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.path == path; });
   EXPECT_NE(found, columns.end()) << path;
@@ -76,7 +76,7 @@ double number(const Sweep& sweep, const Row& row, const std::string& path) {
 }
 
 /// The same bits for every case by itself, with a new worker, and in random order after one another.
-void expect_independent_rows(const Sweep& sweep) {
+void expect_independent_rows(const campaign::Sweep& sweep) {
   const std::size_t count = sweep.spec().count();
   const OneThread as_in_a_batch;
   std::vector<Row> alone;
@@ -84,17 +84,17 @@ void expect_independent_rows(const Sweep& sweep) {
   std::vector<std::size_t> order(2 * count);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i % count;
   std::shuffle(order.begin(), order.end(), std::mt19937(5));
-  const RowWorker worker = sweep.make_worker();
+  const campaign::RowWorker worker = sweep.make_worker();
   for (const std::size_t i : order) EXPECT_EQ(row_of(sweep, worker, i), alone[i]) << "case " << i;
 }
 
 TEST(Sweep, OfTwoBodiesByBothTheories) {
-  const Sweep sweep("[grid]\nsolution.theory = [\"fastsim2\", \"exact\"]\nload.normal_force = [50e3, 80e3]\n"
-                    "motion.creepage_longitudinal = [0.001, 0.002, 0.004]\n" +
-                        two_bodies,
-                    "s.toml");
+  const campaign::Sweep sweep("[grid]\nsolution.theory = [\"fastsim2\", \"exact\"]\nload.normal_force = [50e3, 80e3]\n"
+                              "motion.creepage_longitudinal = [0.001, 0.002, 0.004]\n" +
+                                  two_bodies,
+                              "s.toml");
   ASSERT_EQ(sweep.spec().count(), 12u);
-  const RowWorker worker = sweep.make_worker();
+  const campaign::RowWorker worker = sweep.make_worker();
   const OneThread as_in_a_batch;
   for (std::size_t i = 0; i < 12; ++i) {
     auto text = two_bodies.substr(0, two_bodies.find("[case.load]"));
@@ -103,73 +103,76 @@ TEST(Sweep, OfTwoBodiesByBothTheories) {
             std::vector<std::string>{"0.001", "0.002", "0.004"}[i % 3] + "\n[case.solution]\ntheory = \"" +
             (i < 6 ? "fastsim2" : "exact") + "\"\n";
     for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
-    const RollingCase input = parse_case(text, "c.toml");
-    const ContactSolution expected = Solver({.theory = input.theory, .mx = 20, .my = 20}).solve(rolling_problem(input));
+    const io::RollingCase input = io::parse_case(text, "c.toml");
+    const ContactSolution expected =
+        Solver({.theory = input.theory, .mx = 20, .my = 20}).solve(io::rolling_problem(input));
     const Row row = row_of(sweep, worker, i);
     EXPECT_EQ(row.values.front(), 0);
     EXPECT_EQ(row.reason, "");
     EXPECT_EQ(number(sweep, row, "contact/fx"), expected.totals.fx) << i;
     EXPECT_EQ(number(sweep, row, "contact/slip_area"), expected.totals.slip_area) << i;
-    EXPECT_EQ(number(sweep, row, "hertz/a"), hertz_contact(input).a) << i;
+    EXPECT_EQ(number(sweep, row, "hertz/a"), io::hertz_contact(input).a) << i;
   }
 }
 
 TEST(Sweep, RowsOfTwoBodiesDoNotDependOnEachOther) {
-  expect_independent_rows(Sweep("[sample]\ncount = 24\nseed = 3\nsolution.theory = [\"fastsim\", \"fastsim2\", "
-                                "\"exact\", \"fastrip\"]\nsolution.grid = [[10, 10], [16, 12]]\n"
-                                "\"body1.poisson_ratio, body2.poisson_ratio\" = { from = 0, to = 0.5 }\n"
-                                "body2.transverse_radius = { from = 0.08, to = 3, scale = \"logarithmic\" }\n"
-                                "motion.creepage_longitudinal = { from = -0.004, to = 0.004 }\n"
-                                "motion.spin = { from = -2, to = 2 }\nfriction.coefficient = [0, 0.1, 0.5]\n" +
-                                    two_bodies,
-                                "s.toml"));
+  expect_independent_rows(
+      campaign::Sweep("[sample]\ncount = 24\nseed = 3\nsolution.theory = [\"fastsim\", \"fastsim2\", "
+                      "\"exact\", \"fastrip\"]\nsolution.grid = [[10, 10], [16, 12]]\n"
+                      "\"body1.poisson_ratio, body2.poisson_ratio\" = { from = 0, to = 0.5 }\n"
+                      "body2.transverse_radius = { from = 0.08, to = 3, scale = \"logarithmic\" }\n"
+                      "motion.creepage_longitudinal = { from = -0.004, to = 0.004 }\n"
+                      "motion.spin = { from = -2, to = 2 }\nfriction.coefficient = [0, 0.1, 0.5]\n" +
+                          two_bodies,
+                      "s.toml"));
 }
 
 TEST(Sweep, RowsToAnAccuracyDoNotDependOnEachOther) {
-  expect_independent_rows(Sweep("[sample]\ncount = 4\nseed = 3\nsolution.accuracy = [0.01, 0.003]\n"
-                                "motion.creepage_longitudinal = { from = -0.004, to = 0.004 }\n" +
-                                    two_bodies + "[case.solution]\ntheory = \"exact\"\n",
-                                "s.toml"));
+  expect_independent_rows(campaign::Sweep("[sample]\ncount = 4\nseed = 3\nsolution.accuracy = [0.01, 0.003]\n"
+                                          "motion.creepage_longitudinal = { from = -0.004, to = 0.004 }\n" +
+                                              two_bodies + "[case.solution]\ntheory = \"exact\"\n",
+                                          "s.toml"));
 }
 
 TEST(Sweep, RowsOfWheelsDoNotDependOnEachOther) {
   expect_independent_rows(
-      Sweep("[sample]\ncount = 14\nseed = 4\nsolution.theory = [\"fastsim2\", \"exact\"]\n"
-            "wheel.lateral = { from = -0.005, to = 0.0065 }\nwheel.yaw = { from = -0.01, to = 0.01 }\n"
-            "wheelset.nominal_radius = [0.4, 0.46]\ntrack.cant = [0.025, 0.05]\n" +
-                wheel_case("left"),
-            example("s.toml")));
+      campaign::Sweep("[sample]\ncount = 14\nseed = 4\nsolution.theory = [\"fastsim2\", \"exact\"]\n"
+                      "wheel.lateral = { from = -0.005, to = 0.0065 }\nwheel.yaw = { from = -0.01, to = 0.01 }\n"
+                      "wheelset.nominal_radius = [0.4, 0.46]\ntrack.cant = [0.025, 0.05]\n" +
+                          wheel_case("left"),
+                      example("s.toml")));
 }
 
 TEST(Sweep, RowsOfWheelsetsDoNotDependOnEachOther) {
-  expect_independent_rows(Sweep("[sample]\ncount = 8\nseed = 5\nwheel.lateral = { from = -0.005, to = 0.005 }\n"
-                                "wheel.vertical_force = { from = 60e3, to = 160e3 }\ntrack.curvature = [0, 0.003]\n" +
-                                    wheel_case("both") + "[output]\npatches = 1\n",
-                                example("s.toml")));
+  expect_independent_rows(
+      campaign::Sweep("[sample]\ncount = 8\nseed = 5\nwheel.lateral = { from = -0.005, to = 0.005 }\n"
+                      "wheel.vertical_force = { from = 60e3, to = 160e3 }\ntrack.curvature = [0, 0.003]\n" +
+                          wheel_case("both") + "[output]\npatches = 1\n",
+                      example("s.toml")));
 }
 
 TEST(Sweep, RowsByATableDoNotDependOnEachOther) {
   const std::string theories = "solution.theory = [\"table\", \"fastsim2\"]\n";
   expect_independent_rows(
-      Sweep("[sample]\ncount = 12\nseed = 6\n" + theories +
-                "\"body1.poisson_ratio, body2.poisson_ratio\" = { from = 0, to = 0.5 }\n"
-                "body2.transverse_radius = { from = 0.001, to = 3, scale = \"logarithmic\" }\n"
-                "motion.direction = [\"forward\", \"backward\"]\nmotion.spin = { from = -2, to = 2 }\n" +
-                two_bodies,
-            "s.toml"));
+      campaign::Sweep("[sample]\ncount = 12\nseed = 6\n" + theories +
+                          "\"body1.poisson_ratio, body2.poisson_ratio\" = { from = 0, to = 0.5 }\n"
+                          "body2.transverse_radius = { from = 0.001, to = 3, scale = \"logarithmic\" }\n"
+                          "motion.direction = [\"forward\", \"backward\"]\nmotion.spin = { from = -2, to = 2 }\n" +
+                          two_bodies,
+                      "s.toml"));
   // A wheel's solver is new for each coefficient of friction; its table is not.
-  expect_independent_rows(Sweep("[sample]\ncount = 8\nseed = 7\n" + theories +
-                                    "wheel.lateral = { from = -0.005, to = 0.006 }\n"
-                                    "friction.coefficient = { from = 0.1, to = 0.5 }\n" +
-                                    wheel_case("right"),
-                                example("s.toml")));
+  expect_independent_rows(campaign::Sweep("[sample]\ncount = 8\nseed = 7\n" + theories +
+                                              "wheel.lateral = { from = -0.005, to = 0.006 }\n"
+                                              "friction.coefficient = { from = 0.1, to = 0.5 }\n" +
+                                              wheel_case("right"),
+                                          example("s.toml")));
 }
 
 TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
-  const Sweep sweep("[grid]\nbody2.transverse_radius = [0.3, 0.0008]\n" + two_bodies +
-                        "[case.solution]\ntheory = \"table\"\n",
-                    "s.toml");
-  const RowWorker worker = sweep.make_worker();
+  const campaign::Sweep sweep("[grid]\nbody2.transverse_radius = [0.3, 0.0008]\n" + two_bodies +
+                                  "[case.solution]\ntheory = \"table\"\n",
+                              "s.toml");
+  const campaign::RowWorker worker = sweep.make_worker();
   EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
   const Row beyond = row_of(sweep, worker, 1);
   EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::out_of_range));
@@ -179,15 +182,15 @@ TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
 }
 
 TEST(Sweep, OfAWheelIsThatOfItsCase) {
-  const Sweep sweep("[grid]\nwheel.lateral = [0, 0.006]\n" + wheel_case("right"), example("s.toml"));
+  const campaign::Sweep sweep("[grid]\nwheel.lateral = [0, 0.006]\n" + wheel_case("right"), example("s.toml"));
   auto text = wheel_case("right");
   for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
-  WheelRailCase input = parse_wheel_rail_case(text, example("c.toml"));
-  const RowWorker worker = sweep.make_worker();
+  io::WheelRailCase input = io::parse_wheel_rail_case(text, example("c.toml"));
+  const campaign::RowWorker worker = sweep.make_worker();
   const OneThread as_in_a_batch;
   for (const std::size_t i : {1, 0}) {
     input.states.front().state.lateral = i == 0 ? 0 : 0.006;
-    const auto expected = WheelRail(bodies_of(input), input.method)
+    const auto expected = WheelRail(io::bodies_of(input), input.method)
                               .solve(input.states.front().state, input.states.front().vertical_force);
     const Row row = row_of(sweep, worker, i);
     EXPECT_EQ(number(sweep, row, "wheel/force_y"), expected.force.y);
@@ -199,8 +202,8 @@ TEST(Sweep, OfAWheelIsThatOfItsCase) {
 }
 
 TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
-  const Sweep sweep("[grid]\nload.normal_force = [-1, 80e3]\n" + two_bodies, "s.toml");
-  const RowWorker worker = sweep.make_worker();
+  const campaign::Sweep sweep("[grid]\nload.normal_force = [-1, 80e3]\n" + two_bodies, "s.toml");
+  const campaign::RowWorker worker = sweep.make_worker();
   std::vector<double> row(sweep.columns().size());
   for (int round = 0; round < 2; ++round) {
     try {
@@ -212,7 +215,7 @@ TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
     EXPECT_EQ(worker(1, row, {}), "");
   }
   try {
-    const Sweep wrong("[grid]\nload.normal_forse = [1, 80e3]\n" + two_bodies, "s.toml");
+    const campaign::Sweep wrong("[grid]\nload.normal_forse = [1, 80e3]\n" + two_bodies, "s.toml");
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "s.toml: load.normal_forse: unknown key; did you mean normal_force?");
@@ -220,10 +223,10 @@ TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
 }
 
 TEST(Sweep, ReasonsOfWhatIsNotSolved) {
-  const Sweep sweep("[grid]\nmotion.force_longitudinal = [10e3, 30e3]\n" + two_bodies +
-                        "[case.solution]\ntheory = \"exact\"\n",
-                    "s.toml");
-  const RowWorker worker = sweep.make_worker();
+  const campaign::Sweep sweep("[grid]\nmotion.force_longitudinal = [10e3, 30e3]\n" + two_bodies +
+                                  "[case.solution]\ntheory = \"exact\"\n",
+                              "s.toml");
+  const campaign::RowWorker worker = sweep.make_worker();
   EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
   const Row beyond = row_of(sweep, worker, 1);
   EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::no_solution));
@@ -231,16 +234,16 @@ TEST(Sweep, ReasonsOfWhatIsNotSolved) {
 }
 
 TEST(Sweep, KeepsTheQuantitiesThatAreAskedFor) {
-  const Sweep sweep("[grid]\nload.normal_force = [80e3]\n" + two_bodies +
-                        "[output]\nquantities = [\"mz\", \"hertz/b\", \"fx\"]\n",
-                    "s.toml");
+  const campaign::Sweep sweep("[grid]\nload.normal_force = [80e3]\n" + two_bodies +
+                                  "[output]\nquantities = [\"mz\", \"hertz/b\", \"fx\"]\n",
+                              "s.toml");
   std::vector<std::string> paths;
   for (const auto& column : sweep.columns()) paths.push_back(column.path);
   EXPECT_EQ(paths, (std::vector<std::string>{"contact/status", "contact/warning_code", "hertz/b", "contact/fx",
                                              "contact/mz"}));
   try {
-    const Sweep wrong("[grid]\nload.normal_force = [80e3]\n" + two_bodies + "[output]\nquantities = [\"slip_aera\"]\n",
-                      "s.toml");
+    const campaign::Sweep wrong(
+        "[grid]\nload.normal_force = [80e3]\n" + two_bodies + "[output]\nquantities = [\"slip_aera\"]\n", "s.toml");
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean slip_area?"), std::string::npos) << error.what();

@@ -57,7 +57,7 @@ TEST(ToleranceRange, OfTheExactTheoryIsOne) {
   expect_range(low, high, "tolerance", [](double t) { EllipticContactSolver({.mx = 4, .my = 4, .tolerance = t}); });
   expect_range(low, high, "solution.tolerance", [](double t) { Solver({.tolerance = t}); });
   expect_range(low, high, "solution.tolerance",
-               [](double t) { parse_case(two_bodies + "tolerance = " + text(t) + "\n", "c.toml"); });
+               [](double t) { io::parse_case(two_bodies + "tolerance = " + text(t) + "\n", "c.toml"); });
 }
 
 TEST(ToleranceRange, OfProblemsOnAGridIsTheSame) {
@@ -77,14 +77,15 @@ TEST(ToleranceRange, OfProblemsOnAGridIsTheSame) {
 
 TEST(ToleranceRange, OfTheLoadOnAWheelIsOne) {
   constexpr double low = smallest_load_tolerance, high = largest_load_tolerance;
-  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  const io::WheelRailCase input = io::parse_wheel_rail_case(wheel_rail_text, "w.toml");
   expect_range(low, high, "tolerance", [&](double t) {
     WheelRailMethod method = input.method;
     method.tolerance = t;
-    WheelRail pair(bodies_of(input), method);
+    WheelRail pair(io::bodies_of(input), method);
   });
-  expect_range(low, high, "solution.tolerance",
-               [](double t) { parse_wheel_rail_case(wheel_rail_text + "tolerance = " + text(t) + "\n", "w.toml"); });
+  expect_range(low, high, "solution.tolerance", [](double t) {
+    io::parse_wheel_rail_case(wheel_rail_text + "tolerance = " + text(t) + "\n", "w.toml");
+  });
 }
 
 TEST(ToleranceRange, OfTheCommandLineIsThatOfTheLibrary) {

@@ -73,30 +73,31 @@ TEST(Units, NumbersAreInTheUnitThatIsWanted) {
       {"1:20", "rad", std::atan(0.05)},
       {"-1 : 40", "rad", -std::atan(0.025)},
   };
-  for (const auto& [text, unit, value] : texts) EXPECT_DOUBLE_EQ(number_in_unit("field", text, unit), value) << text;
-  EXPECT_NEAR(number_in_unit("field", "68 degF", "deg C"), 20, 1e-9);
+  for (const auto& [text, unit, value] : texts)
+    EXPECT_DOUBLE_EQ(io::number_in_unit("field", text, unit), value) << text;
+  EXPECT_NEAR(io::number_in_unit("field", "68 degF", "deg C"), 20, 1e-9);
 }
 
 /// Decimal prefixes do not change the number that is written: results are the same to the last bit.
 TEST(Units, MillimetresAreTheNearestNumbersOfMetres) {
   for (int k = 1; k < 3000; ++k) {
-    EXPECT_EQ(number_in_unit("field", std::to_string(k) + " mm", "m"), k / 1e3);
-    EXPECT_EQ(number_in_unit("field", std::to_string(k) + " um", "m"), k / 1e6);
-    EXPECT_EQ(number_in_unit("field", std::to_string(k) + " kN", "N"), k * 1e3);
+    EXPECT_EQ(io::number_in_unit("field", std::to_string(k) + " mm", "m"), k / 1e3);
+    EXPECT_EQ(io::number_in_unit("field", std::to_string(k) + " um", "m"), k / 1e6);
+    EXPECT_EQ(io::number_in_unit("field", std::to_string(k) + " kN", "N"), k * 1e3);
   }
 }
 
 TEST(Units, ScalesNumbersOfAColumn) {
-  EXPECT_EQ(scale_to_unit("column a", "mm", "m")(6.1), 6.1 / 1e3);
-  EXPECT_EQ(scale_to_unit("column normal_force", "kN", "N")(80.3), 80.3 * 1e3);
-  EXPECT_EQ(scale_to_unit("column spin", "1/m", "1/m")(0.4), 0.4);
-  EXPECT_THROW(scale_to_unit("column a", "N", "m"), Error);
-  EXPECT_THROW(scale_to_unit("column t", "K", "deg C"), Error);
+  EXPECT_EQ(io::scale_to_unit("column a", "mm", "m")(6.1), 6.1 / 1e3);
+  EXPECT_EQ(io::scale_to_unit("column normal_force", "kN", "N")(80.3), 80.3 * 1e3);
+  EXPECT_EQ(io::scale_to_unit("column spin", "1/m", "1/m")(0.4), 0.4);
+  EXPECT_THROW(io::scale_to_unit("column a", "N", "m"), Error);
+  EXPECT_THROW(io::scale_to_unit("column t", "K", "deg C"), Error);
 }
 
 std::string error_of(const std::string& text, const std::string& unit) {
   try {
-    return "no error, but " + std::to_string(number_in_unit("load.normal_force", text, unit));
+    return "no error, but " + std::to_string(io::number_in_unit("load.normal_force", text, unit));
   } catch (const Error& error) {
     return error.what();
   }
@@ -159,9 +160,9 @@ TEST(Units, SharesUdunitsWithOthers) {
     for (int& count : wrong)
       threads.emplace_back([&count] {
         for (int k = 1; k < 300; ++k) {
-          if (number_in_unit("field", std::to_string(k) + " kN/mm^2", "Pa") != k * 1e9) ++count;
+          if (io::number_in_unit("field", std::to_string(k) + " kN/mm^2", "Pa") != k * 1e9) ++count;
           try {
-            number_in_unit("field", std::to_string(k) + " kN/mn^2", "Pa");
+            io::number_in_unit("field", std::to_string(k) + " kN/mn^2", "Pa");
             ++count;
           } catch (const Error&) {
           }

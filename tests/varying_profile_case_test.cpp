@@ -34,14 +34,14 @@ protected:
   std::string name() const { return folder_ / "case.toml"; }
 
   WheelRailSolution solve(const std::string& text) const {
-    return solve_case(parse_wheel_rail_case(text, name()), {}).solutions.at(0);
+    return cases::solve_case(io::parse_wheel_rail_case(text, name()), {}).solutions.at(0);
   }
   std::string message(const std::string& text) const {
     try {
-      if (is_wheelset_case(text, name()))
-        parse_wheelset_case(text, name());
+      if (io::is_wheelset_case(text, name()))
+        io::parse_wheelset_case(text, name());
       else
-        parse_wheel_rail_case(text, name());
+        io::parse_wheel_rail_case(text, name());
     } catch (const Error& error) {
       const std::string what = error.what();
       return what.substr(what.find("case.toml"));
@@ -115,7 +115,7 @@ TEST_F(VaryingProfileCase, SaysWhoseTheRightSideIs) {
 TEST_F(VaryingProfileCase, WarnsOfSlicesBeyondTheirNumber) {
   write("more.slcs", "0 1\n2\n0\n1\n0 '60e1.prr'\n1000 '60e1.prr'\n2000 '60e1.prr'\n");
   const auto warnings = [&](const char* slices) {
-    return parse_wheel_rail_case(with_slices(wheel_rail_text, slices), name()).rail.report.warnings;
+    return io::parse_wheel_rail_case(with_slices(wheel_rail_text, slices), name()).rail.report.warnings;
   };
   const auto with_more = warnings("more.slcs"), without = warnings("same.slcs");
   ASSERT_EQ(with_more.size(), without.size() + 1);
@@ -126,17 +126,19 @@ TEST_F(VaryingProfileCase, WarnsOfSlicesBeyondTheirNumber) {
 
 TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
   const std::string worn = "profile = \"s1002.prw\"\nscale = 1.02\n";
-  const auto alike = solve_case(parse_wheelset_case(both + "[right_wheel]\nprofile = \"s1002.prw\"\n", name()), {});
-  const auto plain = solve_case(parse_wheelset_case(both, name()), {});
+  const auto alike =
+      cases::solve_case(io::parse_wheelset_case(both + "[right_wheel]\nprofile = \"s1002.prw\"\n", name()), {});
+  const auto plain = cases::solve_case(io::parse_wheelset_case(both, name()), {});
   EXPECT_EQ(alike.solutions[0].force.y, plain.solutions[0].force.y);
   // A right rail that is .1 mm lower lets the wheelset lean.
   const std::string there = with_part(both, "lateral", "longitudinal = 0.5\nlateral");
-  const auto other = solve_case(parse_wheelset_case(there + "[right_rail]\nprofile = \"wave.slcs\"\n", name()), {});
+  const auto other =
+      cases::solve_case(io::parse_wheelset_case(there + "[right_rail]\nprofile = \"wave.slcs\"\n", name()), {});
   EXPECT_EQ(other.status, Status::ok);
   EXPECT_NEAR(other.solutions[0].roll - plain.solutions[0].roll, 1e-4 / 1.5, 3e-6);
-  const auto rail = parse_wheelset_case(both + "[right_rail]\nprofile = \"same.slcs\"\n", name());
-  EXPECT_TRUE(bodies_of(rail, TrackSide::right).rail_surface);
-  EXPECT_FALSE(bodies_of(rail, TrackSide::left).rail_surface);
+  const auto rail = io::parse_wheelset_case(both + "[right_rail]\nprofile = \"same.slcs\"\n", name());
+  EXPECT_TRUE(io::bodies_of(rail, TrackSide::right).rail_surface);
+  EXPECT_FALSE(io::bodies_of(rail, TrackSide::left).rail_surface);
   // of a wheel alone there is none
   EXPECT_NE(message(wheel_rail_text + "[right_wheel]\n" + worn).find("right_wheel"), std::string::npos);
   EXPECT_NE(message(both + "[right_wheal]\n" + worn).find("right_wheel"), std::string::npos);

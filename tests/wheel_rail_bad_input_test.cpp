@@ -28,7 +28,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 WheelRailBodies pair() {
   const auto profile = [](const char* name) {
-    return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+    return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
   };
   static const Profile rail = profile("60e1.prr"), wheel = profile("s1002.prw");
   return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, TrackSide::left, {82e9, 0.28, 0}, {{0, 0.3}}};
@@ -116,7 +116,7 @@ std::string message_with(std::string_view section, std::string_view key, const s
     text.erase(old + 1, text.find('\n', old + 1) - old);
   text.insert(body, std::string(key) + " = " + value + "\n");
   try {
-    parse_wheel_rail_case(text, "w.toml");
+    io::parse_wheel_rail_case(text, "w.toml");
   } catch (const Error& error) {
     return error.what();
   }

@@ -16,11 +16,11 @@
 namespace microslip {
 namespace {
 
-WheelRailCase parse(const std::string& text) {
-  return parse_wheel_rail_case(text, "w.toml");
+io::WheelRailCase parse(const std::string& text) {
+  return io::parse_wheel_rail_case(text, "w.toml");
 }
 
-WheelRailCase parse_with(const std::string& part, const std::string& replacement) {
+io::WheelRailCase parse_with(const std::string& part, const std::string& replacement) {
   return parse(with_part(wheel_rail_text, part, replacement));
 }
 
@@ -34,7 +34,7 @@ std::string message_with(const std::string& part, const std::string& replacement
 }
 
 TEST(WheelRailCase, ReadsTheShortestCase) {
-  const WheelRailCase input = parse(wheel_rail_text);
+  const io::WheelRailCase input = parse(wheel_rail_text);
   EXPECT_EQ(input.title, "t");
   EXPECT_EQ(input.track.gauge, 1.435);
   EXPECT_EQ(input.track.cant, 0.05);
@@ -56,14 +56,15 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
 }
 
 TEST(WheelRailCase, ReadsStrengthsAndPointsInsideWhereTheyAreGiven) {
-  const WheelRailCase without = parse(wheel_rail_text);
+  const io::WheelRailCase without = parse(wheel_rail_text);
   EXPECT_FALSE(without.strength.hardness || without.strength.shear_yield_strength);
   EXPECT_EQ(without.interior.count(), 0u);
-  const WheelRailCase with = parse_with("[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n"
-                                                      "[interior]\nx = [0]\ny = [0, 1e-3]\nz = [-2e-3]\n[friction]");
+  const io::WheelRailCase with =
+      parse_with("[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n"
+                               "[interior]\nx = [0]\ny = [0, 1e-3]\nz = [-2e-3]\n[friction]");
   EXPECT_EQ(with.strength.hardness, 2.7e9);
   EXPECT_EQ(with.strength.shear_yield_strength, 300e6);
-  EXPECT_EQ(bodies_of(with).strength.hardness, 2.7e9);
+  EXPECT_EQ(io::bodies_of(with).strength.hardness, 2.7e9);
   EXPECT_EQ(with.interior.y, (std::vector<double>{0, 1e-3}));
   EXPECT_NE(message_with("[friction]", "hardness = 270\n[friction]").find("material.hardness = 270 [Pa]"),
             std::string::npos);
@@ -79,10 +80,10 @@ TEST(WheelRailCase, ReadsEveryNumberOfTheStateInItsSection) {
     std::string text = wheel_rail_text;
     if (const auto given = text.find("\n" + name + " ="); given != std::string::npos)
       text.erase(given, text.find('\n', given + 1) - given);
-    const WheelRailCase input = parse(with_part(text, head, head + name + " = 0.015625\n"));
+    const io::WheelRailCase input = parse(with_part(text, head, head + name + " = 0.015625\n"));
     EXPECT_EQ(q.value(input.states[0].state), 0.015625) << name;
   }
-  const WheelRailCase input = parse_with("vertical_force = 80e3", "vertical = -0.0002");
+  const io::WheelRailCase input = parse_with("vertical_force = 80e3", "vertical = -0.0002");
   EXPECT_FALSE(input.states[0].vertical_force);
   EXPECT_EQ(input.states[0].state.vertical, -0.0002);
 }
@@ -97,7 +98,7 @@ TEST(WheelRailCase, NamesOfNumbersAreUnique) {
 }
 
 TEST(WheelRailCase, ReadsTheRest) {
-  const WheelRailCase placed = parse_with("gauge = 1.435", "rail_y = 0.7505\nrail_z = 0.001");
+  const io::WheelRailCase placed = parse_with("gauge = 1.435", "rail_y = 0.7505\nrail_z = 0.001");
   ASSERT_TRUE(placed.track.rail_origin);
   EXPECT_EQ(placed.track.rail_origin->y, 0.7505);
   EXPECT_EQ(placed.track.rail_origin->z, 0.001);
@@ -124,13 +125,14 @@ TEST(WheelRailCase, ProfilesArePathsFromTheFilesFolder) {
   const std::string profile = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
   std::filesystem::copy_file(profile, folder / "p/rail.prr");
   const auto text = with_part(wheel_rail_text, profile, "p/rail.prr");
-  const auto input = parse_wheel_rail_case(text, (folder / "w.toml").string());
+  const auto input = io::parse_wheel_rail_case(text, (folder / "w.toml").string());
   EXPECT_EQ(input.rail.profile.length(), parse(wheel_rail_text).rail.profile.length());
   // What the file does not say, or is to be treated otherwise.
-  const auto larger = parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\nscale = 2.0"), (folder / "w").string());
+  const auto larger =
+      io::parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\nscale = 2.0"), (folder / "w").string());
   EXPECT_NEAR(larger.rail.profile.length(), 2 * input.rail.profile.length(), 1e-9);
   const auto cut =
-      parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\ntrim = [-0.1, 0.02]"), (folder / "w").string());
+      io::parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\ntrim = [-0.1, 0.02]"), (folder / "w").string());
   EXPECT_LT(cut.rail.profile.at(cut.rail.profile.length()).value.y, 0.0201);
 }
 
@@ -202,10 +204,10 @@ TEST(WheelRailCase, ProfilesMustFitTheirRoles) {
 }
 
 TEST(WheelRailCase, IsToldApartFromOthers) {
-  EXPECT_TRUE(is_wheel_rail_case(wheel_rail_text, "w.toml"));
-  EXPECT_FALSE(is_wheel_rail_case("[body1]\n[body2]\n", "w.toml"));
-  EXPECT_FALSE(is_wheel_rail_case("", "w.toml"));
-  EXPECT_THROW(is_wheel_rail_case("[rail", "w.toml"), Error);
+  EXPECT_TRUE(io::is_wheel_rail_case(wheel_rail_text, "w.toml"));
+  EXPECT_FALSE(io::is_wheel_rail_case("[body1]\n[body2]\n", "w.toml"));
+  EXPECT_FALSE(io::is_wheel_rail_case("", "w.toml"));
+  EXPECT_THROW(io::is_wheel_rail_case("[rail", "w.toml"), Error);
 }
 
 } // namespace

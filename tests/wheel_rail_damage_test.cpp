@@ -26,8 +26,8 @@ constexpr double hardness = 2.7e9, shear_yield = 300e6, friction = 0.3;
 
 WheelRailBodies example(TrackSide side, const SurfaceStrength& strength) {
   const auto profiles = std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles";
-  static const Profile rail = read_profile(profiles / "60e1.prr").profile,
-                       wheel = read_profile(profiles / "s1002.prw").profile;
+  static const Profile rail = io::read_profile(profiles / "60e1.prr").profile,
+                       wheel = io::read_profile(profiles / "s1002.prw").profile;
   return {.rail = rail,
           .wheel = wheel,
           .track = {.rail_origin = {}, .cant = 1.0 / 40},

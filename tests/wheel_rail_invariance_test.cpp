@@ -22,7 +22,7 @@ constexpr double friction = 0.3;
 /// S1002 on 60E1, canted 1:40.
 WheelRailBodies pair(TrackSide side = TrackSide::left) {
   const auto profile = [](const char* name) {
-    return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+    return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
   };
   static const Profile rail = profile("60e1.prr"), wheel = profile("s1002.prw");
   return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, side, steel, {{0, friction}}};

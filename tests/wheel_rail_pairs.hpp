@@ -39,7 +39,7 @@ inline Profile round_head(double radius, double width = 0.03) {
 inline std::optional<Profile> shared_profile(const std::string& name) {
   const auto path = std::filesystem::path(MICROSLIP_SOURCE_DIR) / "../shared" / name;
   if (!std::filesystem::exists(path)) return std::nullopt;
-  return read_profile(path).profile;
+  return io::read_profile(path).profile;
 }
 
 } // namespace microslip

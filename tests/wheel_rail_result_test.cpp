@@ -19,15 +19,15 @@ const std::string right_text =
     with_part(with_part(with_part(exact_text, "\"left\"", "\"right\""), "lateral = 0.0061", "lateral = -0.0061"),
               "yaw = 0.002", "yaw = -0.002");
 
-WheelRailCase parse(const std::string& text) {
-  return parse_wheel_rail_case(text, "w.toml");
+io::WheelRailCase parse(const std::string& text) {
+  return io::parse_wheel_rail_case(text, "w.toml");
 }
 
 TEST(WheelRailResult, IsWhatTheLibraryFinds) {
-  const WheelRailCase input = parse(wheel_rail_text);
-  const WheelRailResult result = solve_case(input);
+  const io::WheelRailCase input = parse(wheel_rail_text);
+  const cases::WheelRailResult result = cases::solve_case(input);
   ASSERT_EQ(result.status, Status::ok);
-  WheelRail solver(bodies_of(input), input.method);
+  WheelRail solver(io::bodies_of(input), input.method);
   const WheelRailSolution expected = solver.solve(input.states[0].state, 80e3);
   ASSERT_EQ(result.solutions.size(), 1u);
   for (const WheelQuantity& q : wheel_quantities()) {
@@ -39,7 +39,7 @@ TEST(WheelRailResult, IsWhatTheLibraryFinds) {
 
 TEST(WheelRailResult, FieldsAddUpToThePatchesForcesOnBothSides) {
   for (const std::string& text : {exact_text, right_text}) {
-    const WheelRailSolution solution = solve_case(parse(text)).solutions.front();
+    const WheelRailSolution solution = cases::solve_case(parse(text)).solutions.front();
     ASSERT_EQ(solution.patches.size(), 2u);
     ASSERT_EQ(solution.fields.size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -62,8 +62,8 @@ TEST(WheelRailResult, FieldsAddUpToThePatchesForcesOnBothSides) {
 }
 
 TEST(WheelRailResult, RightIsTheMirrorImageOfLeft) {
-  const WheelRailSolution left = solve_case(parse(exact_text)).solutions.front(),
-                          right = solve_case(parse(right_text)).solutions.front();
+  const WheelRailSolution left = cases::solve_case(parse(exact_text)).solutions.front(),
+                          right = cases::solve_case(parse(right_text)).solutions.front();
   EXPECT_NEAR(left.force.x, right.force.x, 1e-9 * 80e3);
   EXPECT_NEAR(left.force.y, -right.force.y, 1e-9 * 80e3);
   ASSERT_EQ(left.fields.size(), right.fields.size());
@@ -81,7 +81,7 @@ TEST(WheelRailResult, RightIsTheMirrorImageOfLeft) {
 }
 
 TEST(MirroredSolution, MirroredTwiceIsTheSame) {
-  const ContactSolution solution = solve_case(parse(exact_text)).solutions.front().fields.front();
+  const ContactSolution solution = cases::solve_case(parse(exact_text)).solutions.front().fields.front();
   ContactSolution twice = solution;
   mirror(twice);
   EXPECT_EQ(twice.totals.fy, -solution.totals.fy);
@@ -105,17 +105,17 @@ TEST(WheelRailResult, WearNumberIsThePowerByCreepagesWhereSignsAgree) {
 
 TEST(WheelRailResult, DocumentHasAnArrayForEachStateAndPatch) {
   const auto text = with_part(wheel_rail_text, "[material]", "[sweep]\nlateral = [0, 0.0061]\n[material]");
-  const WheelRailCase input = parse(text);
-  const WheelRailResult result = solve_case(input);
-  const Json document = case_document(input, result, {.kind = kind_of(input)});
+  const io::WheelRailCase input = parse(text);
+  const cases::WheelRailResult result = cases::solve_case(input);
+  const io::Json document = cases::case_document(input, result, {.kind = cases::kind_of(input)});
   EXPECT_EQ(document["kind"], "wheel_rail");
   EXPECT_EQ(document["status"], "ok");
-  EXPECT_EQ(document["states"]["lateral"], Json({0, 0.0061}));
+  EXPECT_EQ(document["states"]["lateral"], io::Json({0, 0.0061}));
   EXPECT_EQ(document["states"]["varied"], "lateral");
   ASSERT_EQ(document["wheel"]["force_z"].size(), 2u);
   EXPECT_NEAR(document["wheel"]["force_z"][1].get<double>(), 80e3, 1);
   EXPECT_EQ(document["units"]["wheel/force_z"], "N");
-  EXPECT_EQ(document["patches"]["state"], Json({0, 1, 1}));
+  EXPECT_EQ(document["patches"]["state"], io::Json({0, 1, 1}));
   EXPECT_EQ(document["patches"]["fx"].size(), 3u);
   EXPECT_FALSE(document.contains("profiles"));
 }
@@ -126,9 +126,9 @@ TEST(WheelRailResult, HasStressesInsideBelowEachPatchAtBothLevels) {
     for (const bool sweeps : {false, true}) {
       const auto text = with_part(with_part(wheel_rail_text, "\"fastsim2\"", theory), "[material]",
                                   (sweeps ? "[sweep]\nlateral = [0, 0.0061]\n" : "") + points);
-      const WheelRailCase input = parse(text);
-      const WheelRailResult result = solve_case(input);
-      const Json document = case_document(input, result, {.kind = kind_of(input)});
+      const io::WheelRailCase input = parse(text);
+      const cases::WheelRailResult result = cases::solve_case(input);
+      const io::Json document = cases::case_document(input, result, {.kind = cases::kind_of(input)});
       const std::size_t patches = document["patches"]["state"].size();
       ASSERT_EQ(result.interior.size(), patches);
       ASSERT_EQ(document["interior_extremes"].size(), patches);
@@ -144,12 +144,12 @@ TEST(WheelRailResult, HasStressesInsideBelowEachPatchAtBothLevels) {
 
 TEST(WheelRailResult, LeavesOutWhatIsNotGiven) {
   const auto document_of = [](const std::string& text) {
-    const WheelRailCase input = parse(text);
-    return case_document(input, solve_case(input), {.kind = kind_of(input)});
+    const io::WheelRailCase input = parse(text);
+    return cases::case_document(input, cases::solve_case(input), {.kind = cases::kind_of(input)});
   };
-  const Json without = document_of(wheel_rail_text),
-             with = document_of(with_part(wheel_rail_text, "[friction]",
-                                          "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
+  const io::Json without = document_of(wheel_rail_text),
+                 with = document_of(with_part(wheel_rail_text, "[friction]",
+                                              "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
   for (const auto* name : {"worn_area", "wear_depth", "fatigue_index", "shakedown_load"}) {
     EXPECT_FALSE(without["patches"].contains(name)) << name;
     EXPECT_TRUE(with["patches"].contains(name)) << name;
@@ -163,7 +163,7 @@ TEST(WheelRailResult, LeavesOutWhatIsNotGiven) {
 TEST(WheelRailResult, WarnsOfWhatIsNotToBeTrusted) {
   const auto warnings_of = [](const std::string& text) {
     std::string all;
-    for (const auto& warning : solve_case(parse(text)).warnings) all += warning + "\n";
+    for (const auto& warning : cases::solve_case(parse(text)).warnings) all += warning + "\n";
     return all;
   };
   EXPECT_EQ(warnings_of(with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0")), "");
@@ -182,7 +182,7 @@ TEST(WheelRailResult, WarnsOfWhatIsNotToBeTrusted) {
 TEST(WheelRailResult, StatesWithoutContactSayHowMany) {
   const auto text = with_part(with_part(wheel_rail_text, "vertical_force = 80e3\n", "vertical = 0.0\n"), "[material]",
                               "[sweep]\nvertical = [-0.0004, 0.01, 0.02]\n[material]");
-  const WheelRailResult result = solve_case(parse(with_part(text, "vertical = 0.0\n", "")));
+  const cases::WheelRailResult result = cases::solve_case(parse(with_part(text, "vertical = 0.0\n", "")));
   EXPECT_EQ(result.status, Status::no_contact);
   EXPECT_EQ(result.reason, "wheel and rail do not touch (2 of 3 states)");
   EXPECT_EQ(result.solutions[0].status, Status::ok);

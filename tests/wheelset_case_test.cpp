@@ -16,8 +16,8 @@ const std::string wheelset_text =
     with_part(with_part(with_part(wheel_rail_text, "\"left\"", "\"both\""), "lateral = 0.0061", "lateral = 0.003"),
               "vertical_force = 80e3", "vertical_force = 120e3");
 
-WheelsetCase parse_with(const std::string& part, const std::string& replacement) {
-  return parse_wheelset_case(with_part(wheelset_text, part, replacement), "w.toml");
+io::WheelsetCase parse_with(const std::string& part, const std::string& replacement) {
+  return io::parse_wheelset_case(with_part(wheelset_text, part, replacement), "w.toml");
 }
 
 std::string message_with(const std::string& part, const std::string& replacement) {
@@ -30,13 +30,13 @@ std::string message_with(const std::string& part, const std::string& replacement
 }
 
 TEST(WheelsetCase, IsToldApartFromOneWheel) {
-  EXPECT_TRUE(is_wheelset_case(wheelset_text, "w.toml"));
-  EXPECT_TRUE(is_wheel_rail_case(wheelset_text, "w.toml"));
-  EXPECT_FALSE(is_wheelset_case(wheel_rail_text, "w.toml"));
+  EXPECT_TRUE(io::is_wheelset_case(wheelset_text, "w.toml"));
+  EXPECT_TRUE(io::is_wheel_rail_case(wheelset_text, "w.toml"));
+  EXPECT_FALSE(io::is_wheelset_case(wheel_rail_text, "w.toml"));
 }
 
 TEST(WheelsetCase, RollsFreelyUnlessItIsToldOtherwise) {
-  const LoadedWheelsetState state = parse_wheelset_case(wheelset_text, "w.toml").states.at(0);
+  const io::LoadedWheelsetState state = io::parse_wheelset_case(wheelset_text, "w.toml").states.at(0);
   EXPECT_EQ(state.state.left.lateral, 0.003);
   EXPECT_EQ(std::get<AxleLoad>(*state.load.vertical).vertical_force, 120e3);
   EXPECT_EQ(std::get<AxleLoad>(*state.load.vertical).roll_moment, 0);
@@ -102,52 +102,52 @@ TEST(WheelsetCase, MessagesNameLineKeyAndReason) {
 
 TEST(WheelsetResult, IsWhatTheLibraryFindsAndSaysSo) {
   const auto text = with_part(wheelset_text, "[material]", "[sweep]\nlateral = [0, 0.003]\n[material]");
-  const WheelsetCase input = parse_wheelset_case(text, "w.toml");
+  const io::WheelsetCase input = io::parse_wheelset_case(text, "w.toml");
   EXPECT_EQ(input.varied, std::vector<std::string_view>{"lateral"});
-  const WheelsetResult result = solve_case(input);
+  const cases::WheelsetResult result = cases::solve_case(input);
   ASSERT_EQ(result.status, Status::ok);
-  WheelsetOnTrack solver = solver_of(input, input.method);
+  WheelsetOnTrack solver = io::solver_of(input, input.method);
   const WheelsetSolution expected = solver.solve(input.states[1].state, input.states[1].load);
-  const Json document = case_document(input, result, {.kind = kind_of(input)});
+  const io::Json document = cases::case_document(input, result, {.kind = cases::kind_of(input)});
   EXPECT_EQ(document["kind"], "wheelset");
-  EXPECT_EQ(document["states"]["vertical_force"], Json({120e3, 120e3}));
+  EXPECT_EQ(document["states"]["vertical_force"], io::Json({120e3, 120e3}));
   for (const WheelsetQuantity& q : wheelset_quantities())
     EXPECT_EQ(document["wheelset"][std::string(q.name)][1].get<double>(), q.value(expected)) << q.name;
   EXPECT_EQ(document["left"]["wheel"]["force_y"][1].get<double>(), expected.left.force.y);
-  EXPECT_EQ(document["right"]["patches"]["state"], Json({0, 1}));
+  EXPECT_EQ(document["right"]["patches"]["state"], io::Json({0, 1}));
   EXPECT_EQ(document["units"]["wheelset/roll"], "rad");
   EXPECT_NEAR(document["wheelset"]["moment_x"][1].get<double>(), 0, 1);
 }
 
 TEST(WheelsetResult, HasWearAndFieldsOfBothWheels) {
   const auto document_of = [](const std::string& text) {
-    const WheelsetCase input = parse_wheelset_case(text, "w.toml");
-    return case_document(input, solve_case(input), {.kind = kind_of(input)});
+    const io::WheelsetCase input = io::parse_wheelset_case(text, "w.toml");
+    return cases::case_document(input, cases::solve_case(input), {.kind = cases::kind_of(input)});
   };
   const std::string turned = with_part(wheelset_text, "lateral = 0.003", "lateral = 0.003\nyaw = 4e-3");
-  const Json without = document_of(turned),
-             with = document_of(with_part(turned, "[friction]", "hardness = 2.7e9\n[friction]"));
+  const io::Json without = document_of(turned),
+                 with = document_of(with_part(turned, "[friction]", "hardness = 2.7e9\n[friction]"));
   for (const auto* side : {"left", "right"}) {
     EXPECT_FALSE(without[side]["wheel"].contains("worn_area"));
     EXPECT_FALSE(without[side]["patches"].contains("worn_area"));
     double worn = 0;
-    for (const Json& of_patch : with[side]["patches"]["worn_area"]) worn += of_patch.get<double>();
+    for (const io::Json& of_patch : with[side]["patches"]["worn_area"]) worn += of_patch.get<double>();
     EXPECT_GT(worn, 0);
     EXPECT_DOUBLE_EQ(with[side]["wheel"]["worn_area"][0].get<double>(), worn);
     EXPECT_EQ(with[side]["wheel"]["force_z"], without[side]["wheel"]["force_z"]);
   }
   EXPECT_EQ(with["inputs"]["hardness"], 2.7e9);
-  const WheelsetCase input = parse_wheelset_case(wheelset_text, "w.toml");
-  const WheelsetSolution solution = solve_case(input).solutions.at(0);
+  const io::WheelsetCase input = io::parse_wheelset_case(wheelset_text, "w.toml");
+  const WheelsetSolution solution = cases::solve_case(input).solutions.at(0);
   EXPECT_EQ(solution.left.fields.size(), solution.left.patches.size());
   EXPECT_EQ(solution.right.fields.size(), solution.right.patches.size());
 }
 
 TEST(WheelsetResult, HasAReasonForWhatIsNotSolved) {
-  const WheelsetResult off = solve_case(parse_with("lateral = 0.003", "lateral = 0.3"));
+  const cases::WheelsetResult off = cases::solve_case(parse_with("lateral = 0.003", "lateral = 0.3"));
   EXPECT_EQ(off.status, Status::no_contact);
   EXPECT_EQ(off.reason, "a wheel is not above its rail");
-  const WheelsetResult torn = solve_case(parse_with("lateral", "axle_torque = 1e5\nlateral"));
+  const cases::WheelsetResult torn = cases::solve_case(parse_with("lateral", "axle_torque = 1e5\nlateral"));
   EXPECT_EQ(torn.status, Status::no_solution);
 }
 

@@ -18,7 +18,7 @@ constexpr CombinedMaterial steel{82e9, 0.28, 0};
 const WheelRailMethod accurate{.tolerance = 1e-10};
 
 Profile example_profile(const char* name) {
-  return read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
+  return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
 }
 
 /// S1002 on 60E1, canted 1:40.

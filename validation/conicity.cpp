@@ -108,12 +108,12 @@ std::vector<Row> rows(char wheel) {
 }
 
 Profile read(const std::string& name, ProfileRole role) {
-  ProfileFileOptions options;
+  io::ProfileFileOptions options;
   options.unit = 1e-3;
   options.role = role;
-  options.y_axis = LateralSense::field;
-  options.z_axis = VerticalSense::up;
-  return read_profile(data / name, options).profile;
+  options.y_axis = io::LateralSense::field;
+  options.z_axis = io::VerticalSense::up;
+  return io::read_profile(data / name, options).profile;
 }
 
 void report_wheel(Report& report, const Profile& rail, char name) {

@@ -293,7 +293,7 @@ void report_times(Report& report, const Contacts& contacts, const CreepForceTabl
 
 bool run_creep_table(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  const CreepTableNodes nodes = read_creep_table(shipped_creep_table());
+  const CreepTableNodes nodes = io::read_creep_table(io::shipped_creep_table());
   const CreepForceTable table(nodes);
   const CreepTableOrigin& origin = nodes.origin;
   report.line(fmt::format("{} nodes from {} contacts on {} and {} elements, {} not converged",

@@ -332,8 +332,8 @@ std::vector<Set> sets_of_patches(int elements) {
   const auto add = [&](const char* name, const fs::path& of_rail, const fs::path& of_wheel, double cant,
                        const std::vector<State>& states) {
     if (!fs::exists(of_rail) || !fs::exists(of_wheel)) return;
-    WheelRailBodies bodies{read_profile(of_rail).profile,
-                           read_profile(of_wheel).profile,
+    WheelRailBodies bodies{io::read_profile(of_rail).profile,
+                           io::read_profile(of_wheel).profile,
                            {},
                            {},
                            TrackSide::right,
@@ -356,7 +356,7 @@ bool run_creep_table_patches(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   const int elements = options.thorough ? 48 : 24;
   const auto table =
-      std::make_shared<const CreepForceTable>(read_creep_table(shipped_creep_table()), steel.poisson_ratio);
+      std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()), steel.poisson_ratio);
   const std::vector<Set> sets = sets_of_patches(elements);
   std::mt19937_64 random(7);
   Comparison all;

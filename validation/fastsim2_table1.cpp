@@ -142,7 +142,8 @@ void report_published(Report& report, const Variant& variant, const Errors& erro
   component("Fy", errors.of_fy, variant.published.fy);
 }
 
-void write_statistics(ResultFile& file, const std::string& path, const ErrorStatistics& s, const std::string& force) {
+void write_statistics(io::ResultFile& file, const std::string& path, const ErrorStatistics& s,
+                      const std::string& force) {
   file.scalar(path + "p80_" + force, s.p80, "-", "80 % of the errors in " + force + " are at most this");
   file.scalar(path + "p95_" + force, s.p95, "-", "95 % of the errors in " + force + " are at most this");
   file.scalar(path + "rms_" + force, s.rms, "-", "root mean square error in " + force);
@@ -150,10 +151,11 @@ void write_statistics(ResultFile& file, const std::string& path, const ErrorStat
 
 void write(const StudyOptions& options, const std::array<Errors, variants.size()>& errors,
            const std::array<Errors, variants.size()>& partial) {
-  create_folder(options.output);
-  ResultFile file(options.output / "fastsim2_table1.h5", {.kind = "fastsim2-table1",
-                                                          .title = "FASTSIM2 against exact theory on the 3,220 cases",
-                                                          .command_line = "microslip validate fastsim2-table1"});
+  io::create_folder(options.output);
+  io::ResultFile file(options.output / "fastsim2_table1.h5",
+                      {.kind = "fastsim2-table1",
+                       .title = "FASTSIM2 against exact theory on the 3,220 cases",
+                       .command_line = "microslip validate fastsim2-table1"});
   for (std::size_t k = 0; k < variants.size(); ++k) {
     const Variant& v = variants[k];
     const std::string path = std::string(v.group) + "/";
@@ -173,7 +175,7 @@ void write(const StudyOptions& options, const std::array<Errors, variants.size()
 } // namespace
 
 bool run_fastsim2_table1(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   const std::vector<EllipticContact> contacts = test_set_contacts();
   const double exact_share = 0.4;
   const Reference exact = solve_reference(contacts, options, exact_share);

@@ -153,7 +153,7 @@ void print_order(Report& report, std::string_view component, const std::array<Er
 constexpr std::array scheme_names = {"fastsim", "fastsim_half_step", "fastsim2"};
 constexpr std::array schemes = {MarchingScheme::fastsim, MarchingScheme::fastsim_half_step, MarchingScheme::fastsim2};
 
-void write_statistics(ResultFile& file, const std::string& path, const std::array<ErrorStatistics, count>& s,
+void write_statistics(io::ResultFile& file, const std::string& path, const std::array<ErrorStatistics, count>& s,
                       const std::string& component) {
   std::array<double, count> p80, p95, rms;
   for (std::size_t g = 0; g < count; ++g) p80[g] = s[g].p80, p95[g] = s[g].p95, rms[g] = s[g].rms;
@@ -169,9 +169,9 @@ std::array<ErrorStatistics, count> as_statistics(const Column& column) {
 }
 
 void write(const StudyOptions& options, const std::array<Series, schemes.size()>& series, std::size_t cases) {
-  create_folder(options.output);
-  ResultFile file(options.output / "fastsim2_table2.h5",
-                  {.kind = "fastsim2-table2", .title = "Discretisation errors on the 3,220 cases"});
+  io::create_folder(options.output);
+  io::ResultFile file(options.output / "fastsim2_table2.h5",
+                      {.kind = "fastsim2-table2", .title = "Discretisation errors on the 3,220 cases"});
   file.array("grids", grids, "-", "cells in each direction");
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const std::string path = std::string(scheme_names[k]) + "/";
@@ -189,7 +189,7 @@ void write(const StudyOptions& options, const std::array<Series, schemes.size()>
 } // namespace
 
 bool run_fastsim2_table2(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   double work = 3.0 * fine_grid * fine_grid;
   for (int n : grids) work += 4.0 * n * n;
   Solver solver(options, static_cast<int>(work));

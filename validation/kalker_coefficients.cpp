@@ -222,8 +222,8 @@ bool write_table(Report& report, const StudyOptions& options, const Progress& pr
                           uncertainty);
       if (progress && !progress((k * materials + m + 1.0) / (ratios * materials))) return false;
     }
-  create_folder(options.output);
-  OutputFile file(options.output / "computed_coefficients.inc");
+  io::create_folder(options.output);
+  io::OutputFile file(options.output / "computed_coefficients.inc");
   file.write(text + "// the comment.\n" + rows);
   file.commit();
   report.heading(fmt::format("The computed table: {} ratios a/b from .05 to 20, {} values of nu; series of degree {}",
@@ -264,7 +264,7 @@ bool report_interpolation(Report& report, const Progress& progress) {
 } // namespace
 
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   Report report(out, options.figures);
   report.line("C11, C22, C23, C33 without slip, for vanishing creepages");
   const auto part = [&](double begin, double end) { return part_of(options.progress, begin, end); };

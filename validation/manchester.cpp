@@ -294,7 +294,7 @@ bool run_manchester(const StudyOptions& options, std::ostream& out) {
     report.line("SKIPPED: contact_results.csv or the folder of CONTACT's cases is not beside MICROSLIP_REFERENCE_DATA");
     return true;
   }
-  const Profile rail = read_profile(rail_file).profile, wheel = read_profile(wheel_file).profile;
+  const Profile rail = io::read_profile(rail_file).profile, wheel = io::read_profile(wheel_file).profile;
   std::array<Compliance, 3> all = methods();
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
     const std::string name = side == TrackSide::left ? "mbench_a22_left" : "mbench_a22_right";

@@ -233,7 +233,7 @@ void report_other_strategies(const Cases& cases, Report& report) {
 }
 
 /// The exact solution on a fine grid that has its transition points too.
-void write_exact(const ModelCase& model, const std::string& group, ResultFile& file) {
+void write_exact(const ModelCase& model, const std::string& group, io::ResultFile& file) {
   std::vector<double> x = model.transitions();
   for (const double transition : model.transitions()) x.push_back(std::nextafter(transition, 1));
   for (int i = 0; i <= 400; ++i) x.push_back(i / 400.0);
@@ -250,7 +250,7 @@ void write_exact(const ModelCase& model, const std::string& group, ResultFile& f
   file.array(group + "/u_max", bound, "-", "bound on |u|");
 }
 
-void write_strategy(const ModelCase& model, const Strategy& strategy, const std::string& group, ResultFile& file) {
+void write_strategy(const ModelCase& model, const Strategy& strategy, const std::string& group, io::ResultFile& file) {
   const ModelSolution solution = strategy.solve(model.problem(), grids[0]);
   const auto name = fmt::format("{}/{}/", group, strategy.group);
   file.array(name + "x", solution.x, "-", "grid points");
@@ -263,11 +263,11 @@ void write_strategy(const ModelCase& model, const Strategy& strategy, const std:
 }
 
 std::filesystem::path write_result(const Cases& cases, const StudyOptions& options) {
-  create_folder(options.output);
+  io::create_folder(options.output);
   auto path = options.output / "model_problem.h5";
-  ResultFile file(path, {.kind = "model-problem",
-                         .title = "1-D model problem of the FASTSIM2 paper",
-                         .command_line = "microslip validate model-problem"});
+  io::ResultFile file(path, {.kind = "model-problem",
+                             .title = "1-D model problem of the FASTSIM2 paper",
+                             .command_line = "microslip validate model-problem"});
   file.array("/grids", std::span<const int>(grids), "-", "n: steps of the grids");
   for (int k = 0; k < 3; ++k) {
     const auto group = fmt::format("/case{}", k + 1);
@@ -281,7 +281,7 @@ std::filesystem::path write_result(const Cases& cases, const StudyOptions& optio
 } // namespace
 
 bool run_model_problem(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   const Cases cases = model_cases();
   Report report(out, options.figures);
   report_exact_solutions(cases, report);

@@ -237,7 +237,8 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   const std::vector<ProfilePair> pairs = worn_pairs();
   const std::vector<Group> all = groups(pairs.size());
   const double poisson_ratio = pairs.front().bodies.material.poisson_ratio;
-  const auto table = std::make_shared<const CreepForceTable>(read_creep_table(shipped_creep_table()), poisson_ratio);
+  const auto table =
+      std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()), poisson_ratio);
   const std::size_t each = (count + all.size() - 1) / all.size();
   std::vector<Outcome> found(all.size());
   const BatchReport done =

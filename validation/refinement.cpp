@@ -403,10 +403,10 @@ bool find_theta(Report& report, std::vector<EdgeVariant>& variants, double exact
 void write(const StudyOptions& options, const Times& times, const Curve& curve, const StepTable& plain,
            const StepTable& corrected, const Centreline& line, const std::vector<LoadErrors>& load,
            const std::vector<EdgeVariant>& variants) {
-  create_folder(options.output);
-  ResultFile file(options.output / "refinement.h5", {.kind = "refinement",
-                                                     .title = "the test of the refinement paper",
-                                                     .command_line = "microslip validate refinement"});
+  io::create_folder(options.output);
+  io::ResultFile file(options.output / "refinement.h5", {.kind = "refinement",
+                                                         .title = "the test of the refinement paper",
+                                                         .command_line = "microslip validate refinement"});
   const std::string force = "-Fx/(mu Fn)";
   const auto numbers = [&](const std::string& path, const auto& values, const std::string& what) {
     file.array(path, std::span<const double>(values.data(), values.size()), "-", what);
@@ -452,7 +452,7 @@ void write(const StudyOptions& options, const Times& times, const Curve& curve, 
 } // namespace
 
 bool run_refinement(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   Report report(out, options.figures);
   report.line("a = 5 mm, a/b = .2, Fn/G = 1.3 mm2, mu = .3, nu = .28, longitudinal creepage .000857");
   const auto part = [&](double begin, double end) { return part_of(options.progress, begin, end); };

@@ -382,10 +382,10 @@ double rail_is_turned_wheel(const RollingOutcome& outcome, const Section& sectio
 
 void write(const StudyOptions& options, const Section& section, double p0,
            const std::vector<RollingOutcome>& outcomes) {
-  create_folder(options.output);
-  ResultFile file(options.output / "subsurface.h5", {.kind = "subsurface",
-                                                     .title = "stresses below a rolling contact",
-                                                     .command_line = "microslip validate subsurface"});
+  io::create_folder(options.output);
+  io::ResultFile file(options.output / "subsurface.h5", {.kind = "subsurface",
+                                                         .title = "stresses below a rolling contact",
+                                                         .command_line = "microslip validate subsurface"});
   file.scalar("a", semi_axis_a, "m", "semi-axis along x");
   file.scalar("b", semi_axis_b, "m", "semi-axis along y");
   file.scalar("peak_pressure", p0, "Pa", "Hertz's p0");
@@ -409,7 +409,7 @@ void write(const StudyOptions& options, const Section& section, double p0,
 } // namespace
 
 bool run_subsurface(const StudyOptions& options, std::ostream& out) {
-  require_writable_folder(options.output);
+  io::require_writable_folder(options.output);
   Report report(out, options.figures);
   const auto go_on = [&](double fraction) { return !options.progress || options.progress(fraction); };
   compare_with_contact(report);

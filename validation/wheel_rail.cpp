@@ -35,12 +35,13 @@ struct Pair {
 };
 
 std::vector<Pair> pairs() {
-  ProfileFileOptions columns{.role = {}, .unit = 1e-3, .y_axis = LateralSense::field, .z_axis = VerticalSense::up};
+  io::ProfileFileOptions columns{
+      .role = {}, .unit = 1e-3, .y_axis = io::LateralSense::field, .z_axis = io::VerticalSense::up};
   const auto file = [&](const std::filesystem::path& path, ProfileRole role) {
-    ProfileFileOptions options;
+    io::ProfileFileOptions options;
     if (path.extension() == ".dat") options = columns;
     options.role = role;
-    return read_profile(path, options).profile;
+    return io::read_profile(path, options).profile;
   };
   std::vector<Pair> all;
   const auto add = [&](const char* name, const std::filesystem::path& rail, const std::filesystem::path& wheel,

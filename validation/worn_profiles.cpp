@@ -15,7 +15,7 @@ namespace microslip::validation {
 namespace {
 
 Profile example(const char* name) {
-  return read_profile(std::filesystem::path(MICROSLIP_EXAMPLES) / "profiles" / name).profile;
+  return io::read_profile(std::filesystem::path(MICROSLIP_EXAMPLES) / "profiles" / name).profile;
 }
 
 /// The profile's own points with another height z(y, z).

@@ -22,7 +22,7 @@ struct TableFile {
   std::string path =
       (std::filesystem::temp_directory_path() / ("microslip_" + std::to_string(getpid()) + ".creep")).string();
 
-  TableFile() { write_creep_table(nodes, path); }
+  TableFile() { io::write_creep_table(nodes, path); }
   ~TableFile() { std::filesystem::remove(path); }
 };
 

@@ -43,14 +43,14 @@ z = [0.001, 0.003]
 struct Answer {
   microslip_code code;
   std::string error;
-  Json json; ///< null where there is none
+  io::Json json; ///< null where there is none
 };
 
 Answer solve_in_c(const std::string& text) {
   char* json = nullptr;
   microslip_error error;
   const microslip_code code = microslip_solve_case(text.c_str(), "wheel.toml", &json, &error);
-  Answer answer{code, error.text, json ? Json::parse(json) : Json()};
+  Answer answer{code, error.text, json ? io::Json::parse(json) : io::Json()};
   microslip_free_text(json);
   return answer;
 }
@@ -62,9 +62,9 @@ std::string with(std::string text, const std::string& old_words, const std::stri
 TEST(CSolveCase, HasTheDocumentOfTheProgram) {
   auto [code, error, json] = solve_in_c(wheel_on_rail);
   ASSERT_EQ(code, MICROSLIP_OK) << error;
-  const RollingCase input = parse_case(wheel_on_rail, "wheel.toml");
-  const RollingContactResult result = solve_case(input);
-  Json wanted = case_document(
+  const io::RollingCase input = io::parse_case(wheel_on_rail, "wheel.toml");
+  const cases::RollingContactResult result = cases::solve_case(input);
+  io::Json wanted = cases::case_document(
       input, result,
       {.kind = "rolling_contact", .title = "Wheel on rail", .case_file = "wheel.toml", .case_text = wheel_on_rail});
   json.erase("created"); // when it was solved
@@ -77,7 +77,7 @@ TEST(CSolveCase, HasTheDocumentOfTheProgram) {
   EXPECT_FALSE(json.contains("interior"));
   EXPECT_EQ(json.at("interior_extremes").at("von_mises").at("value"),
             std::max(von_mises(result.exact->interior[0].stress), von_mises(result.exact->interior[1].stress)));
-  EXPECT_EQ(json.at("warnings"), Json::array());
+  EXPECT_EQ(json.at("warnings"), io::Json::array());
 }
 
 TEST(CSolveCase, RefusesACaseInTheWordsOfTheFile) {

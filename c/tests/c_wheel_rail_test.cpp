@@ -39,8 +39,8 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
   EXPECT_EQ(state.vertical_force, 80e3);
   EXPECT_EQ(state.pitch_velocity, 30.0 / 0.46);
 
-  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
-  WheelRail solver(bodies_of(input), input.method);
+  const io::WheelRailCase input = io::parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  WheelRail solver(io::bodies_of(input), input.method);
   // Each number of the state by its name in C is that of the name in the table.
   const std::pair<const char*, double microslip_wheel_state::*> some[] = {
       {"lateral", &microslip_wheel_state::lateral},
@@ -57,7 +57,7 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
     moved.*member += 1e-4;
     microslip_wheel_forces forces;
     ASSERT_EQ(microslip_wheel_rail_solve(handle.pointer, 1, &moved, &forces), MICROSLIP_OK) << name;
-    LoadedWheelState expected = input.states.front();
+    io::LoadedWheelState expected = input.states.front();
     for (const StateQuantity& q : state_quantities())
       if (q.name == name) q.of(expected.state) += 1e-4;
     const WheelRailSolution solution = solver.solve(expected.state, expected.vertical_force);
@@ -129,8 +129,8 @@ TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
   microslip_wheel_derivatives found[3];
   EXPECT_EQ(microslip_wheel_rail_differentiate(handle.pointer, 3, states, found), MICROSLIP_NO_CONTACT);
 
-  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
-  WheelRail solver(bodies_of(input), input.method);
+  const io::WheelRailCase input = io::parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  WheelRail solver(io::bodies_of(input), input.method);
   for (int k = 0; k < 2; ++k) {
     WheelState<double> state = input.states.front().state;
     state.vertical = states[k].vertical;
@@ -157,7 +157,7 @@ TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
 
 TEST(CWheelRail, HasTheWheelsetsContactsAndConicity) {
   const Handle handle(wheel_rail_text);
-  const WheelRailCase input = parse_wheel_rail_case(wheel_rail_text, "w.toml");
+  const io::WheelRailCase input = io::parse_wheel_rail_case(wheel_rail_text, "w.toml");
   const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
   WheelsetSearch search(input.track, input.wheelset, side, side);
   const double lateral[] = {-3e-3, 0, 2e-3, 0.3};

@@ -170,7 +170,7 @@ std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::
       combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2}).shear_modulus;
   auto& table = tables_[{file, shear_modulus}];
   if (table) return table;
-  const std::string path = file_beside(folder_, file).string();
+  const std::string path = io::file_beside(folder_, file).string();
   std::ifstream stream(path);
   if (!stream) return nullptr;
   return table = read_influence_file(stream, path).in_si(shear_modulus);

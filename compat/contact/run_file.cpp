@@ -103,8 +103,8 @@ std::vector<std::size_t> chosen(const Case& c, const Outcome& outcome) {
 
 } // namespace
 
-RunFile::RunFile(const std::filesystem::path& path, const Provenance& provenance)
-    : file_(path, provenance, ResultFile::Storage::disk) {}
+RunFile::RunFile(const std::filesystem::path& path, const io::Provenance& provenance)
+    : file_(path, provenance, io::ResultFile::Storage::disk) {}
 
 int RunFile::add_elements(const Case& c, const Outcome& outcome) {
   const auto elements = chosen(c, outcome);

@@ -15,7 +15,7 @@ namespace microslip::contact_program {
 /// the bodies that digit S asks for, from cases/first_point on.
 class RunFile {
 public:
-  RunFile(const std::filesystem::path& path, const Provenance& provenance);
+  RunFile(const std::filesystem::path& path, const io::Provenance& provenance);
 
   void add(const Case& c, const Outcome& outcome);
   void commit() { file_.commit(); }
@@ -32,7 +32,7 @@ private:
   int add_elements(const Case& c, const Outcome& outcome);
   int add_points(const Outcome& outcome);
 
-  ResultFile file_;
+  io::ResultFile file_;
   double elements_ = 0, points_ = 0; ///< stored so far
 };
 

@@ -138,14 +138,14 @@ std::string motion(const Case& c) {
   const TangentialInput& m = step.motion;
   const bool shifts = c.digits.tang == Tangential::shift;
   const double force = step.load.value;
-  std::string text = quoted_line("kind", to_word(m.motion));
+  std::string text = quoted_line("kind", io::to_word(m.motion));
   text += step.force_x ? line("force_longitudinal", *step.force_x * force)
                        : line(shifts ? "shift_longitudinal" : "creepage_longitudinal", m.creepage.longitudinal);
   text += step.force_y ? line("force_lateral", *step.force_y * force)
                        : line(shifts ? "shift_lateral" : "creepage_lateral", m.creepage.lateral);
   text += line(shifts ? "rotation" : "spin", m.creepage.spin);
   if (shifts) return text;
-  text += line("rolling_speed", m.rolling_speed) + quoted_line("direction", to_word(m.direction));
+  text += line("rolling_speed", m.rolling_speed) + quoted_line("direction", io::to_word(m.direction));
   if (c.digits.rolls() && !c.digits.is_simplified()) text += line("step", m.step);
   return text;
 }
@@ -158,7 +158,7 @@ std::string solution(const Case& c, const HertzContact& hertz) {
   const bool above = !c.digits.is_simplified() && contact_step(c).slip_start == SlipStart::above;
   if (above) text += quoted_line("slip_start", "above");
   if (!c.digits.is_simplified())
-    return text + quoted_line("discretisation", "classical") + quoted_line("elements", to_word(grid.shape));
+    return text + quoted_line("discretisation", "classical") + quoted_line("elements", io::to_word(grid.shape));
   const auto& data = c.material->model_data;
   text += quoted_line("bound", c.digits.bound == PressureModel::parabolic ? "parabolic" : "elliptic") +
           quoted_line("flexibility", "blended");
@@ -179,7 +179,7 @@ std::string to_toml(const Case& c, const std::string& title) {
   std::string text = "title = \"" + title + "\"\n\n" + bodies(c, gap) + "\n[load]\n" +
                      line(by_force ? "normal_force" : "approach", load) + "\n[friction]\n" + friction(c) +
                      "\n[motion]\n" + motion(c) + "\n[solution]\n" + solution(c, hertz);
-  parse_case(text, "the case file"); // whatever else is out of the range of case files
+  io::parse_case(text, "the case file"); // whatever else is out of the range of case files
   return text;
 }
 

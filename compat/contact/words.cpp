@@ -149,7 +149,7 @@ const Words::Word& Words::next(std::string_view field) {
 int Words::integer(std::string_view field, int low, int high) {
   const Word& word = next(field);
   const auto value = word.quoted ? std::nullopt : to_integer(word.text);
-  if (!value) fail(std::string(field) + " = " + printable(word.text) + ": must be a whole number");
+  if (!value) fail(std::string(field) + " = " + io::printable(word.text) + ": must be a whole number");
   if (*value < low || *value > high)
     fail(field, *value, "must be in " + std::to_string(low) + " to " + std::to_string(high));
   return *value;
@@ -158,7 +158,7 @@ int Words::integer(std::string_view field, int low, int high) {
 double Words::real(std::string_view field) {
   const Word& word = next(field);
   const auto value = word.quoted ? std::nullopt : to_real(word.text);
-  if (!value) fail(std::string(field) + " = " + printable(word.text) + ": must be a number");
+  if (!value) fail(std::string(field) + " = " + io::printable(word.text) + ": must be a number");
   return *value;
 }
 
@@ -189,13 +189,13 @@ double Words::angle(std::string_view field) {
   if (text.ends_with('d') || text.ends_with('r')) text.remove_suffix(1);
   const auto value = word.quoted ? std::nullopt : to_real(text);
   if (!value)
-    fail(std::string(field) + " = " + printable(word.text) + ": must be an angle, in degrees with a d behind");
+    fail(std::string(field) + " = " + io::printable(word.text) + ": must be an angle, in degrees with a d behind");
   return *value * unit;
 }
 
 std::string Words::text(std::string_view field) {
   const Word& word = next(field);
-  if (!word.quoted) fail(std::string(field) + " = " + printable(word.text) + ": must be a text in single quotes");
+  if (!word.quoted) fail(std::string(field) + " = " + io::printable(word.text) + ": must be a text in single quotes");
   return word.text;
 }
 
@@ -217,7 +217,7 @@ std::vector<int> Words::control(std::string_view field, std::size_t most) {
   const Word& word = next(field);
   const bool is_number = !word.quoted && std::all_of(word.text.begin(), word.text.end(), is_digit);
   if (!is_number || word.text.size() > 9)
-    fail(std::string(field) + " = " + printable(word.text) + ": must be a control integer of up to " +
+    fail(std::string(field) + " = " + io::printable(word.text) + ": must be a control integer of up to " +
          std::to_string(most) + " digits");
   std::vector<int> digits(most, 0);
   std::size_t position = most;

@@ -24,7 +24,7 @@
 #include <variant>
 #include <vector>
 
-namespace microslip {
+namespace microslip::explorer {
 namespace {
 
 constexpr std::string_view extents[] = {"full", "solution"};
@@ -44,18 +44,18 @@ std::string setting_of(toml::table table) {
 toml::table with_files(toml::table table, const std::string& name, const KeptFiles& files) {
   std::map<std::string, std::string> paths;
   std::vector<std::string> missing;
-  for (const std::string_view section : profile_sections) {
+  for (const std::string_view section : io::profile_sections) {
     auto* const profile = table[section]["profile"].as_string();
     if (profile == nullptr || profile->get().empty()) continue;
     const std::string path = profile->get(), end = path.substr(path.find_last_of("/\\") + 1),
                       key = std::string(section) + ".profile";
     const auto known = paths.try_emplace(end, path).first;
-    const TomlSection named = TomlSection(table, name).required_section(section);
+    const io::TomlSection named = io::TomlSection(table, name).required_section(section);
     named.at("profile", [&] {
       if (known->second != path)
-        throw Error(key + ": " + printable(path) + " and " + printable(known->second) +
+        throw Error(key + ": " + io::printable(path) + " and " + io::printable(known->second) +
                     " have one name without their folders, and there are none here");
-      if (!files.has(end)) missing.push_back(key + " = " + printable(path));
+      if (!files.has(end)) missing.push_back(key + " = " + io::printable(path));
     });
     *profile = end;
   }
@@ -69,44 +69,44 @@ toml::table with_files(toml::table table, const std::string& name, const KeptFil
 struct CaseText {
   /// What is read of it goes to `keys`.
   CaseText(const Request& request, const std::string& case_name, const KeptFiles& files,
-           TomlSection::ReadKeys* keys = nullptr)
-      : text(request.text("case")), name(case_name), table(with_files(parse_toml(text, name), name, files)),
+           io::TomlSection::ReadKeys* keys = nullptr)
+      : text(request.text("case")), name(case_name), table(with_files(io::parse_toml(text, name), name, files)),
         root(table, name, {}, keys) {}
   CaseText(const CaseText&) = delete;
   CaseText& operator=(const CaseText&) = delete;
 
-  RollingCase rolling_case(const CreepTables& tables) const {
-    if (is_wheel_rail_case(root)) throw Error(name + ": is about a wheel on a rail; two bodies are wanted");
-    return read_case(root, tables);
+  io::RollingCase rolling_case(const io::CreepTables& tables) const {
+    if (io::is_wheel_rail_case(root)) throw Error(name + ": is about a wheel on a rail; two bodies are wanted");
+    return io::read_case(root, tables);
   }
-  WheelRailCase wheel_rail_case(const CreepTables& tables) const {
-    if (!is_wheel_rail_case(root)) throw Error(name + ": is about two bodies; a wheel on a rail is wanted");
-    return read_wheel_rail_case(root, tables);
+  io::WheelRailCase wheel_rail_case(const io::CreepTables& tables) const {
+    if (!io::is_wheel_rail_case(root)) throw Error(name + ": is about two bodies; a wheel on a rail is wanted");
+    return io::read_wheel_rail_case(root, tables);
   }
-  Provenance provenance(const char* kind, const std::string& title) const {
+  io::Provenance provenance(const char* kind, const std::string& title) const {
     return {.kind = kind, .title = title, .command_line = {}, .case_file = {}, .case_text = text};
   }
 
   std::string text, name;
   toml::table table;
-  TomlSection root;
+  io::TomlSection root;
 };
 
 template <class Input, class Result>
-Json document(const CaseText& given, const Input& input, const Result& result, JsonFields fields) {
-  Json all = case_document(input, result, given.provenance(kind_of(input), input.title), fields);
+io::Json document(const CaseText& given, const Input& input, const Result& result, io::JsonFields fields) {
+  io::Json all = cases::case_document(input, result, given.provenance(cases::kind_of(input), input.title), fields);
   if (!result.reason.empty()) all["reason"] = result.reason;
   return all;
 }
 
-Json json_of(double number) {
-  return json_number(number);
+io::Json json_of(double number) {
+  return io::json_number(number);
 }
-Json json_of(const std::string& text) {
+io::Json json_of(const std::string& text) {
   return text;
 }
-template <class Item> Json json_of(const std::vector<Item>& items) {
-  Json list = Json::array();
+template <class Item> io::Json json_of(const std::vector<Item>& items) {
+  io::Json list = io::Json::array();
   for (const Item& item : items) list.push_back(json_of(item));
   return list;
 }
@@ -127,16 +127,16 @@ const CreepVariable& creep_variable(const Request& request) {
                        [&](const CreepVariable& variable) { return variable.name == name; });
 }
 
-ProfileFileOptions profile_options(const Request& request) {
-  ProfileFileOptions options;
+io::ProfileFileOptions profile_options(const Request& request) {
+  io::ProfileFileOptions options;
   const auto option = [&]<class Option>(const char* member, std::optional<Option>& value) {
-    if (request.has(member)) value = from_word<Option>(std::string("request.") + member, request.text(member));
+    if (request.has(member)) value = io::from_word<Option>(std::string("request.") + member, request.text(member));
   };
   option("role", options.role);
   option("format", options.format);
   option("y_axis", options.y_axis);
   option("z_axis", options.z_axis);
-  if (request.has("unit")) options.unit = length_of_unit("request.unit", request.text("unit"));
+  if (request.has("unit")) options.unit = io::length_of_unit("request.unit", request.text("unit"));
   if (request.has("section")) options.section = request.count("section", 1, 10000);
   if (request.has("smoothing_length"))
     options.treatment.smoothing_length =
@@ -158,9 +158,11 @@ Explorer::Explorer(const std::filesystem::path& folder) : files_(folder), case_n
 
 std::string Explorer::answer(std::string_view text) {
   const auto start = std::chrono::steady_clock::now();
-  const auto written = [](const Json& reply) { return reply.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  const auto written = [](const io::Json& reply) {
+    return reply.dump(-1, ' ', false, io::Json::error_handler_t::replace);
+  };
   try {
-    Json reply = {{"result", call(Request(text))}};
+    io::Json reply = {{"result", call(Request(text))}};
     reply["time"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return written(reply);
   } catch (const std::bad_alloc&) {
@@ -170,8 +172,8 @@ std::string Explorer::answer(std::string_view text) {
   }
 }
 
-Json Explorer::call(const Request& request) {
-  constexpr std::pair<std::string_view, Json (Explorer::*)(const Request&)> calls[] = {
+io::Json Explorer::call(const Request& request) {
+  constexpr std::pair<std::string_view, io::Json (Explorer::*)(const Request&)> calls[] = {
       {"solve", &Explorer::solve},         {"inputs", &Explorer::inputs},
       {"radii", &Explorer::radii},         {"creep_curve", &Explorer::creep_curve},
       {"transient", &Explorer::transient}, {"profile", &Explorer::profile},
@@ -179,7 +181,7 @@ Json Explorer::call(const Request& request) {
   std::vector<std::string_view> names;
   for (const auto& [name, member] : calls) names.push_back(name);
   const std::string name = request.text("call");
-  require_word("request.call", name, names);
+  io::require_word("request.call", name, names);
   const auto* const found =
       std::find_if(std::begin(calls), std::end(calls), [&](const auto& c) { return c.first == name; });
   return (this->*found->second)(request);
@@ -192,40 +194,42 @@ void Explorer::take_files(const Request& request) {
   if (are_new) models_.clear();
 }
 
-Json Explorer::solve(const Request& request) {
+io::Json Explorer::solve(const Request& request) {
   request.allow({"case", "files", "fields", "extent"});
   take_files(request);
   const CaseText given(request, case_name_, files_);
-  const JsonFields fields = request.flag("fields") ? JsonFields::kept : JsonFields::left_out;
+  const io::JsonFields fields = request.flag("fields") ? io::JsonFields::kept : io::JsonFields::left_out;
   const bool is_full = request.word("extent", extents) == "full";
-  if (!is_wheel_rail_case(given.root)) {
-    const RollingCase input = given.rolling_case(tables_);
-    return document(given, input, solve_case(input, {}, is_full ? ExactExtent::full : ExactExtent::solution), fields);
+  if (!io::is_wheel_rail_case(given.root)) {
+    const io::RollingCase input = given.rolling_case(tables_);
+    return document(given, input,
+                    cases::solve_case(input, {}, is_full ? cases::ExactExtent::full : cases::ExactExtent::solution),
+                    fields);
   }
-  if (is_wheelset_case(given.root)) {
-    const WheelsetCase input = read_wheelset_case(given.root, tables_);
-    return document(given, input, solve_case(input), fields);
+  if (io::is_wheelset_case(given.root)) {
+    const io::WheelsetCase input = io::read_wheelset_case(given.root, tables_);
+    return document(given, input, cases::solve_case(input), fields);
   }
   WheelModels::Model& model = models_.of(given.root, setting_of(given.table), tables_);
-  Json all = document(given, model.input, solve_case(model.input, model.solver), fields);
+  io::Json all = document(given, model.input, cases::solve_case(model.input, model.solver), fields);
   if (!is_full) all.erase("profiles"); // which do not change while a wheel is dragged
   return all;
 }
 
 /// What a case says, and the defaults of what it leaves out.
-Json Explorer::inputs(const Request& request) {
+io::Json Explorer::inputs(const Request& request) {
   request.allow({"case", "files"});
   take_files(request);
-  TomlSection::ReadKeys keys;
+  io::TomlSection::ReadKeys keys;
   const CaseText given(request, case_name_, files_, &keys);
-  Json all = Json::object();
-  if (!is_wheel_rail_case(given.root))
-    all["kind"] = kind_of(given.rolling_case(tables_));
-  else if (!is_wheelset_case(given.root))
-    all["kind"] = kind_of(given.wheel_rail_case(tables_));
+  io::Json all = io::Json::object();
+  if (!io::is_wheel_rail_case(given.root))
+    all["kind"] = cases::kind_of(given.rolling_case(tables_));
+  else if (!io::is_wheelset_case(given.root))
+    all["kind"] = cases::kind_of(given.wheel_rail_case(tables_));
   else
-    all["kind"] = kind_of(read_wheelset_case(given.root, tables_));
-  Json inputs = Json::object(), units = Json::object(), in_the_text = Json::array();
+    all["kind"] = cases::kind_of(io::read_wheelset_case(given.root, tables_));
+  io::Json inputs = io::Json::object(), units = io::Json::object(), in_the_text = io::Json::array();
   for (const auto& [key, read] : keys) {
     inputs[key] = std::visit([](const auto& value) { return json_of(value); }, read.value);
     if (!read.unit.empty()) units[key] = read.unit;
@@ -238,83 +242,84 @@ Json Explorer::inputs(const Request& request) {
 }
 
 /// The upper body whose contact with a flat one, of the case's material and under its load, is an ellipse.
-Json Explorer::radii(const Request& request) {
+io::Json Explorer::radii(const Request& request) {
   request.allow({"case", "a", "b"});
-  const RollingCase input = CaseText(request, case_name_, files_).rolling_case(tables_);
+  const io::RollingCase input = CaseText(request, case_name_, files_).rolling_case(tables_);
   const auto material = combine(input.body1.material, input.body2.material);
-  const double normal_force = hertz_contact(input).normal_force;
+  const double normal_force = io::hertz_contact(input).normal_force;
   const GapCurvatures gap = hertz_from_ellipse(request.number("a"), request.number("b"), material, normal_force).gap;
-  return {{"rolling_radius", json_number(0.5 / gap.x)}, // h = x^2/(2R) + ...
-          {"transverse_radius", json_number(0.5 / gap.y)},
+  return {{"rolling_radius", io::json_number(0.5 / gap.x)}, // h = x^2/(2R) + ...
+          {"transverse_radius", io::json_number(0.5 / gap.y)},
           {"units", {{"rolling_radius", "m"}, {"transverse_radius", "m"}}}};
 }
 
-Json Explorer::creep_curve(const Request& request) {
+io::Json Explorer::creep_curve(const Request& request) {
   constexpr int most_points = 1000;
   request.allow({"case", "variable", "from", "to", "count"});
   const CaseText given(request, case_name_, files_);
-  const RollingCase input = given.rolling_case(tables_);
+  const io::RollingCase input = given.rolling_case(tables_);
   const CreepVariable& variable = creep_variable(request);
   const double from = request.number("from"), to = request.number("to");
   const int count = request.count("count", 2, most_points);
-  RollingProblem problem = rolling_problem(input);
-  Solver solver(solver_method(input));
-  Json curve = {{"theory", to_word(input.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
-  for (const char* member : {"value", "fx", "fy", "mz", "status"}) curve[member] = Json::array();
+  RollingProblem problem = io::rolling_problem(input);
+  Solver solver(io::solver_method(input));
+  io::Json curve = {{"theory", io::to_word(input.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
+  for (const char* member : {"value", "fx", "fy", "mz", "status"}) curve[member] = io::Json::array();
   for (int k = 0; k < count; ++k) {
     const double value = from + (to - from) * k / (count - 1);
     problem.motion.creepage.*variable.of = value;
     const ContactForces forces = solver.solve(problem).forces();
-    curve["value"].push_back(json_number(value));
-    curve["fx"].push_back(json_number(forces.fx));
-    curve["fy"].push_back(json_number(forces.fy));
-    curve["mz"].push_back(json_number(forces.mz));
+    curve["value"].push_back(io::json_number(value));
+    curve["fx"].push_back(io::json_number(forces.fx));
+    curve["fy"].push_back(io::json_number(forces.fy));
+    curve["mz"].push_back(io::json_number(forces.mz));
     curve["status"].push_back(to_string(forces.status));
   }
   curve["units"] = {{"value", variable.unit}, {"fx", "N"}, {"fy", "N"}, {"mz", "N m"}};
   return curve;
 }
 
-Json Explorer::transient(const Request& request) {
+io::Json Explorer::transient(const Request& request) {
   request.allow({"case"});
   return rolling_start(CaseText(request, case_name_, files_).rolling_case(tables_));
 }
 
-Json Explorer::profile(const Request& request) {
+io::Json Explorer::profile(const Request& request) {
   request.allow({"name", "text", "role", "format", "unit", "y_axis", "z_axis", "section", "smoothing_length"});
   const std::string name = request.text("name");
-  const ProfileFindings findings = find_dimensions(parse_profile(request.text("text"), name, profile_options(request)));
-  JsonResult curves({.kind = "profile", .title = name}, JsonFields::kept);
-  write_result(findings, curves);
-  Json all = curves.document();
-  const Json units = all["units"];
-  all.update(profile_document(findings));
+  const cases::ProfileFindings findings =
+      cases::find_dimensions(io::parse_profile(request.text("text"), name, profile_options(request)));
+  io::JsonResult curves({.kind = "profile", .title = name}, io::JsonFields::kept);
+  cases::write_result(findings, curves);
+  io::Json all = curves.document();
+  const io::Json units = all["units"];
+  all.update(cases::profile_document(findings));
   all["units"].update(units);
   return all;
 }
 
-Json Explorer::conicity(const Request& request) {
+io::Json Explorer::conicity(const Request& request) {
   request.allow({"case", "files", "amplitudes"});
   take_files(request);
   const CaseText given(request, case_name_, files_);
-  const WheelRailCase read = given.wheel_rail_case(tables_);
+  const io::WheelRailCase read = given.wheel_rail_case(tables_);
   const auto range = request.numbers("amplitudes", 3).value_or(std::vector<double>{1e-3, 7e-3, 2e-4});
-  ConicityInput input{.track = read.track, .wheelset = read.wheelset};
-  input.amplitudes = amplitude_range("request.amplitudes", range[0], range[1], range[2]);
+  cases::ConicityInput input{.track = read.track, .wheelset = read.wheelset};
+  input.amplitudes = cases::amplitude_range("request.amplitudes", range[0], range[1], range[2]);
   const WheelsetSearch::Side side = {read.rail.profile, read.wheel.profile};
-  Json all = conicity_document(input, find_conicity(input, side, side, true), side, side);
-  all["units"] = conicity_units();
+  io::Json all = cases::conicity_document(input, cases::find_conicity(input, side, side, true), side, side);
+  all["units"] = cases::conicity_units();
   return all;
 }
 
-Json Explorer::version(const Request& request) {
+io::Json Explorer::version(const Request& request) {
   request.allow({});
   const BuildInfo build = build_info();
   return {{"version", build.version},
           {"commit", build.commit},
           {"compiler", build.compiler},
           {"vector_lanes", has_vector_lanes()},
-          {"result_format", result_format}};
+          {"result_format", io::result_format}};
 }
 
-} // namespace microslip
+} // namespace microslip::explorer

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace microslip {
+namespace microslip::explorer {
 
 /// What the page of the explorer asks: text in, text out, both JSON. docs/explorer.md describes the calls.
 ///
@@ -24,22 +24,22 @@ public:
   std::string answer(std::string_view request);
 
 private:
-  Json call(const Request& request);
-  Json solve(const Request& request);
-  Json inputs(const Request& request);
-  Json radii(const Request& request);
-  Json creep_curve(const Request& request);
-  Json transient(const Request& request);
-  Json profile(const Request& request);
-  Json conicity(const Request& request);
-  Json version(const Request& request);
+  io::Json call(const Request& request);
+  io::Json solve(const Request& request);
+  io::Json inputs(const Request& request);
+  io::Json radii(const Request& request);
+  io::Json creep_curve(const Request& request);
+  io::Json transient(const Request& request);
+  io::Json profile(const Request& request);
+  io::Json conicity(const Request& request);
+  io::Json version(const Request& request);
 
   void take_files(const Request& request);
 
   KeptFiles files_;
   std::string case_name_; ///< of cases in messages, and where the paths of their profiles start
-  CreepTables tables_;
+  io::CreepTables tables_;
   WheelModels models_;
 };
 
-} // namespace microslip
+} // namespace microslip::explorer

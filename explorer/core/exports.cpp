@@ -8,7 +8,7 @@
 
 /// The answer to a request; it stays until the next one.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* explorer_answer(const char* request) {
-  static microslip::Explorer explorer;
+  static microslip::explorer::Explorer explorer;
   static std::string answer;
   answer = explorer.answer(request);
   return answer.c_str();

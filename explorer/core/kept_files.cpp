@@ -6,11 +6,11 @@
 
 #include <system_error>
 
-namespace microslip {
+namespace microslip::explorer {
 
 std::filesystem::path KeptFiles::path(const std::string& name) const {
   const bool is_plain = !name.empty() && name.front() != '.' && name.find_first_of("/\\:") == std::string::npos;
-  if (!is_plain) throw Error("file " + printable(name) + ": must be a name without a folder");
+  if (!is_plain) throw Error("file " + io::printable(name) + ": must be a name without a folder");
   return folder_ / name;
 }
 
@@ -23,11 +23,11 @@ bool KeptFiles::put(const std::string& name, const std::string& contents) {
   const auto file = path(name);
   const auto kept = contents_.find(name);
   if (kept != contents_.end() && kept->second == contents) return false;
-  OutputFile out(file);
+  io::OutputFile out(file);
   out.write(contents);
   out.commit();
   contents_[name] = contents;
   return true;
 }
 
-} // namespace microslip
+} // namespace microslip::explorer

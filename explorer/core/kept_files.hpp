@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace microslip {
+namespace microslip::explorer {
 
 /// Files that cases name, in a folder of their own; in a browser it is in memory.
 class KeptFiles {
@@ -24,4 +24,4 @@ private:
   std::map<std::string, std::string> contents_;
 };
 
-} // namespace microslip
+} // namespace microslip::explorer

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace microslip {
+namespace microslip::explorer {
 namespace {
 
 std::string field(const std::string& member) {
@@ -17,29 +17,29 @@ std::string field(const std::string& member) {
   throw Error(field(member) + ": must be " + wanted);
 }
 
-double number_of(const Json& value, const std::string& member) {
+double number_of(const io::Json& value, const std::string& member) {
   if (!value.is_number()) wrong_type(member, "a number");
   return require_finite(field(member), value.get<double>(), "-");
 }
 
-std::string text_of(const Json& value, const std::string& member) {
+std::string text_of(const io::Json& value, const std::string& member) {
   if (!value.is_string()) wrong_type(member, "a text");
   return value.get<std::string>();
 }
 
 } // namespace
 
-Request::Request(std::string_view text) : members_(Json::parse(text, nullptr, false)) {
+Request::Request(std::string_view text) : members_(io::Json::parse(text, nullptr, false)) {
   if (!members_.is_object()) throw Error("request: must be a JSON object");
 }
 
 void Request::allow(const std::vector<std::string_view>& members) const {
   for (const auto& [name, value] : members_.items())
     if (name != "call" && std::find(members.begin(), members.end(), name) == members.end())
-      throw Error(field(name) + ": unknown member" + suggestion(name, members));
+      throw Error(field(name) + ": unknown member" + io::suggestion(name, members));
 }
 
-const Json& Request::required(const std::string& member) const {
+const io::Json& Request::required(const std::string& member) const {
   const auto found = members_.find(member);
   if (found == members_.end()) throw Error(field(member) + ": is missing");
   return *found;
@@ -71,17 +71,17 @@ int Request::count(const std::string& member, int low, int high) const {
 
 std::optional<std::vector<double>> Request::numbers(const std::string& member, std::size_t count) const {
   if (!has(member)) return {};
-  const Json& list = required(member);
+  const io::Json& list = required(member);
   if (!list.is_array() || list.size() != count) wrong_type(member, "a list of " + std::to_string(count) + " numbers");
   std::vector<double> values;
-  for (const Json& value : list) values.push_back(number_of(value, member));
+  for (const io::Json& value : list) values.push_back(number_of(value, member));
   return values;
 }
 
 std::string_view Request::word(const std::string& member, std::span<const std::string_view> words) const {
   if (!has(member)) return words.front();
   const std::string given = text(member);
-  require_word(field(member), given, words);
+  io::require_word(field(member), given, words);
   return *std::find(words.begin(), words.end(), given);
 }
 
@@ -94,4 +94,4 @@ std::vector<std::pair<std::string, std::string>> Request::texts(const std::strin
   return all;
 }
 
-} // namespace microslip
+} // namespace microslip::explorer

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace microslip {
+namespace microslip::explorer {
 
 /// What is asked of the explorer: a JSON object whose members are read and checked one by one. What is wrong throws an
 /// Error that names the member, its value and what it may be: `request.extent = "al": must be full or solution`.
@@ -35,9 +35,9 @@ public:
   std::vector<std::pair<std::string, std::string>> texts(const std::string& member) const;
 
 private:
-  const Json& required(const std::string& member) const;
+  const io::Json& required(const std::string& member) const;
 
-  Json members_;
+  io::Json members_;
 };
 
-} // namespace microslip
+} // namespace microslip::explorer

@@ -13,22 +13,22 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
+namespace microslip::explorer {
 namespace {
 
 constexpr int most_frames = 400;
 
-Json numbers(const std::vector<double>& values) {
-  auto array = Json::array();
-  for (const double value : values) array.push_back(json_number(value));
+io::Json numbers(const std::vector<double>& values) {
+  auto array = io::Json::array();
+  for (const double value : values) array.push_back(io::json_number(value));
   return array;
 }
 
 /// The step that is the same in all frames.
-ContactStep step_of(const RollingCase& input, const HertzContact& hertz) {
-  const ExactOptions options = exact_options(input);
+ContactStep step_of(const io::RollingCase& input, const HertzContact& hertz) {
+  const ExactOptions options = io::exact_options(input);
   ContactStep step = contact_step(options);
-  step.bodies = bodies_of(input);
+  step.bodies = io::bodies_of(input);
   step.grid = ElementGrid::across_ellipse(hertz.a, hertz.b, options.mx, options.my, contact_margin);
   step.gap = hertzian_gap(hertz.gap, step.grid);
   step.load = {NormalLoad::Given::force, hertz.normal_force};
@@ -46,7 +46,8 @@ constexpr std::string_view still_fields[] = {"x", "y", "pressure", "bound"};
 /// What does.
 constexpr std::string_view moving_fields[] = {"px", "py", "sx", "sy"};
 
-void add_fields(const ContactSolution& solution, std::span<const std::string_view> names, Json& to, Json& units) {
+void add_fields(const ContactSolution& solution, std::span<const std::string_view> names, io::Json& to,
+                io::Json& units) {
   for (const auto name : names) {
     const FieldQuantity& field = field_quantity(name);
     to[std::string(name)] = numbers(field.values(solution));
@@ -54,11 +55,11 @@ void add_fields(const ContactSolution& solution, std::span<const std::string_vie
   }
 }
 
-Json frame_of(const ContactSolution& solution, double distance, Json& units) {
-  Json frame = {{"distance", json_number(distance)}};
+io::Json frame_of(const ContactSolution& solution, double distance, io::Json& units) {
+  io::Json frame = {{"distance", io::json_number(distance)}};
   for (const char* name : {"fx", "fy", "mz", "creepage_longitudinal", "creepage_lateral"}) {
     const Quantity& q = quantity(name);
-    frame[name] = json_number(q.value(solution));
+    frame[name] = io::json_number(q.value(solution));
     units[name] = q.unit_of(solution);
   }
   add_fields(solution, moving_fields, frame, units);
@@ -68,16 +69,16 @@ Json frame_of(const ContactSolution& solution, double distance, Json& units) {
 
 } // namespace
 
-Json rolling_start(const RollingCase& input) {
+io::Json rolling_start(const io::RollingCase& input) {
   if (input.theory != Theory::exact || input.motion.kind != ContactMotion::transient)
     throw Error("transient: needs a case with motion.kind = \"transient\" and solution.theory = \"exact\"");
   require_count("motion.steps", input.motion.steps, 1, most_frames);
-  const HertzContact hertz = hertz_contact(input);
+  const HertzContact hertz = io::hertz_contact(input);
   const bool shifts = input.motion.force_x || input.motion.force_y;
   ContactStep step = step_of(input, hertz);
   const double rolled = step.motion.step > 0 ? step.motion.step : step.grid.dx;
   ContactSequence sequence;
-  Json result = Json::object(), units = {{"distance", "m"}}, frames = Json::array();
+  io::Json result = io::Json::object(), units = {{"distance", "m"}}, frames = io::Json::array();
   Status status = Status::ok;
   for (int k = shifts ? 0 : 1; k <= input.motion.steps && status == Status::ok; ++k) {
     step.motion.motion = k == 0 ? ContactMotion::shift : ContactMotion::transient;
@@ -89,13 +90,13 @@ Json rolling_start(const RollingCase& input) {
     if (frames.empty()) add_fields(solution, still_fields, result, units);
     frames.push_back(frame_of(solution, k * rolled, units));
   }
-  for (const StoredNumber& q : hertz_quantities(hertz))
-    if (q.path.starts_with("hertz/")) result[Json::json_pointer("/" + q.path)] = json_number(q.value);
+  for (const cases::StoredNumber& q : cases::hertz_quantities(hertz))
+    if (q.path.starts_with("hertz/")) result[io::Json::json_pointer("/" + q.path)] = io::json_number(q.value);
   result["shape"] = {step.grid.my, step.grid.mx};
-  result["step"] = json_number(rolled);
+  result["step"] = io::json_number(rolled);
   result["frames"] = std::move(frames);
   result["units"] = std::move(units);
-  result["warnings"] = case_warnings(input, hertz).texts;
+  result["warnings"] = cases::case_warnings(input, hertz).texts;
   result["status"] = to_string(status);
   SolverReport report{.status = status};
   add_reason(report);
@@ -103,4 +104,4 @@ Json rolling_start(const RollingCase& input) {
   return result;
 }
 
-} // namespace microslip
+} // namespace microslip::explorer

@@ -5,7 +5,7 @@
 #include <deque>
 #include <string>
 
-namespace microslip {
+namespace microslip::explorer {
 
 /// Wheels on rails that have been solved, with their profiles read and their solvers made: where a case differs from
 /// one of them by the state in its [wheel] alone, only that is read and solved.
@@ -13,13 +13,13 @@ class WheelModels {
 public:
   struct Model {
     std::string setting;
-    WheelRailCase input;
+    io::WheelRailCase input;
     WheelRail solver;
   };
 
   /// The model of a case with its states; `setting` tells it from others. Errors as of read_wheel_rail_case. The
   /// reference holds until the next call.
-  Model& of(const TomlSection& root, std::string setting, const CreepTables& tables);
+  Model& of(const io::TomlSection& root, std::string setting, const io::CreepTables& tables);
   /// Forgets them all, as when files have changed.
   void clear() { models_.clear(); }
 
@@ -27,4 +27,4 @@ private:
   std::deque<Model> models_; ///< the last one used first
 };
 
-} // namespace microslip
+} // namespace microslip::explorer

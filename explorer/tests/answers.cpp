@@ -7,6 +7,6 @@
 #include <string>
 
 int main() {
-  microslip::Explorer explorer;
+  microslip::explorer::Explorer explorer;
   for (std::string request; std::getline(std::cin, request);) std::cout << explorer.answer(request) << std::endl;
 }

@@ -21,7 +21,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace microslip {
+namespace microslip::explorer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ std::string wheel_case() {
   std::string text = replaced(text_of(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
   return replaced(replaced(text, "profiles/s1002.prw", "s1002.prw"), "grid = 60", "grid = 16");
 }
-Json profiles() {
+io::Json profiles() {
   return {{"60e1.prr", text_of(examples / "profiles/60e1.prr")},
           {"s1002.prw", text_of(examples / "profiles/s1002.prw")}};
 }
@@ -64,15 +64,15 @@ protected:
         explorer_(folder_) {}
   ~ExplorerTest() override { fs::remove_all(folder_); }
 
-  Json answer(const Json& request) { return Json::parse(explorer_.answer(request.dump())); }
-  Json result(const Json& request) {
-    Json reply = answer(request);
+  io::Json answer(const io::Json& request) { return io::Json::parse(explorer_.answer(request.dump())); }
+  io::Json result(const io::Json& request) {
+    io::Json reply = answer(request);
     EXPECT_FALSE(reply.contains("error")) << reply.dump();
     EXPECT_GE(reply.value("time", -1.0), 0.0);
-    return reply.value("result", Json::object());
+    return reply.value("result", io::Json::object());
   }
-  std::string refusal(const Json& request) {
-    const Json reply = answer(request);
+  std::string refusal(const io::Json& request) {
+    const io::Json reply = answer(request);
     EXPECT_FALSE(reply.contains("result"));
     return reply.contains("error") ? reply["error"]["message"].get<std::string>() : "";
   }
@@ -90,7 +90,7 @@ protected:
 
 TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   const auto words = [&](const char* text) {
-    return Json::parse(explorer_.answer(text))["error"]["message"].get<std::string>();
+    return io::Json::parse(explorer_.answer(text))["error"]["message"].get<std::string>();
   };
   EXPECT_EQ(words(""), "request: must be a JSON object");
   EXPECT_EQ(words("[1]"), "request: must be a JSON object");
@@ -113,7 +113,8 @@ TEST_F(ExplorerTest, AnswersDamagedRequests) {
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const std::string quick = replaced(starting_case(), "theory = \"exact\"\ngrid = [24, 24]", "grid = [6, 6]");
   const std::string whole =
-      Json({{"call", "solve"}, {"case", replaced(replaced(quick, "\"transient\"", "\"steady\""), "steps = 60", "")}})
+      io::Json(
+          {{"call", "solve"}, {"case", replaced(replaced(quick, "\"transient\"", "\"steady\""), "steps = 60", "")}})
           .dump();
   int results = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -131,7 +132,7 @@ TEST_F(ExplorerTest, AnswersDamagedRequests) {
         text.insert(at, text.substr(below(text.size()), 1 + below(20)));
       }
     }
-    const Json reply = Json::parse(explorer_.answer(text));
+    const io::Json reply = io::Json::parse(explorer_.answer(text));
     ASSERT_NE(reply.contains("result"), reply.contains("error")) << text;
     results += reply.contains("result");
     if (reply.contains("error")) {
@@ -147,7 +148,7 @@ TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
   const auto words = [&](const std::string& text) { return refusal({{"call", "solve"}, {"case", text}}); };
   const auto readers = [&](const std::string& text) -> std::string {
     try {
-      parse_case(text, name);
+      io::parse_case(text, name);
     } catch (const Error& error) {
       return error.what();
     }
@@ -168,7 +169,7 @@ TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
 /// Of the paths of profiles their ends count.
 TEST_F(ExplorerTest, TakesProfilesWithoutTheirFolders) {
   const std::string text = replaced(wheel_case(), "\"60e1.prr\"", "\"../rails/60e1.prr\"");
-  const Json plain = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
+  const io::Json plain = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
   EXPECT_EQ(result({{"call", "solve"}, {"case", text}})["wheel"], plain["wheel"]);
   EXPECT_EQ(refusal({{"call", "solve"}, {"case", replaced(text, "\"s1002.prw\"", "\"worn\\\\s1002.txt\"")}}),
             (folder_ / "case.toml").string() +
@@ -198,10 +199,10 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
                                       {"lateral_sweep.toml", "wheel_rail"},
                                       {"wheelset_in_curve.toml", "wheelset"}}) {
     const std::string text = text_of(examples / example);
-    const Json found = result({{"call", "inputs"}, {"case", text}, {"files", profiles()}});
+    const io::Json found = result({{"call", "inputs"}, {"case", text}, {"files", profiles()}});
     EXPECT_EQ(found["kind"], kind);
     std::set<std::string> keys;
-    add_keys(parse_toml(text, example), "", keys);
+    add_keys(io::parse_toml(text, example), "", keys);
     EXPECT_EQ(found["given"].get<std::set<std::string>>(), keys) << example;
     for (const std::string& key : keys) EXPECT_TRUE(found["inputs"].contains(key)) << key;
     count += keys.size();
@@ -210,18 +211,18 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
 }
 
 TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
-  const Json found = result({{"call", "inputs"}, {"case", text_of(examples / "two_rollers.toml")}});
-  const Json& inputs = found["inputs"];
+  const io::Json found = result({{"call", "inputs"}, {"case", text_of(examples / "two_rollers.toml")}});
+  const io::Json& inputs = found["inputs"];
   EXPECT_EQ(inputs["body1.rolling_radius"], 0.05);
   EXPECT_EQ(inputs["body2.transverse_radius"], "inf");
   EXPECT_EQ(inputs["friction.half_velocity"], 0.05);
   EXPECT_EQ(inputs["friction.law"], "exponential");
-  EXPECT_EQ(inputs["solution.grid"], Json({60, 30}));
+  EXPECT_EQ(inputs["solution.grid"], io::Json({60, 30}));
   EXPECT_EQ(inputs["motion.creepage_longitudinal"], 0); // the default
   EXPECT_EQ(inputs["motion.kind"], "steady");
   EXPECT_EQ(found["units"]["friction.half_velocity"], "m/s");
   EXPECT_FALSE(found["units"].contains("friction.law"));
-  const Json wheel = result({{"call", "inputs"}, {"case", wheel_case()}, {"files", profiles()}});
+  const io::Json wheel = result({{"call", "inputs"}, {"case", wheel_case()}, {"files", profiles()}});
   EXPECT_EQ(wheel["inputs"]["rail.profile"], "60e1.prr");
   EXPECT_EQ(wheel["inputs"]["rail.smoothing_length"], 0);
   EXPECT_EQ(wheel["inputs"]["solution.grid"], 16);
@@ -232,9 +233,10 @@ TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
 
 TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {
   const std::string text = ellipse_case();
-  const RollingCase input = parse_case(text, "case.toml");
-  Json expected = case_document(input, solve_case(input), {.kind = "rolling_contact", .title = input.title});
-  Json found = result({{"call", "solve"}, {"case", text}});
+  const io::RollingCase input = io::parse_case(text, "case.toml");
+  io::Json expected =
+      cases::case_document(input, cases::solve_case(input), {.kind = "rolling_contact", .title = input.title});
+  io::Json found = result({{"call", "solve"}, {"case", text}});
   for (const char* changing : {"created", "case_text", "command_line"}) expected.erase(changing), found.erase(changing);
   EXPECT_EQ(found, expected);
 }
@@ -243,12 +245,12 @@ TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {
 TEST_F(ExplorerTest, FindsRadiiOfAnEllipse) {
   for (const double ratio : {0.02, 0.5, 1.0, 30.0}) {
     const double b = 4e-3, a = ratio * b;
-    const Json radii = result({{"call", "radii"}, {"case", ellipse_case()}, {"a", a}, {"b", b}});
-    RollingCase input = parse_case(ellipse_case(), "case.toml");
+    const io::Json radii = result({{"call", "radii"}, {"case", ellipse_case()}, {"a", a}, {"b", b}});
+    io::RollingCase input = io::parse_case(ellipse_case(), "case.toml");
     input.body1.rolling_radius = radii["rolling_radius"].get<double>();
     input.body1.transverse_radius = radii["transverse_radius"].get<double>();
     input.body2.rolling_radius = input.body2.transverse_radius = std::numeric_limits<double>::infinity();
-    const HertzContact hertz = hertz_contact(input);
+    const HertzContact hertz = io::hertz_contact(input);
     EXPECT_NEAR(hertz.a, a, 1e-10 * a);
     EXPECT_NEAR(hertz.b, b, 1e-10 * b);
   }
@@ -261,9 +263,10 @@ TEST_F(ExplorerTest, FindsRadiiOfAnEllipse) {
 
 /// The totals are the sums of the fields.
 TEST_F(ExplorerTest, GivesFieldsInOneOrder) {
-  const Json found = result({{"call", "solve"}, {"case", ellipse_case()}, {"fields", true}, {"extent", "solution"}});
+  const io::Json found =
+      result({{"call", "solve"}, {"case", ellipse_case()}, {"fields", true}, {"extent", "solution"}});
   for (const char* theory : {"exact", "fastsim2"}) {
-    const Json& fields = found[theory]["fields"];
+    const io::Json& fields = found[theory]["fields"];
     const auto area = fields["area"].get<std::vector<double>>(), px = fields["px"].get<std::vector<double>>(),
                y = fields["y"].get<std::vector<double>>();
     const double fx = std::inner_product(px.begin(), px.end(), area.begin(), 0.0);
@@ -277,16 +280,16 @@ TEST_F(ExplorerTest, GivesFieldsInOneOrder) {
 
 TEST_F(ExplorerTest, CreepCurvesPassThroughTheContact) {
   const std::string text = ellipse_case();
-  const Json found = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
+  const io::Json found = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
   const double creepage = found["exact"]["creepage_longitudinal"].get<double>();
-  const Json curve = result({{"call", "creep_curve"},
-                             {"case", text},
-                             {"variable", "creepage_longitudinal"},
-                             {"from", -creepage},
-                             {"to", creepage},
-                             {"count", 3}});
+  const io::Json curve = result({{"call", "creep_curve"},
+                                 {"case", text},
+                                 {"variable", "creepage_longitudinal"},
+                                 {"from", -creepage},
+                                 {"to", creepage},
+                                 {"count", 3}});
   EXPECT_EQ(curve["theory"], "exact");
-  EXPECT_EQ(curve["value"], Json({-creepage, 0, creepage}));
+  EXPECT_EQ(curve["value"], io::Json({-creepage, 0, creepage}));
   const double fx = found["exact"]["fx"].get<double>();
   EXPECT_NEAR(curve["fx"][2].get<double>(), fx, 1e-5 * std::abs(fx));
   EXPECT_EQ(
@@ -302,19 +305,19 @@ TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
   text = replaced(replaced(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = \"300 mm\"",
                   "transverse_radius = inf");
   text = replaced(replaced(text, "transverse_radius = inf", "transverse_radius = 0.460"), "steps = 60", "steps = 80");
-  const Json found = result({{"call", "transient"}, {"case", text}});
+  const io::Json found = result({{"call", "transient"}, {"case", text}});
   EXPECT_EQ(found["status"], "ok");
   ASSERT_EQ(found["frames"].size(), 81u);
-  const Json& shift = found["frames"][0];
+  const io::Json& shift = found["frames"][0];
   EXPECT_EQ(shift["distance"], 0);
   const auto state = shift["state"].get<std::vector<int>>();
   const double contact = static_cast<double>(std::count_if(state.begin(), state.end(), [](int s) { return s > 0; }));
   const double adhesion = static_cast<double>(std::count(state.begin(), state.end(), 1));
   EXPECT_NEAR(adhesion / contact, std::pow(1 - 12e3 / 24e3, 2. / 3), 0.05);
-  for (const Json& frame : found["frames"]) EXPECT_NEAR(frame["fx"].get<double>(), -12e3, 1);
+  for (const io::Json& frame : found["frames"]) EXPECT_NEAR(frame["fx"].get<double>(), -12e3, 1);
   text = replaced(replaced(text, "\"transient\"", "\"steady\""), "steps = 80", "");
   text = replaced(text, "theory = \"exact\"", "theory = \"exact\"\ndiscretisation = \"classical\"");
-  const Json steady = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
+  const io::Json steady = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
   const double creepage = steady["exact"]["creepage_longitudinal"].get<double>();
   EXPECT_NEAR(found["frames"][80]["creepage_longitudinal"].get<double>(), creepage, 0.02 * std::abs(creepage));
   EXPECT_NE(refusal({{"call", "transient"}, {"case", ellipse_case()}}).find("motion.kind"), std::string::npos);
@@ -323,8 +326,8 @@ TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
 /// Whatever has been solved before, a state's answer is that of a new model.
 TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
   const auto ask = [&](Explorer& explorer, const std::string& text) {
-    Json request = {{"call", "solve"}, {"case", text}, {"files", profiles()}};
-    return Json::parse(explorer.answer(request.dump()))["result"]["wheel"];
+    io::Json request = {{"call", "solve"}, {"case", text}, {"files", profiles()}};
+    return io::Json::parse(explorer.answer(request.dump()))["result"]["wheel"];
   };
   const std::string exact = wheel_case(),
                     quick = replaced(replaced(exact, "theory = \"exact\"", "theory = \"fastsim2\""), "shape = \"flat\"",
@@ -333,9 +336,9 @@ TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
     const std::string moved = replaced(text, "lateral = \"6.04 mm\"", "lateral = \"2 mm\"");
     ask(explorer_, text);
     ask(explorer_, replaced(moved, "\"2 mrad\"", "\"-3 mrad\""));
-    const Json kept = ask(explorer_, moved);
+    const io::Json kept = ask(explorer_, moved);
     Explorer fresh(folder_);
-    const Json anew = ask(fresh, moved);
+    const io::Json anew = ask(fresh, moved);
     for (const char* name : {"force_x", "force_y", "force_z", "vertical"})
       EXPECT_NEAR(kept[name][0].get<double>(), anew[name][0].get<double>(), 1e-3) << name;
     EXPECT_NE(kept["force_y"], ask(explorer_, text)["force_y"]);
@@ -343,8 +346,8 @@ TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
 }
 
 TEST_F(ExplorerTest, SeesThatAFileHasChanged) {
-  const Json before = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
-  Json files = profiles();
+  const io::Json before = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
+  io::Json files = profiles();
   files["s1002.prw"] = replaced(files["s1002.prw"].get<std::string>(), "units.len.f", "units.len.f ");
   EXPECT_EQ(result({{"call", "solve"}, {"case", wheel_case()}, {"files", files}})["wheel"], before["wheel"]);
   files["s1002.prw"] = "nothing";
@@ -353,7 +356,7 @@ TEST_F(ExplorerTest, SeesThatAFileHasChanged) {
 }
 
 TEST_F(ExplorerTest, ReadsProfiles) {
-  const Json found = result({{"call", "profile"}, {"name", "s1002.prw"}, {"text", profiles()["s1002.prw"]}});
+  const io::Json found = result({{"call", "profile"}, {"name", "s1002.prw"}, {"text", profiles()["s1002.prw"]}});
   EXPECT_EQ(found["role"], "wheel");
   EXPECT_EQ(found["format"], "Simpack");
   EXPECT_EQ(found["curve"]["y"].size(), found["curve"]["z"].size());
@@ -366,10 +369,10 @@ TEST_F(ExplorerTest, ReadsProfiles) {
 }
 
 TEST_F(ExplorerTest, FindsConicity) {
-  const Json found = result(
+  const io::Json found = result(
       {{"call", "conicity"}, {"case", wheel_case()}, {"files", profiles()}, {"amplitudes", {0.003, 0.003, 0.001}}});
   EXPECT_EQ(found["equivalent_conicity"].size(), 1u);
-  for (const Json& at : found["over_lateral_displacement"]) {
+  for (const io::Json& at : found["over_lateral_displacement"]) {
     EXPECT_TRUE(at["left_rail_y"].is_number());
     if (at["lateral"] == 0) {
       EXPECT_NEAR(at["rolling_radius_difference"].get<double>(), 0, 1e-9);
@@ -380,4 +383,4 @@ TEST_F(ExplorerTest, FindsConicity) {
 }
 
 } // namespace
-} // namespace microslip
+} // namespace microslip::explorer

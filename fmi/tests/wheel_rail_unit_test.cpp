@@ -20,8 +20,8 @@ const fs::path resources = MICROSLIP_UNPACKED_FMU "/resources";
 /// What the unit's start values describe.
 WheelRailBodies bodies(TrackSide side = TrackSide::left) {
   const Material steel = Material::from_young(210e9, 0.28);
-  return {.rail = read_profile(resources / "60e1.prr").profile,
-          .wheel = read_profile(resources / "s1002.prw").profile,
+  return {.rail = io::read_profile(resources / "60e1.prr").profile,
+          .wheel = io::read_profile(resources / "s1002.prw").profile,
           .track = {},
           .wheelset = {},
           .side = side,
@@ -129,7 +129,7 @@ TEST(WheelRailUnit, ParametersReachTheSolver) {
   EXPECT_EQ(instance.set_integer("solution.grid", 8), fmi2OK);
   instance.set_state(running(-2e-3), 60e3);
   WheelRailBodies wanted = bodies(TrackSide::right);
-  wanted.rail = read_profile(resources / "60e1.prr", {.treatment = {.smoothing_length = 2e-3}}).profile;
+  wanted.rail = io::read_profile(resources / "60e1.prr", {.treatment = {.smoothing_length = 2e-3}}).profile;
   wanted.track.gauge = 1.437, wanted.track.cant = 0.025, wanted.wheelset.nominal_radius = 0.45;
   wanted.friction = {{0, 0.2}};
   WheelRail contact(wanted, {.level = WheelRailLevel::exact, .elements = 8});
@@ -215,7 +215,7 @@ TEST(WheelRailUnit, SaysWhatTheReadersOfProfilesSay) {
   std::ofstream(broken) << "0 0\n1 0.1\n2 nonsense\n";
   std::string wanted;
   try {
-    read_profile(broken, {.role = ProfileRole::wheel});
+    io::read_profile(broken, {.role = ProfileRole::wheel});
   } catch (const std::exception& error) {
     wanted = error.what();
   }

@@ -16,7 +16,7 @@ namespace microslip::python {
 
 /// A case with the text that it was read from, which makes it up.
 struct Case {
-  RollingCase input;
+  io::RollingCase input;
   std::string name, text;
 
   bool operator==(const Case& other) const { return text == other.text; }
@@ -24,46 +24,51 @@ struct Case {
 
 struct SolvedCase {
   std::shared_ptr<const Case> of;
-  RollingContactResult result;
+  cases::RollingContactResult result;
 };
 
 /// A copy of what belongs to a case, which may be read but not changed: the change would be lost.
 template <class T> struct ReadOnly : T {};
 
 template <>
-inline constexpr auto fields<BodyInput> =
-    std::tuple{Field{"rolling_radius", &BodyInput::rolling_radius},
-               Field{"transverse_radius", &BodyInput::transverse_radius}, Field{"material", &BodyInput::material},
-               Field{"creep", &BodyInput::creep}, Field{"thermal", &BodyInput::thermal}};
+inline constexpr auto fields<io::BodyInput> =
+    std::tuple{Field{"rolling_radius", &io::BodyInput::rolling_radius},
+               Field{"transverse_radius", &io::BodyInput::transverse_radius},
+               Field{"material", &io::BodyInput::material}, Field{"creep", &io::BodyInput::creep},
+               Field{"thermal", &io::BodyInput::thermal}};
 template <>
-inline constexpr auto fields<DiscretisationError> =
-    std::tuple{Field{"fx", &DiscretisationError::fx}, Field{"fy", &DiscretisationError::fy},
-               Field{"mz", &DiscretisationError::mz},
-               Field{"frictional_power", &DiscretisationError::frictional_power}};
+inline constexpr auto fields<cases::DiscretisationError> =
+    std::tuple{Field{"fx", &cases::DiscretisationError::fx}, Field{"fy", &cases::DiscretisationError::fy},
+               Field{"mz", &cases::DiscretisationError::mz},
+               Field{"frictional_power", &cases::DiscretisationError::frictional_power}};
 template <>
-inline constexpr auto fields<CreepCurve> =
-    std::tuple{Field{"variable", &CreepCurve::variable}, Field{"unit", &CreepCurve::unit},
-               Field{"value", &CreepCurve::value}, Field{"forces", &CreepCurve::forces},
-               Field{"point_value", &CreepCurve::point_value}};
+inline constexpr auto fields<cases::CreepCurve> =
+    std::tuple{Field{"variable", &cases::CreepCurve::variable}, Field{"unit", &cases::CreepCurve::unit},
+               Field{"value", &cases::CreepCurve::value}, Field{"forces", &cases::CreepCurve::forces},
+               Field{"point_value", &cases::CreepCurve::point_value}};
 template <>
-inline constexpr auto fields<SimplifiedResult> =
-    std::tuple{Field{"solution", &SimplifiedResult::solution},
-               Field{"discretisation_error", &SimplifiedResult::discretisation_error},
-               Field{"curve", &SimplifiedResult::curve}};
+inline constexpr auto fields<cases::SimplifiedResult> =
+    std::tuple{Field{"solution", &cases::SimplifiedResult::solution},
+               Field{"discretisation_error", &cases::SimplifiedResult::discretisation_error},
+               Field{"curve", &cases::SimplifiedResult::curve}};
 template <>
-inline constexpr auto fields<ExactResult> =
-    std::tuple{Field{"solution", &ExactResult::contact},
-               Field{"discretisation_error", &ExactResult::discretisation_error}, Field{"limit", &ExactResult::limit},
-               Field{"interior", &ExactResult::interior}, Field{"curve", &ExactResult::curve}};
+inline constexpr auto fields<cases::ExactResult> =
+    std::tuple{Field{"solution", &cases::ExactResult::contact},
+               Field{"discretisation_error", &cases::ExactResult::discretisation_error},
+               Field{"limit", &cases::ExactResult::limit}, Field{"interior", &cases::ExactResult::interior},
+               Field{"curve", &cases::ExactResult::curve}};
 template <>
-inline constexpr auto fields<TableResult> =
-    std::tuple{Field{"solution", &TableResult::solution}, Field{"curve", &TableResult::curve}};
+inline constexpr auto fields<cases::TableResult> =
+    std::tuple{Field{"solution", &cases::TableResult::solution}, Field{"curve", &cases::TableResult::curve}};
 template <>
-inline constexpr auto fields<RollingContactResult> =
-    std::tuple{Field{"hertz", &RollingContactResult::hertz},           Field{"contact", &RollingContactResult::contact},
-               Field{"exact", &RollingContactResult::exact},           Field{"table", &RollingContactResult::table},
-               Field{"simplified", &RollingContactResult::simplified}, Field{"status", &RollingContactResult::status},
-               Field{"warnings", &RollingContactResult::warnings}};
+inline constexpr auto fields<cases::RollingContactResult> =
+    std::tuple{Field{"hertz", &cases::RollingContactResult::hertz},
+               Field{"contact", &cases::RollingContactResult::contact},
+               Field{"exact", &cases::RollingContactResult::exact},
+               Field{"table", &cases::RollingContactResult::table},
+               Field{"simplified", &cases::RollingContactResult::simplified},
+               Field{"status", &cases::RollingContactResult::status},
+               Field{"warnings", &cases::RollingContactResult::warnings}};
 template <>
 inline constexpr auto fields<SolvedCase> =
     std::tuple{Field{"case", &SolvedCase::of}, Field{"result", &SolvedCase::result}};
@@ -74,7 +79,7 @@ pybind11::object state_of(const Case& self) {
 
 void read_state(const pybind11::handle& state, const std::string&, Case& self) {
   const auto [text, name] = state.cast<std::pair<std::string, std::string>>();
-  self = {parse_case(text, name), name, text};
+  self = {io::parse_case(text, name), name, text};
 }
 
 namespace {
@@ -83,11 +88,12 @@ namespace py = pybind11;
 using namespace py::literals;
 
 std::shared_ptr<Case> parse(const std::string& text, const std::string& name) {
-  return std::make_shared<Case>(Case{parse_case(text, name), name, text});
+  return std::make_shared<Case>(Case{io::parse_case(text, name), name, text});
 }
 
 SolvedCase solve(const std::shared_ptr<Case>& given) {
-  SolvedCase solved{given, long_work([&](const Progress& progress) { return solve_case(given->input, progress); })};
+  SolvedCase solved{given,
+                    long_work([&](const Progress& progress) { return cases::solve_case(given->input, progress); })};
   for (const auto& warning : solved.result.warnings)
     if (PyErr_WarnEx(PyExc_UserWarning, (given->name + ": " + warning).c_str(), 1) != 0) throw py::error_already_set();
   return solved;
@@ -96,13 +102,13 @@ SolvedCase solve(const std::shared_ptr<Case>& given) {
 /// Holds Python's lock throughout: the HDF5 library keeps global state, which other modules may share.
 void write(const SolvedCase& self, const py::object& path) {
   const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
-  write_result(self.of->input, self.result,
-               {.kind = kind_of(self.of->input),
-                .title = self.of->input.title,
-                .command_line = arguments.cast<std::string>(),
-                .case_file = self.of->name,
-                .case_text = self.of->text},
-               path_from(path));
+  cases::write_result(self.of->input, self.result,
+                      {.kind = cases::kind_of(self.of->input),
+                       .title = self.of->input.title,
+                       .command_line = arguments.cast<std::string>(),
+                       .case_file = self.of->name,
+                       .case_text = self.of->text},
+                      path_from(path));
 }
 
 using ExactSolver = OneAtATime<EllipticContactSolver>;
@@ -110,8 +116,8 @@ using AccurateSolver = OneAtATime<AccurateContactSolver>;
 
 /// With `asked` in place of the case's own discretisation, if any. Throws Error if the case cannot have that.
 ExactOptions options_for(const Case& self, std::optional<Discretisation> asked) {
-  const RollingProblem problem = rolling_problem(self.input);
-  Method method = method_of(self.input);
+  const RollingProblem problem = io::rolling_problem(self.input);
+  Method method = io::method_of(self.input);
   method.theory = Theory::exact;
   method.table.reset();
   method.accuracy.reset(); // the solver's own
@@ -149,7 +155,7 @@ RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
   return {marching_scheme(self.input.theory), options};
 }
 
-template <class T> auto of_input(T RollingCase::*member) {
+template <class T> auto of_input(T io::RollingCase::*member) {
   return [member](const Case& self) { return self.input.*member; };
 }
 
@@ -177,28 +183,28 @@ void bind_case(py::module_& module) {
       .def_property_readonly(
           "creepage", [](const ReadOnly<EllipticContact>& self) { return ReadOnly<Creepage>{self.creepage}; },
           "Creepages [-], [-] and spin [1/m].");
-  auto body = py::class_<BodyInput>(module, "Body", "One of the two bodies of a case file.");
-  body.def_readonly("rolling_radius", &BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
-      .def_readonly("transverse_radius", &BodyInput::transverse_radius, "Radius in the lateral plane [m].")
-      .def_readonly("material", &BodyInput::material, "Its Material.")
-      .def_readonly("creep", &BodyInput::creep, "Its MaterialCreep; the ratio is 0 for an elastic body.")
-      .def_readonly("thermal", &BodyInput::thermal, "Its ThermalBody, or None.");
+  auto body = py::class_<io::BodyInput>(module, "Body", "One of the two bodies of a case file.");
+  body.def_readonly("rolling_radius", &io::BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
+      .def_readonly("transverse_radius", &io::BodyInput::transverse_radius, "Radius in the lateral plane [m].")
+      .def_readonly("material", &io::BodyInput::material, "Its Material.")
+      .def_readonly("creep", &io::BodyInput::creep, "Its MaterialCreep; the ratio is 0 for an elastic body.")
+      .def_readonly("thermal", &io::BodyInput::thermal, "Its ThermalBody, or None.");
   add_value(body, {"rolling_radius", "transverse_radius", "material", "creep", "thermal"});
 
   auto rolling_case = py::class_<Case, std::shared_ptr<Case>>(
       module, "RollingCase", "What a case file says; read_case and parse_case make them.");
-  rolling_case.def_property_readonly("title", of_input(&RollingCase::title), "Its title.")
-      .def_property_readonly("body1", of_input(&RollingCase::body1), "The body that forces act on, e.g. the wheel.")
-      .def_property_readonly("body2", of_input(&RollingCase::body2), "The other body, e.g. the rail.")
-      .def_property_readonly("friction", of_input(&RollingCase::friction), "The FrictionLaw, mu [-].")
-      .def_property_readonly("theory", of_input(&RollingCase::theory),
+  rolling_case.def_property_readonly("title", of_input(&io::RollingCase::title), "Its title.")
+      .def_property_readonly("body1", of_input(&io::RollingCase::body1), "The body that forces act on, e.g. the wheel.")
+      .def_property_readonly("body2", of_input(&io::RollingCase::body2), "The other body, e.g. the rail.")
+      .def_property_readonly("friction", of_input(&io::RollingCase::friction), "The FrictionLaw, mu [-].")
+      .def_property_readonly("theory", of_input(&io::RollingCase::theory),
                              "fastsim, fastsim_half_step, fastsim2, fastrip, exact or table.")
       .def_property_readonly(
-          "hertz", [](const Case& self) { return hertz_contact(self.input); }, "The HertzContact.")
+          "hertz", [](const Case& self) { return io::hertz_contact(self.input); }, "The HertzContact.")
       .def_property_readonly(
           "contact",
           [](const Case& self) {
-            return ReadOnly<EllipticContact>{elliptic_contact(self.input, hertz_contact(self.input))};
+            return ReadOnly<EllipticContact>{io::elliptic_contact(self.input, io::hertz_contact(self.input))};
           },
           "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be\n"
           "read, not changed: copy.copy(case.contact) gives one that can be.")
@@ -220,7 +226,7 @@ void bind_case(py::module_& module) {
       "read_case",
       [](const py::object& path) {
         const auto name = readable_path(path);
-        return parse(read_case_text(name), name);
+        return parse(io::read_case_text(name), name);
       },
       "path"_a,
       "Reads a case file in TOML: numbers in SI units, texts with a unit. Returns RollingCase. Error with\n"
@@ -231,7 +237,7 @@ void bind_case(py::module_& module) {
 }
 
 template <class Value> auto along(const Value& value) {
-  return [value](const CreepCurve& self) {
+  return [value](const cases::CreepCurve& self) {
     RealArray out(static_cast<py::ssize_t>(self.forces.size()));
     std::transform(self.forces.begin(), self.forces.end(), out.mutable_data(), value);
     return out;
@@ -239,13 +245,13 @@ template <class Value> auto along(const Value& value) {
 }
 
 void bind_curve(py::module_& module) {
-  py::class_<CreepCurve> curve(module, "CreepCurve", "Forces along one creepage while the other two are held.");
-  curve.def_readonly("variable", &CreepCurve::variable, "creepage_longitudinal, creepage_lateral or spin.")
-      .def_readonly("unit", &CreepCurve::unit, "Unit of the variable.")
+  py::class_<cases::CreepCurve> curve(module, "CreepCurve", "Forces along one creepage while the other two are held.");
+  curve.def_readonly("variable", &cases::CreepCurve::variable, "creepage_longitudinal, creepage_lateral or spin.")
+      .def_readonly("unit", &cases::CreepCurve::unit, "Unit of the variable.")
       .def_property_readonly(
           "value",
           [](const py::object& self) {
-            const auto& values = self.cast<const CreepCurve&>().value;
+            const auto& values = self.cast<const cases::CreepCurve&>().value;
             return view(values, {static_cast<py::ssize_t>(values.size())}, self);
           },
           "Of the variable, shape (n), [-] or [1/m].")
@@ -257,39 +263,44 @@ void bind_curve(py::module_& module) {
 }
 
 void bind_theories(py::module_& module) {
-  auto error =
-      py::class_<DiscretisationError>(module, "DiscretisationError", "How far totals are from those on another grid.");
-  error.def_readonly("fx", &DiscretisationError::fx, "In units of mu Fn [-].")
-      .def_readonly("fy", &DiscretisationError::fy, "In units of mu Fn [-].")
-      .def_readonly("mz", &DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].")
-      .def_readonly("frictional_power", &DiscretisationError::frictional_power, "[W]; for a shift of the work [J].");
+  auto error = py::class_<cases::DiscretisationError>(module, "DiscretisationError",
+                                                      "How far totals are from those on another grid.");
+  error.def_readonly("fx", &cases::DiscretisationError::fx, "In units of mu Fn [-].")
+      .def_readonly("fy", &cases::DiscretisationError::fy, "In units of mu Fn [-].")
+      .def_readonly("mz", &cases::DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].")
+      .def_readonly("frictional_power", &cases::DiscretisationError::frictional_power,
+                    "[W]; for a shift of the work [J].");
   add_value(error, {"fx", "fy", "mz", "frictional_power"});
 
-  py::class_<SimplifiedResult> simplified(module, "SimplifiedResult", "What the simplified theory makes of a case.");
-  simplified.def_readonly("solution", &SimplifiedResult::solution, "The ContactSolution.")
+  py::class_<cases::SimplifiedResult> simplified(module, "SimplifiedResult",
+                                                 "What the simplified theory makes of a case.");
+  simplified.def_readonly("solution", &cases::SimplifiedResult::solution, "The ContactSolution.")
       .def_property_readonly(
-          "forces", [](const SimplifiedResult& self) { return self.solution.forces(); },
+          "forces", [](const cases::SimplifiedResult& self) { return self.solution.forces(); },
           "The totals, as ContactForces.")
-      .def_readonly("discretisation_error", &SimplifiedResult::discretisation_error,
+      .def_readonly("discretisation_error", &cases::SimplifiedResult::discretisation_error,
                     "To the grid with twice the cells [-], [W].")
-      .def_readonly("curve", &SimplifiedResult::curve, "The CreepCurve through the case.");
+      .def_readonly("curve", &cases::SimplifiedResult::curve, "The CreepCurve through the case.");
   add_value(simplified, {"solution", "discretisation_error"});
 
-  py::class_<ExactResult> exact(module, "ExactResult", "What the exact theory makes of a case.");
-  exact.def_readonly("solution", &ExactResult::contact, "The ContactSolution, its gap among the fields.")
+  py::class_<cases::ExactResult> exact(module, "ExactResult", "What the exact theory makes of a case.");
+  exact.def_readonly("solution", &cases::ExactResult::contact, "The ContactSolution, its gap among the fields.")
       .def_property_readonly(
-          "forces", [](const ExactResult& self) { return self.contact.forces(); }, "The totals, as ContactForces.")
-      .def_readonly("discretisation_error", &ExactResult::discretisation_error,
+          "forces", [](const cases::ExactResult& self) { return self.contact.forces(); },
+          "The totals, as ContactForces.")
+      .def_readonly("discretisation_error", &cases::ExactResult::discretisation_error,
                     "To the grid with half the elements [-], [W].")
-      .def_readonly("limit", &ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
-      .def_readonly("curve", &ExactResult::curve, "The CreepCurve through the case, None if it is not steady rolling.");
+      .def_readonly("limit", &cases::ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
+      .def_readonly("curve", &cases::ExactResult::curve,
+                    "The CreepCurve through the case, None if it is not steady rolling.");
   add_value(exact, {"solution", "discretisation_error", "limit"});
 
-  py::class_<TableResult> table(module, "TableResult", "What a creep-force table makes of a case.");
-  table.def_readonly("solution", &TableResult::solution, "The ContactSolution, without fields.")
+  py::class_<cases::TableResult> table(module, "TableResult", "What a creep-force table makes of a case.");
+  table.def_readonly("solution", &cases::TableResult::solution, "The ContactSolution, without fields.")
       .def_property_readonly(
-          "forces", [](const TableResult& self) { return self.solution.forces(); }, "The totals, as ContactForces.")
-      .def_readonly("curve", &TableResult::curve, "The CreepCurve through the case.");
+          "forces", [](const cases::TableResult& self) { return self.solution.forces(); },
+          "The totals, as ContactForces.")
+      .def_readonly("curve", &cases::TableResult::curve, "The CreepCurve through the case.");
   add_value(table, {"solution"});
 }
 
@@ -308,21 +319,21 @@ void bind_case_files(py::module_& module) {
   solved
       .def_property_readonly(
           "case", [](const SolvedCase& self) { return std::const_pointer_cast<Case>(self.of); }, "The RollingCase.")
-      .def_property_readonly("hertz", result(&RollingContactResult::hertz), "The HertzContact.")
-      .def_property_readonly("contact", result(&RollingContactResult::contact),
+      .def_property_readonly("hertz", result(&cases::RollingContactResult::hertz), "The HertzContact.")
+      .def_property_readonly("contact", result(&cases::RollingContactResult::contact),
                              "The EllipticContact, with creepages as found where a force is prescribed.")
-      .def_property_readonly("exact", result(&RollingContactResult::exact),
+      .def_property_readonly("exact", result(&cases::RollingContactResult::exact),
                              "ExactResult, None if the case does not ask for it.")
-      .def_property_readonly("table", result(&RollingContactResult::table),
+      .def_property_readonly("table", result(&cases::RollingContactResult::table),
                              "TableResult, None if the case does not ask for it.")
-      .def_property_readonly("simplified", result(&RollingContactResult::simplified),
+      .def_property_readonly("simplified", result(&cases::RollingContactResult::simplified),
                              "SimplifiedResult, also beside the exact theory in steady rolling and a table; else None.")
       .def_property_readonly("interior", &states_inside,
                              "InteriorStates at the case's points, shape (z, y, x) as their lists; None without any.")
-      .def_property_readonly("status", result(&RollingContactResult::status),
+      .def_property_readonly("status", result(&cases::RollingContactResult::status),
                              "Of the theory that the case asks for, a Status [-].")
       .def_property_readonly(
-          "warnings", result(&RollingContactResult::warnings),
+          "warnings", result(&cases::RollingContactResult::warnings),
           "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a\n"
           "length in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,

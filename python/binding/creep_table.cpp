@@ -20,14 +20,14 @@ using namespace py::literals;
 
 /// The table beside the module, unless another one is named.
 std::filesystem::path path_of(const py::object& file) {
-  return file.is_none() ? shipped_creep_table() : std::filesystem::path(readable_path(file));
+  return file.is_none() ? io::shipped_creep_table() : std::filesystem::path(readable_path(file));
 }
 
 CreepForceTable table_from(const py::object& file, const std::optional<double>& poisson_ratio,
                            RollingDirection direction) {
   const std::filesystem::path path = path_of(file);
   const py::gil_scoped_release release;
-  const CreepTableSource source = creep_table_source(path);
+  const CreepTableSource source = io::creep_table_source(path);
   return poisson_ratio ? CreepForceTable(source, *poisson_ratio, direction) : CreepForceTable(source, direction);
 }
 

@@ -117,7 +117,7 @@ States at_points(const InteriorField& field, const py::object& x, const py::obje
 StressMeasure measure_named(const std::string& name) {
   static const std::string_view words[] = {"von_mises", "tresca", "hydrostatic"};
   static constexpr StressMeasure measures[] = {von_mises, tresca, hydrostatic};
-  require_word("measure", name, words);
+  io::require_word("measure", name, words);
   return measures[std::find(std::begin(words), std::end(words), name) - std::begin(words)];
 }
 

@@ -141,9 +141,9 @@ double curvature(const CurvePoint& p) {
 
 void write(const ProfileValue& self, const py::object& path) {
   const std::string name = path_from(path);
-  const auto format = format_of_ending(name, self.profile().role());
-  OutputFile file(name);
-  file.write(profile_text(*self.prepared, format));
+  const auto format = io::format_of_ending(name, self.profile().role());
+  io::OutputFile file(name);
+  file.write(io::profile_text(*self.prepared, format));
   file.commit();
 }
 
@@ -316,19 +316,19 @@ void bind_profile(py::module_& module) {
   add_value(profile, {"kind", "length", "report"});
   module.def(
       "read_profile",
-      [](const py::object& path, std::optional<ProfileRole> kind, std::optional<ProfileFormat> format,
-         std::optional<double> unit, double scale, std::optional<LateralSense> y_axis,
-         std::optional<VerticalSense> z_axis, int section, double smoothing_length,
+      [](const py::object& path, std::optional<ProfileRole> kind, std::optional<io::ProfileFormat> format,
+         std::optional<double> unit, double scale, std::optional<io::LateralSense> y_axis,
+         std::optional<io::VerticalSense> z_axis, int section, double smoothing_length,
          const std::optional<std::pair<double, double>>& trim) {
-        const ProfileFileOptions options = {.format = format,
-                                            .role = kind,
-                                            .unit = unit,
-                                            .scale = scale,
-                                            .y_axis = y_axis,
-                                            .z_axis = z_axis,
-                                            .section = section,
-                                            .treatment = treatment_of(smoothing_length, trim)};
-        PlacedProfile placed = read_placed_profile(readable_path(path), options);
+        const io::ProfileFileOptions options = {.format = format,
+                                                .role = kind,
+                                                .unit = unit,
+                                                .scale = scale,
+                                                .y_axis = y_axis,
+                                                .z_axis = z_axis,
+                                                .section = section,
+                                                .treatment = treatment_of(smoothing_length, trim)};
+        io::PlacedProfile placed = io::read_placed_profile(readable_path(path), options);
         ProfileValue value = shared(placed);
         value.surface = placed.surface;
         return value;

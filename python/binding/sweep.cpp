@@ -39,11 +39,11 @@ public:
       : sweep_(text, name), plan_(sweep_.plan()), worker_(sweep_.make_worker()) {}
 
   SentChunk solve(std::size_t number) const {
-    CampaignRows rows;
+    campaign::CampaignRows rows;
     // A batch of one chunk: its solvers use one thread, as in all batches, on which their last bits depend.
     run_batch(1, 1, 1, [&]() -> BatchWorker {
       return [&](std::size_t, std::size_t, const Progress& progress) {
-        compute_chunk(plan_, number, worker_, progress, rows);
+        campaign::compute_chunk(plan_, number, worker_, progress, rows);
       };
     });
     std::vector<std::pair<std::size_t, std::string>> failed;
@@ -53,14 +53,14 @@ public:
   }
 
 private:
-  Sweep sweep_;
-  CampaignPlan plan_;
-  RowWorker worker_;
+  campaign::Sweep sweep_;
+  campaign::CampaignPlan plan_;
+  campaign::RowWorker worker_;
 };
 
-CampaignRows rows_of(const SentChunk& sent) {
+campaign::CampaignRows rows_of(const SentChunk& sent) {
   const std::string bytes = std::get<1>(sent);
-  CampaignRows rows{
+  campaign::CampaignRows rows{
       .number = std::get<0>(sent), .values = std::vector<double>(bytes.size() / sizeof(double)), .failed = {}};
   std::memcpy(rows.values.data(), bytes.data(), bytes.size());
   for (const auto& [index, reason] : std::get<2>(sent)) rows.failed.push_back({index, reason});
@@ -87,7 +87,7 @@ private:
 };
 
 /// Some thousand chunks are with the executor at a time; those that are done wait in a queue.
-void solve_by(const py::object& executor, const SweepSpec& spec, Campaign& campaign) {
+void solve_by(const py::object& executor, const campaign::SweepSpec& spec, campaign::Campaign& campaign) {
   constexpr std::size_t most_pending = 4096;
   const py::object submit = executor.attr("submit"), queue = py::module_::import("queue").attr("SimpleQueue")(),
                    solve_chunk = py::module_::import("microslip.sweep_chunk").attr("solve_chunk");
@@ -111,7 +111,7 @@ void solve_by(const py::object& executor, const SweepSpec& spec, Campaign& campa
   }
 }
 
-void solve_on_threads(const Sweep& sweep, Campaign& campaign, int threads) {
+void solve_on_threads(const campaign::Sweep& sweep, campaign::Campaign& campaign, int threads) {
   long_work([&](const Progress& progress) {
     campaign.run({.threads = threads, .progress = progress}, [&] { return sweep.make_worker(); });
   });
@@ -123,10 +123,10 @@ SweepReport sweep(const py::object& spec, const py::object& output, int threads,
   const std::string name = std::filesystem::absolute(readable_path(spec)).string();
   const std::filesystem::path path = std::filesystem::absolute(path_from(output));
   const OneInProcess alone(path);
-  const Sweep cases(read_case_text(name), name);
-  Ranks one;
-  Campaign campaign(checkpoint_of(path), cases.plan(), one);
-  if (const auto found = find_sweep(cases, path)) {
+  const campaign::Sweep cases(io::read_case_text(name), name);
+  campaign::Ranks one;
+  campaign::Campaign campaign(campaign::checkpoint_of(path), cases.plan(), one);
+  if (const auto found = campaign::find_sweep(cases, path)) {
     campaign.remove();
     return {found->cases, found->failed, found->cases};
   }
@@ -135,13 +135,13 @@ SweepReport sweep(const py::object& spec, const py::object& output, int threads,
   const auto arguments = py::module_::import("shlex").attr("join")(py::module_::import("sys").attr("argv"));
   // Holds Python's lock: the HDF5 library keeps global state, which other modules may share.
   SignalCheck signals;
-  const SweepCount found = write_sweep(cases, campaign,
-                                       {.kind = sweep_kind,
-                                        .title = cases.spec().title(),
-                                        .command_line = arguments.cast<std::string>(),
-                                        .case_file = name,
-                                        .case_text = cases.spec().text()},
-                                       path, signals.progress());
+  const campaign::SweepCount found = campaign::write_sweep(cases, campaign,
+                                                           {.kind = campaign::sweep_kind,
+                                                            .title = cases.spec().title(),
+                                                            .command_line = arguments.cast<std::string>(),
+                                                            .case_file = name,
+                                                            .case_text = cases.spec().text()},
+                                                           path, signals.progress());
   campaign.remove();
   return {found.cases, found.failed, kept};
 }

@@ -38,7 +38,7 @@ StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nomin
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
     const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
+    if (at == names.end()) throw Error(name + ": no number of the state" + io::suggestion(name, names));
     const auto index = static_cast<std::size_t>(at - names.begin());
     const StateQuantity* quantity = index == 0 ? nullptr : &state_quantities()[index - 1];
     columns_.push_back({quantity, real_array(name.c_str(), py::reinterpret_borrow<py::object>(value)), nullptr});
@@ -84,10 +84,10 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio) {
-  const auto level = from_word<WheelRailLevel>("theory", theory);
+  const auto level = io::from_word<WheelRailLevel>("theory", theory);
   if (table && level != WheelRailLevel::table) throw Error("table needs theory = \"table\"");
   return {.level = level,
-          .shape = shape ? std::optional(from_word<PatchShape>("shape", *shape)) : std::nullopt,
+          .shape = shape ? std::optional(io::from_word<PatchShape>("shape", *shape)) : std::nullopt,
           .elements = grid,
           .tolerance = tolerance,
           .fields = fields,
@@ -108,7 +108,7 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                          .wheel = wheel.profile(),
                          .track = track,
                          .wheelset = wheelset,
-                         .side = from_word<TrackSide>("side", side),
+                         .side = io::from_word<TrackSide>("side", side),
                          .material = combine(material, material),
                          .friction = inclined_friction_from(friction),
                          .strength = strength,

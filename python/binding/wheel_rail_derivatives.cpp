@@ -27,7 +27,7 @@ std::vector<std::string_view> variables() {
 /// The place of a name among others. Throws Error that has the nearest one.
 std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what) {
   const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw Error(name + ": no " + what + suggestion(name, names));
+  if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
   return static_cast<std::size_t>(at - names.begin());
 }
 

@@ -59,7 +59,7 @@ GivenWheelset given_wheelset(const py::kwargs& given) {
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
     const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) throw Error(name + ": no number of the state" + suggestion(name, names));
+    if (at == names.end()) throw Error(name + ": no number of the state" + io::suggestion(name, names));
     const RealArray number = real_array(name.c_str(), py::reinterpret_borrow<py::object>(value));
     if (number.ndim() != 0) throw Error(name + ": must be a number");
     const auto index = static_cast<std::size_t>(at - names.begin());
@@ -138,7 +138,7 @@ void bind_wheelset_solution(py::module_& module) {
 
 std::size_t index_of(const std::string& name, const Names& names, const char* what) {
   const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw Error(name + ": no " + what + suggestion(name, names));
+  if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
   return static_cast<std::size_t>(at - names.begin());
 }
 

@@ -21,9 +21,9 @@ template <> inline constexpr const char* field_of<Coupling> = "coupling";
 template <> inline constexpr const char* field_of<SlipStart> = "slip_start";
 template <> inline constexpr const char* field_of<Theory> = "theory";
 template <> inline constexpr const char* field_of<ProfileRole> = "kind";
-template <> inline constexpr const char* field_of<ProfileFormat> = "format";
-template <> inline constexpr const char* field_of<LateralSense> = "y_axis";
-template <> inline constexpr const char* field_of<VerticalSense> = "z_axis";
+template <> inline constexpr const char* field_of<io::ProfileFormat> = "format";
+template <> inline constexpr const char* field_of<io::LateralSense> = "y_axis";
+template <> inline constexpr const char* field_of<io::VerticalSense> = "z_axis";
 template <> inline constexpr const char* field_of<RollRule> = "roll";
 
 /// Options are words in Python, those of the case files.
@@ -33,11 +33,11 @@ public:
 
   bool load(pybind11::handle source, bool) {
     if (!PyUnicode_Check(source.ptr())) return false;
-    value = from_word<Option>(field_of<Option>, source.cast<std::string>());
+    value = io::from_word<Option>(field_of<Option>, source.cast<std::string>());
     return true;
   }
   static pybind11::handle cast(Option option, pybind11::return_value_policy, pybind11::handle) {
-    return pybind11::str(std::string(to_word(option))).release();
+    return pybind11::str(std::string(io::to_word(option))).release();
   }
 };
 
@@ -65,11 +65,11 @@ template <> class type_caster<microslip::SlipStart> : public microslip::python::
 template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};
 template <> class type_caster<microslip::ProfileRole> : public microslip::python::WordCaster<microslip::ProfileRole> {};
 template <>
-class type_caster<microslip::ProfileFormat> : public microslip::python::WordCaster<microslip::ProfileFormat> {};
+class type_caster<microslip::io::ProfileFormat> : public microslip::python::WordCaster<microslip::io::ProfileFormat> {};
 template <>
-class type_caster<microslip::LateralSense> : public microslip::python::WordCaster<microslip::LateralSense> {};
+class type_caster<microslip::io::LateralSense> : public microslip::python::WordCaster<microslip::io::LateralSense> {};
 template <>
-class type_caster<microslip::VerticalSense> : public microslip::python::WordCaster<microslip::VerticalSense> {};
+class type_caster<microslip::io::VerticalSense> : public microslip::python::WordCaster<microslip::io::VerticalSense> {};
 template <> class type_caster<microslip::RollRule> : public microslip::python::WordCaster<microslip::RollRule> {};
 
 } // namespace pybind11::detail

@@ -16,13 +16,13 @@ namespace microslip::contact_program {
 namespace {
 
 std::string extension(const std::string& file) {
-  return lower_case(std::filesystem::path(file).extension().string());
+  return io::lower_case(std::filesystem::path(file).extension().string());
 }
 
-ProfileFormat format_of(const std::string& file) {
+io::ProfileFormat format_of(const std::string& file) {
   const std::string ending = extension(file);
-  if (ending == ".prr" || ending == ".prw") return ProfileFormat::simpack;
-  return ending == ".ban" || ending == ".whl" ? ProfileFormat::miniprof : ProfileFormat::columns;
+  if (ending == ".prr" || ending == ".prw") return io::ProfileFormat::simpack;
+  return ending == ".ban" || ending == ".whl" ? io::ProfileFormat::miniprof : io::ProfileFormat::columns;
 }
 
 void drop_close_points(std::vector<ProfilePoint>& points) {
@@ -111,9 +111,9 @@ private:
 
   void read() {
     format_ = format_of(record_.file);
-    ProfileFile file = parse_profile_file(format_, read_profile_text(record_.file), record_.file);
+    io::ProfileFile file = io::parse_profile_file(format_, io::read_profile_text(record_.file), record_.file);
     if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
-    if (format_ == ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
+    if (format_ == io::ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
     points_ = std::move(file.points);
   }
 
@@ -121,7 +121,7 @@ private:
     if (record_.mirror_y == 1)
       for (auto& p : points_) p.y = -p.y;
     bool turns = record_.mirror_z == 1;
-    if (record_.mirror_z == 0 && format_ != ProfileFormat::simpack)
+    if (record_.mirror_z == 0 && format_ != io::ProfileFormat::simpack)
       turns = role_ == ProfileRole::wheel ? is_upside_down_wheel(points_) : is_upside_down_rail(points_);
     if (turns)
       for (auto& p : points_) p.z = -p.z;
@@ -156,7 +156,7 @@ private:
 
   const ProfileRecord& record_;
   ProfileRole role_;
-  ProfileFormat format_ = ProfileFormat::columns;
+  io::ProfileFormat format_ = io::ProfileFormat::columns;
   double unit_ = 1; ///< mm
   std::vector<ProfilePoint> points_;
 };
@@ -164,7 +164,7 @@ private:
 } // namespace
 
 bool is_variable(const ProfileRecord& record) {
-  return names_slices(record.file);
+  return io::names_slices(record.file);
 }
 
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role) {
@@ -179,11 +179,11 @@ std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoi
 ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
   if (!is_variable(record)) return {read_profile_curve(record, role)};
   constexpr double spacing = 0.5; // mm
-  const SlicesFile file = read_slices(record.file);
+  const io::SlicesFile file = io::read_slices(record.file);
   if (file.role != role) throw Error(record.file + ": holds slices of a " + std::string(to_string(file.role)));
   ProfileShape shape;
   std::vector<ProfileSlice> slices;
-  for (const SliceEntry& entry : file.slices) {
+  for (const io::SliceEntry& entry : file.slices) {
     ProfileRecord own = record;
     own.file = entry.file;
     const auto curve = read_profile_curve(own, role);

@@ -44,7 +44,7 @@ void read_profile_options(Words& words, int options, ProfileRecord& p) {
 ProfileRecord read_profile_record(Words& words, const std::string& folder) {
   ProfileRecord p;
   p.name = words.text("FNAME");
-  p.file = file_beside(folder, p.name).string();
+  p.file = io::file_beside(folder, p.name).string();
   p.mirror_y = words.integer("MIRRORY", -1, 1);
   p.scale = std::max(1e-6, words.real("SCALE"));
   p.smooth = std::max(0.0, words.real("SMOOTH"));
