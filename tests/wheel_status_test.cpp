@@ -184,7 +184,7 @@ TEST(WheelStatus, PatchesInTheFrameOfOthersAreSolved) {
   WheelState<double> state;
   state.yaw = 2e-3, state.forward_velocity = 20, state.pitch_velocity = 20 / 0.46;
   double lateral_force = 0;
-  for (const double lateral : {0.00637, 0.0064, 0.00644, 0.0064575}) { // in the last one hardly bears load
+  for (const double lateral : {0.00637, 0.0064, 0.00644, 0.0064575}) { // at the last one a third hardly bears load
     state.lateral = lateral;
     const WheelRailSolution s = wheel.solve(state, 150e3);
     EXPECT_EQ(s.status, Status::ok) << to_string(s.reason);
