@@ -3,7 +3,6 @@
 #include "io/interior_section.hpp"
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
-#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -21,43 +20,38 @@ namespace {
 constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
 
 BodyInput read_body(const TomlSection& body) {
-  TomlSection::Words keys = {"rolling_radius", "transverse_radius", "young_modulus", "shear_modulus",
-                             "poisson_ratio",  "creep_ratio",       "creep_time"};
-  keys.insert(keys.end(), std::begin(thermal_keys), std::end(thermal_keys));
-  body.allow(keys);
+  body.allow_described();
   BodyInput input;
-  input.rolling_radius = body.radius("rolling_radius");
-  input.transverse_radius = body.radius("transverse_radius");
+  input.rolling_radius = body.number("rolling_radius");
+  input.transverse_radius = body.number("transverse_radius");
   const auto key = body.one_of("young_modulus", "shear_modulus");
-  const auto modulus = body.modulus(key);
-  const auto poisson_ratio = body.between("poisson_ratio", "-", 0, 0.5);
+  const double modulus = body.number(key), poisson_ratio = body.number("poisson_ratio");
   input.material =
       key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
   if (body.has("creep_ratio") || body.has("creep_time"))
-    input.creep = {body.between("creep_ratio", "-", 0, 1e6), body.between("creep_time", "s", 0, 1e12)};
+    input.creep = {body.number("creep_ratio"), body.number("creep_time")};
   const auto has = [&](std::string_view thermal) { return body.has(thermal); };
   if (std::any_of(std::begin(thermal_keys), std::end(thermal_keys), has))
-    input.thermal = {.bulk_temperature = body.finite("bulk_temperature", "deg C"),
-                     .conductivity = body.positive("conductivity", "W/(m K)"),
-                     .density = body.positive("density", "kg/m^3"),
-                     .heat_capacity = body.positive("heat_capacity", "J/(kg K)")};
+    input.thermal = {.bulk_temperature = body.number("bulk_temperature"),
+                     .conductivity = body.number("conductivity"),
+                     .density = body.number("density"),
+                     .heat_capacity = body.number("heat_capacity")};
   return input;
 }
 
 void read_layer(const TomlSection& layer, RollingCase& input) {
-  layer.allow({"shear_modulus", "thickness", "yield_stress", "hardening"});
-  const double modulus = layer.positive("shear_modulus", "Pa");
-  input.layer.flexibility = layer.positive("thickness", "m") / modulus;
-  if (layer.has("yield_stress")) input.layer.yield_stress = layer.positive("yield_stress", "Pa");
-  input.layer.hardening = layer.finite("hardening", "Pa/m", 0);
+  layer.allow_described();
+  const double modulus = layer.number("shear_modulus");
+  input.layer.flexibility = layer.number("thickness") / modulus;
+  if (const auto yield_stress = layer.optional_number("yield_stress")) input.layer.yield_stress = *yield_stress;
+  input.layer.hardening = layer.number("hardening");
 }
 
 void read_load(const TomlSection& load, RollingCase& input) {
-  load.allow({"normal_force", "approach"});
-  if (load.one_of("normal_force", "approach") == "normal_force")
-    input.normal_force = load.positive("normal_force", "N");
-  else
-    input.approach = load.positive("approach", "m");
+  load.allow_described();
+  load.one_of("normal_force", "approach");
+  input.normal_force = load.optional_number("normal_force");
+  input.approach = load.optional_number("approach");
 }
 
 constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
@@ -78,10 +72,9 @@ void allow_law(const TomlSection& friction, TomlSection::Words keys) {
 /// A law that falls with the slip velocity in one or two terms.
 FrictionLaw read_falling_friction(const TomlSection& friction, FrictionLaw::Kind kind) {
   allow_law(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
-  const auto kinetic = friction.between("kinetic_coefficient", "-", 0, FrictionLaw::largest_coefficient);
+  const double kinetic = friction.number("kinetic_coefficient");
   const auto term = [&](std::string_view drop, std::string_view half_velocity) {
-    return FrictionTerm{friction.between(drop, "-", 0, FrictionLaw::largest_coefficient),
-                        friction.positive(half_velocity, "m/s")};
+    return FrictionTerm{friction.number(drop), friction.number(half_velocity)};
   };
   const auto first = term("drop", "half_velocity");
   const bool has_second = friction.has("second_drop") || friction.has("second_half_velocity");
@@ -93,9 +86,8 @@ FrictionLaw read_falling_friction(const TomlSection& friction, FrictionLaw::Kind
 
 FrictionLaw read_polach(const TomlSection& friction) {
   allow_law(friction, {"law", "static_coefficient", "ratio", "decay"});
-  const auto coefficient = friction.between("static_coefficient", "-", 0, FrictionLaw::largest_coefficient);
-  const auto ratio = friction.between("ratio", "-", 0, 1);
-  const auto decay = friction.positive("decay", "s/m");
+  const double coefficient = friction.number("static_coefficient"), ratio = friction.number("ratio"),
+               decay = friction.number("decay");
   FrictionLaw law;
   friction.at("decay", [&] { law = FrictionLaw::polach(coefficient, ratio, decay); });
   return law;
@@ -103,61 +95,55 @@ FrictionLaw read_polach(const TomlSection& friction) {
 
 FrictionLaw read_coulomb(const TomlSection& friction) {
   allow_law(friction, {"law", "coefficient"});
-  return FrictionLaw::coulomb(friction.between("coefficient", "-", 0, FrictionLaw::largest_coefficient));
+  return FrictionLaw::coulomb(friction.number("coefficient"));
 }
 
 void read_friction(const TomlSection& friction, RollingCase& input) {
-  std::vector<std::string_view> laws(FrictionLaw::names.begin(), FrictionLaw::names.end());
-  laws.push_back("polach");
-  const auto law = friction.word("law", "coulomb", laws);
+  const std::string law = friction.word("law");
   input.friction_law = law;
-  const auto kind = std::find(laws.begin(), laws.end(), law) - laws.begin();
+  const auto kind = std::find(FrictionLaw::names.begin(), FrictionLaw::names.end(), law) - FrictionLaw::names.begin();
   input.friction = law == "coulomb"  ? read_coulomb(friction)
                    : law == "polach" ? read_polach(friction)
                                      : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
   if (has_effect(friction)) {
     const double cold = input.friction.static_coefficient(), least = input.friction.kinetic_coefficient();
-    input.temperature_effect = {
-        .change = friction.between("thermal_change", "-", -least, FrictionLaw::largest_coefficient - cold),
-        .begin = friction.finite("thermal_begin", "deg C"),
-        .range = friction.positive("thermal_range", "K")};
+    input.temperature_effect = {.change = friction.number("thermal_change"),
+                                .begin = friction.number("thermal_begin"),
+                                .range = friction.number("thermal_range")};
+    friction.at("thermal_change", [&] { // which leaves the coefficient in its range
+      require_between("friction.thermal_change", input.temperature_effect->change, "-", -least,
+                      FrictionLaw::largest_coefficient - cold);
+    });
   }
-  if (friction.has("memory_distance"))
-    input.friction_memory.distance = friction.between("memory_distance", "m", 0, 1e6);
-  if (friction.has("memory_speed")) input.friction_memory.slowest = friction.between("memory_speed", "m/s", 0, 1e6);
+  if (friction.has("memory_distance")) input.friction_memory.distance = friction.number("memory_distance");
+  if (friction.has("memory_speed")) input.friction_memory.slowest = friction.number("memory_speed");
 }
 
-/// The names of what sets one component of the motion: a force or how far the bodies move.
-struct ComponentKeys {
-  std::string_view motion, unit, force;
-};
-
-/// Reads a force, if it is there, or else the motion; both together make no sense.
-double read_component(const TomlSection& motion, const ComponentKeys& keys, std::optional<double>& force) {
-  if (!motion.has(keys.force)) return motion.finite(keys.motion, keys.unit, 0);
-  motion.one_of(keys.motion, keys.force);
-  force = motion.finite(keys.force, "N");
+/// Reads a force, if it is there, or else how far the bodies move; both together make no sense.
+double read_component(const TomlSection& motion, std::string_view key, std::string_view force_key,
+                      std::optional<double>& force) {
+  if (!motion.has(force_key)) return motion.number(key);
+  motion.one_of(key, force_key);
+  force = motion.number(force_key);
   return 0;
 }
 
 void read_motion(const TomlSection& motion, RollingCase& input) {
-  input.motion.kind = motion.option("kind", ContactMotion::steady);
+  input.motion.kind = motion.option<ContactMotion>("kind");
   const bool shift = input.motion.kind == ContactMotion::shift;
-  const ComponentKeys along = {shift ? "shift_longitudinal" : "creepage_longitudinal", shift ? "m" : "-",
-                               "force_longitudinal"};
-  const ComponentKeys across = {shift ? "shift_lateral" : "creepage_lateral", shift ? "m" : "-", "force_lateral"};
-  const std::string_view turn = shift ? "rotation" : "spin";
-  TomlSection::Words known = {"kind", along.motion, along.force, across.motion, across.force, turn};
+  const std::string_view along = shift ? "shift_longitudinal" : "creepage_longitudinal",
+                         across = shift ? "shift_lateral" : "creepage_lateral", turn = shift ? "rotation" : "spin";
+  TomlSection::Words known = {"kind", along, "force_longitudinal", across, "force_lateral", turn};
   if (!shift) known.insert(known.end(), {"rolling_speed", "direction", "step"});
   if (input.motion.kind == ContactMotion::transient) known.push_back("steps");
   motion.allow(known);
-  input.creepage.longitudinal = read_component(motion, along, input.motion.force_x);
-  input.creepage.lateral = read_component(motion, across, input.motion.force_y);
-  input.creepage.spin = motion.finite(turn, shift ? "rad" : "1/m", 0);
-  input.rolling_speed = shift ? 1 : motion.positive("rolling_speed", "m/s");
-  input.options.direction = motion.option("direction", RollingDirection::forward);
-  if (motion.has("step")) input.motion.step = motion.positive("step", "m");
-  motion.count("steps", 1, most_steps, input.motion.steps);
+  input.creepage.longitudinal = read_component(motion, along, "force_longitudinal", input.motion.force_x);
+  input.creepage.lateral = read_component(motion, across, "force_lateral", input.motion.force_y);
+  input.creepage.spin = motion.number(turn);
+  input.rolling_speed = shift ? 1 : motion.number("rolling_speed");
+  input.options.direction = motion.option<RollingDirection>("direction");
+  if (const auto step = motion.optional_number("step")) input.motion.step = *step;
+  input.motion.steps = motion.whole("steps");
 }
 
 /// Where a key asks for what a case does not have. `what` is the rest of the message.
@@ -206,31 +192,29 @@ void refuse_where_given(const TomlSection& root, const Incompatibility& found) {
 }
 
 void read_solution(const TomlSection& solution, const CreepTables& tables, RollingCase& input) {
-  solution.allow({"theory", "grid", "accuracy", "discretisation", "elements", "tolerance", "coupling", "slip_start",
-                  "bound", "flexibility", "coefficients", "slope_reduction", "table"});
-  input.theory = solution.option("theory", input.theory);
-  solution.counts("grid", 1, most_field_cells, input.options.mx, input.options.my);
-  input.discretisation = solution.option("discretisation", input.discretisation);
-  input.elements = solution.option("elements", input.elements);
-  if (solution.has("accuracy")) input.accuracy = solution.between("accuracy", "-", smallest_accuracy, largest_accuracy);
-  input.tolerance = solution.between("tolerance", "-", smallest_tolerance, largest_tolerance, input.tolerance);
-  input.coupling = solution.option("coupling", input.coupling);
-  input.slip_start = solution.option("slip_start", input.slip_start);
+  solution.allow_described({"slope_reduction"});
+  input.theory = solution.option<Theory>("theory");
+  std::tie(input.options.mx, input.options.my) = solution.wholes("grid");
+  input.discretisation = solution.option<Discretisation>("discretisation");
+  input.elements = solution.option<ElementShape>("elements");
+  input.accuracy = solution.optional_number("accuracy");
+  input.tolerance = solution.number("tolerance");
+  input.coupling = solution.option<Coupling>("coupling");
+  input.slip_start = solution.option<SlipStart>("slip_start");
   if (input.theory == Theory::table)
     input.table = tables.get(solution, std::nullopt, input.options.direction);
   else if (solution.has("table"))
     solution.at("table", [] { throw Error("solution.table: needs theory = \"table\""); });
-  set_defaults(input.theory, input.options);
+  set_defaults(input.theory, input.options); // FaStrip has other ones than the table of inputs
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);
-  input.options.creepage_table = solution.option("coefficients", input.options.creepage_table);
+  input.options.creepage_table = solution.option<CreepageTable>("coefficients");
 
   const auto reduction = solution.optional_section("slope_reduction");
-  reduction.allow({"initial", "at_infinity", "decay"});
-  auto& slope = input.options.slope_reduction;
-  slope.initial = reduction.between("initial", "-", 1e-6, 1, slope.initial);
-  slope.at_infinity = reduction.between("at_infinity", "-", 0, 1, slope.at_infinity);
-  slope.decay = reduction.between("decay", "-", 0, 1e6, slope.decay);
+  reduction.allow_described();
+  input.options.slope_reduction = {.initial = reduction.number("initial"),
+                                   .at_infinity = reduction.number("at_infinity"),
+                                   .decay = reduction.number("decay")};
 }
 
 } // namespace
@@ -246,7 +230,8 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
   return read_case(TomlSection(table, name));
 }
 
-RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
+RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
+  const TomlSection root = file.described_by(description::rolling_inputs());
   if (root.has("sweep"))
     root.at("sweep", [] {
       throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
@@ -258,7 +243,7 @@ RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
         throw Error(std::string(of_rails) +
                     ": this is a case of a wheel on a rail; one of two bodies has body1 and body2");
       });
-  root.allow({"title", "body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
+  root.allow_described({"body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
   RollingCase input;
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));

@@ -6,8 +6,8 @@
 namespace microslip::io {
 
 InteriorGrid read_interior(const TomlSection& interior, std::size_t solutions) {
-  interior.allow({"x", "y", "z"});
-  InteriorGrid points{interior.numbers("x", "m"), interior.numbers("y", "m"), interior.numbers("z", "m")};
+  interior.allow_described();
+  InteriorGrid points{interior.numbers("x"), interior.numbers("y"), interior.numbers("z")};
   interior.at("z", [&] {
     if (points.x.size() * points.y.size() > most_interior_points / points.z.size() / solutions)
       throw Error("[interior]: more than two million points");

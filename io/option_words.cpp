@@ -1,42 +1,19 @@
 #include "io/option_words.hpp"
 
 #include "io/nearest_word.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 namespace microslip::io {
 namespace {
 
-using Word = std::string_view;
-
-// Each list is in the order of its enumerators.
-template <class Option> constexpr std::array<Word, 0> words_of{};
-template <>
-constexpr auto words_of<Theory> =
-    std::array<Word, 6>{"fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"};
-template <> constexpr auto words_of<TractionBound> = std::array<Word, 2>{"parabolic", "elliptic"};
-template <> constexpr auto words_of<FlexibilityModel> = std::array<Word, 3>{"three", "one", "blended"};
-template <> constexpr auto words_of<CreepageTable> = std::array<Word, 2>{"kalker", "computed"};
-template <> constexpr auto words_of<Precision> = std::array<Word, 2>{"double", "single"};
-template <> constexpr auto words_of<RollingDirection> = std::array<Word, 2>{"forward", "backward"};
-template <> constexpr auto words_of<Discretisation> = std::array<Word, 2>{"second_order", "classical"};
-template <> constexpr auto words_of<ElementShape> = std::array<Word, 2>{"constant", "bilinear"};
-template <> constexpr auto words_of<Coupling> = std::array<Word, 2>{"newton", "alternating"};
-template <> constexpr auto words_of<SlipStart> = std::array<Word, 2>{"below", "above"};
-template <> constexpr auto words_of<ContactMotion> = std::array<Word, 3>{"shift", "transient", "steady"};
-template <> constexpr auto words_of<ProfileRole> = std::array<Word, 2>{"rail", "wheel"};
-template <> constexpr auto words_of<ProfileFormat> = std::array<Word, 3>{"simpack", "miniprof", "columns"};
-template <> constexpr auto words_of<LateralSense> = std::array<Word, 2>{"field", "gauge"};
-template <> constexpr auto words_of<VerticalSense> = std::array<Word, 2>{"up", "down"};
-template <> constexpr auto words_of<WheelRailLevel> = std::array<Word, 3>{"fastsim2", "exact", "table"};
-template <> constexpr auto words_of<PatchShape> = std::array<Word, 3>{"flat", "curved", "conformal"};
-template <> constexpr auto words_of<TrackSide> = std::array<Word, 2>{"left", "right"};
-template <> constexpr auto words_of<RollRule> = std::array<Word, 2>{"equilibrium", "none"};
+template <class Option> constexpr auto words_of = description::words<Option>;
+template <> constexpr auto words_of<ProfileFormat> = description::profile_formats;
+template <> constexpr auto words_of<LateralSense> = description::lateral_senses;
+template <> constexpr auto words_of<VerticalSense> = description::vertical_senses;
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace microslip::io {
@@ -119,6 +120,61 @@ void TomlSection::allow(const Words& keys) const {
   const auto near = suggestion(unknown->str(), keys);
   throw Error(location(file_, unknown->source()) + full(unknown->str()) + ": unknown key" +
               (near.empty() ? "; must be " + listed(keys) : near));
+}
+
+TomlSection TomlSection::described_by(const description::InputTable& inputs) const {
+  TomlSection described(table_, name_, *this);
+  described.inputs_ = &inputs;
+  return described;
+}
+
+void TomlSection::allow_described(const Words& more) const {
+  Words keys = inputs_->keys(name_);
+  keys.insert(keys.end(), more.begin(), more.end());
+  allow(keys);
+}
+
+const description::Input& TomlSection::input(std::string_view key) const {
+  const description::Input* found = inputs_->find(name_, key);
+  if (found == nullptr) throw std::logic_error(full(key) + ": is in no table of inputs");
+  return *found;
+}
+
+double TomlSection::number(std::string_view key) const {
+  const description::Input& described = input(key);
+  return number(key, described.unit, described.missing, [&](auto field, double value) {
+    described.bounds.require(field, value, described.unit);
+    return value;
+  });
+}
+
+std::optional<double> TomlSection::optional_number(std::string_view key) const {
+  return has(key) ? std::optional(number(key)) : std::nullopt;
+}
+
+int TomlSection::whole(std::string_view key) const {
+  const description::Input& described = input(key);
+  int value = static_cast<int>(described.missing.value_or(0));
+  count(key, static_cast<int>(described.bounds.low), static_cast<int>(described.bounds.high), value);
+  return value;
+}
+
+std::pair<int, int> TomlSection::wholes(std::string_view key) const {
+  const description::Input& described = input(key);
+  const int missing = static_cast<int>(described.missing.value_or(0));
+  std::pair values{missing, missing};
+  counts(key, static_cast<int>(described.bounds.low), static_cast<int>(described.bounds.high), values.first,
+         values.second);
+  return values;
+}
+
+std::vector<double> TomlSection::numbers(std::string_view key) const {
+  return numbers(key, input(key).unit);
+}
+
+std::string TomlSection::word(std::string_view key) const {
+  const description::Input& described = input(key);
+  return word(key, described.missing_word, described.words);
 }
 
 std::string_view TomlSection::one_of(std::string_view first, std::string_view second) const {

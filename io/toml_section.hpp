@@ -2,6 +2,7 @@
 
 #include "io/option_words.hpp"
 #include "io/toml.hpp"
+#include "microslip/description/input.hpp"
 
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,11 +48,29 @@ public:
   TomlSection required_section(std::string_view name) const;
   TomlSection optional_section(std::string_view name) const;
 
+  /// The same file with a table of its inputs, from which the functions below that are given a key alone take unit,
+  /// bounds and default. The table must outlive it.
+  TomlSection described_by(const description::InputTable& inputs) const;
+
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
+  /// The same for any key but those that the table has for this section, and `more`, such as sections within it.
+  void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   /// Which one of two keys is there; Error if it is none or both.
   std::string_view one_of(std::string_view first, std::string_view second) const;
+
+  double number(std::string_view key) const;
+  /// None if the key is missing.
+  std::optional<double> optional_number(std::string_view key) const;
+  int whole(std::string_view key) const;
+  /// Two whole numbers, or one for both.
+  std::pair<int, int> wholes(std::string_view key) const;
+  std::vector<double> numbers(std::string_view key) const;
+  std::string word(std::string_view key) const;
+  template <class Option> Option option(std::string_view key) const { return from_word<Option>(key, word(key)); }
+  /// The table's line of a key.
+  const description::Input& input(std::string_view key) const;
 
   double finite(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
   double positive(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
@@ -87,7 +107,7 @@ private:
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
-      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_) {}
+      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_), inputs_(parent.inputs_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
@@ -100,6 +120,7 @@ private:
   std::string name_;
   const std::string& file_;
   ReadKeys* keys_ = nullptr;
+  const description::InputTable* inputs_ = nullptr;
 };
 
 } // namespace microslip::io

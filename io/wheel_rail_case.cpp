@@ -5,9 +5,7 @@
 #include "io/profile_file.hpp"
 #include "io/sliced_profile.hpp"
 #include "io/toml_section.hpp"
-#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
-#include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 
@@ -18,46 +16,29 @@ namespace microslip::io {
 namespace {
 
 constexpr int most_states = 10000;
+/// Throws Error for a number out of an input's bounds.
+void require(const std::string& field, const description::Input& input, double value) {
+  input.bounds.require(field, value, input.unit);
+}
+
 constexpr std::string_view force_key = "vertical_force", height_key = "vertical", roll_key = "roll";
 
-/// A number of the state or of the load.
-struct Variable {
-  std::string_view name, unit, section;
-  double low, high;
-};
-using Variables = std::vector<Variable>;
+/// Numbers of the state and of the load, in the order of the table of inputs.
+using Variables = std::vector<const description::Input*>;
 
-/// Of a wheel on a rail.
-Variables wheel_variables_by_name() {
+Variables variables_of(const description::InputTable& table) {
   Variables all;
-  for (const StateQuantity& q : state_quantities()) all.push_back({q.name, q.unit, q.section, -q.limit, q.limit});
-  all.push_back({force_key, "N", "wheel", least_vertical_force, largest_vertical_force});
+  for (const description::Input& input : table.inputs())
+    if (input.is_state) all.push_back(&input);
   return all;
 }
 
-/// Of a wheelset: height and roll are found.
-Variables wheelset_variables_by_name() {
-  Variables all;
-  for (const WheelsetStateQuantity& q : wheelset_state_quantities())
-    if (q.name != height_key && q.name != roll_key)
-      all.push_back({q.name, q.of_wheel->unit, q.of_wheel->section, -q.of_wheel->limit, q.of_wheel->limit});
-  for (const PrescribedForce& f : prescribed_forces()) all.push_back({f.name, f.unit, "wheel", f.low, f.high});
-  return all;
-}
-
-void add_keys(TomlSection::Words& keys, const Variables& variables, std::string_view section) {
-  for (const Variable& v : variables)
-    if (v.section == section) keys.push_back(v.name);
-}
-
-Track read_track(const TomlSection& section, const Variables& variables) {
-  TomlSection::Words keys = {"gauge", "gauge_height", "rail_y", "rail_z", "cant", "roller_radius"};
-  add_keys(keys, variables, "track");
-  section.allow(keys);
+Track read_track(const TomlSection& section) {
+  section.allow_described();
   Track track;
-  track.cant = section.between("cant", "rad", -0.5, 0.5, track.cant);
+  track.cant = section.number("cant");
   if (section.has("roller_radius")) {
-    track.roller_radius = section.between("roller_radius", "m", -100, 100);
+    track.roller_radius = section.number("roller_radius");
     section.at("roller_radius", [&] {
       if (track.roller_radius == 0)
         throw Error("track.roller_radius = 0 [m]: must not be 0; without it there are rails");
@@ -65,46 +46,43 @@ Track read_track(const TomlSection& section, const Variables& variables) {
   }
   if (section.has("rail_y") || section.has("rail_z")) {
     section.one_of("gauge", "rail_y");
-    track.rail_origin = {section.between("rail_y", "m", 0, 3), section.between("rail_z", "m", -1, 1)};
+    track.rail_origin = {section.number("rail_y"), section.number("rail_z")};
     return track;
   }
-  track.gauge = section.between("gauge", "m", 0.1, 6);
-  track.gauge_height = section.between("gauge_height", "m", 1e-4, 0.2, track.gauge_height);
+  track.gauge = section.number("gauge");
+  track.gauge_height = section.number("gauge_height");
   return track;
 }
 
 Wheelset read_wheelset(const TomlSection& section) {
   Wheelset wheelset;
-  wheelset.nominal_radius = section.between("nominal_radius", "m", 0.01, 10);
-  wheelset.flange_back_distance = section.between("flange_back_distance", "m", 0.05, 6);
-  wheelset.flange_back_position = section.between("flange_back_position", "m", -1, 1, wheelset.flange_back_position);
-  if (section.has("tape_circle")) wheelset.tape_circle = section.between("tape_circle", "m", -1, 1);
+  wheelset.nominal_radius = section.number("nominal_radius");
+  wheelset.flange_back_distance = section.number("flange_back_distance");
+  wheelset.flange_back_position = section.number("flange_back_position");
+  wheelset.tape_circle = section.optional_number("tape_circle");
   return wheelset;
 }
-
-constexpr std::string_view profile_keys[] = {"profile", "format",  "unit", "scale",           "y_axis",
-                                             "z_axis",  "section", "trim", "smoothing_length"};
 
 ProfileFileOptions profile_options(const TomlSection& section, const std::string& name, ProfileRole role) {
   ProfileFileOptions options;
   options.role = role;
-  if (section.has("format")) options.format = section.option("format", ProfileFormat::columns);
+  if (section.has("format")) options.format = section.option<ProfileFormat>("format");
   if (section.has("unit"))
     section.at("unit", [&] { options.unit = length_of_unit(name + ".unit", section.text("unit", "")); });
-  options.scale = section.between("scale", "-", 1e-3, 1e3, options.scale);
-  if (section.has("y_axis")) options.y_axis = section.option("y_axis", LateralSense::field);
-  if (section.has("z_axis")) options.z_axis = section.option("z_axis", VerticalSense::up);
-  section.count("section", 1, 10000, options.section);
+  options.scale = section.number("scale");
+  if (section.has("y_axis")) options.y_axis = section.option<LateralSense>("y_axis");
+  if (section.has("z_axis")) options.z_axis = section.option<VerticalSense>("z_axis");
+  options.section = section.whole("section");
   ProfileTreatment& treatment = options.treatment;
   if (section.has("trim")) {
-    const auto ends = section.numbers("trim", "m");
+    const auto ends = section.numbers("trim");
     section.at("trim", [&] {
       if (ends.size() != 2 || !(ends[0] < ends[1]))
         throw Error(name + ".trim: must be two numbers, the lesser one first");
     });
     treatment.y_min = ends[0], treatment.y_max = ends[1];
   }
-  treatment.smoothing_length = section.between("smoothing_length", "m", 0, 1, 0);
+  treatment.smoothing_length = section.number("smoothing_length");
   return options;
 }
 
@@ -127,34 +105,30 @@ PlacedProfile read_profile(const TomlSection& section, const std::string& name, 
 std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const std::string& name, ProfileRole role) {
   if (!root.has(name)) return {};
   const TomlSection section = root.required_section(name);
-  section.allow(TomlSection::Words(std::begin(profile_keys), std::end(profile_keys)));
+  section.allow_described();
   return read_profile(section, name, role);
 }
 
 Material read_material(const TomlSection& section) {
-  section.allow({"young_modulus", "shear_modulus", "poisson_ratio", "hardness", "shear_yield_strength"});
+  section.allow_described();
   const auto key = section.one_of("young_modulus", "shear_modulus");
-  const double modulus = section.between(key, "Pa", 1, 1e15);
-  const double poisson_ratio = section.between("poisson_ratio", "-", 0, 0.5);
+  const double modulus = section.number(key), poisson_ratio = section.number("poisson_ratio");
   return key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
 }
 
 /// The strength of the surfaces, where it is given.
 SurfaceStrength read_strength(const TomlSection& material) {
-  constexpr double least = 1e5, most = 1e12; // Pa
   SurfaceStrength strength;
-  if (material.has("hardness")) strength.hardness = material.between("hardness", "Pa", least, most);
-  if (material.has("shear_yield_strength"))
-    strength.shear_yield_strength = material.between("shear_yield_strength", "Pa", least, most);
+  strength.hardness = material.optional_number("hardness");
+  strength.shear_yield_strength = material.optional_number("shear_yield_strength");
   return strength;
 }
 
 std::vector<InclinedFriction> read_friction(const TomlSection& section) {
-  section.allow({"law", "coefficient", "angle"});
-  section.word("law", "coulomb", TomlSection::Words{"coulomb"});
-  if (!section.is_list("coefficient") && !section.has("angle"))
-    return {{0, section.between("coefficient", "-", 0, FrictionLaw::largest_coefficient)}};
-  const auto coefficients = section.numbers("coefficient", "-"), angles = section.numbers("angle", "rad");
+  section.allow_described();
+  section.word("law");
+  if (!section.is_list("coefficient") && !section.has("angle")) return {{0, section.number("coefficient")}};
+  const auto coefficients = section.numbers("coefficient"), angles = section.numbers("angle");
   section.at("angle", [&] {
     if (angles.size() != coefficients.size())
       throw Error("friction.angle: must have as many numbers as friction.coefficient");
@@ -163,46 +137,47 @@ std::vector<InclinedFriction> read_friction(const TomlSection& section) {
   });
   std::vector<InclinedFriction> friction;
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    section.at("coefficient", [&] {
-      require_between("friction.coefficient", coefficients[k], "-", 0, FrictionLaw::largest_coefficient);
-    });
+    section.at("coefficient", [&] { require("friction.coefficient", section.input("coefficient"), coefficients[k]); });
     friction.push_back({angles[k], coefficients[k]});
   }
   return friction;
 }
 
 WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, const CreepTables& tables) {
-  section.allow({"theory", "shape", "grid", "tolerance", "table"});
+  section.allow_described();
   WheelRailMethod method;
-  method.level = section.option("theory", method.level);
-  if (section.has("shape")) method.shape = section.option("shape", PatchShape::curved);
+  method.level = section.option<WheelRailLevel>("theory");
+  if (section.has("shape")) method.shape = section.option<PatchShape>("shape");
   section.at("shape",
              [&] { require_shape(method, "solution.shape = \"" + std::string(to_word(method.surface())) + '"'); });
   if (method.level == WheelRailLevel::table)
     method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))
     section.at("table", [] { throw Error("solution.table needs theory = \"table\""); });
-  section.count("grid", 6, 1000, method.elements);
-  method.tolerance =
-      section.between("tolerance", "-", smallest_load_tolerance, largest_load_tolerance, method.tolerance);
+  method.elements = section.whole("grid");
+  method.tolerance = section.number("tolerance");
   return method;
 }
 
 /// The numbers of a sweep: a list, or `count` ones from `from` to `to`.
-std::vector<double> read_values(const TomlSection& sweep, std::string_view key, std::string_view unit, double low,
-                                double high) {
-  if (sweep.is_list(key)) {
-    auto values = sweep.numbers(key, unit);
-    for (const double value : values)
-      sweep.at(key, [&] { require_between("sweep." + std::string(key), value, unit, low, high); });
+std::vector<double> read_values(const TomlSection& sweep, const description::Input& input) {
+  const std::string name = "sweep." + std::string(input.key);
+  if (sweep.is_list(input.key)) {
+    auto values = sweep.numbers(input.key, input.unit);
+    for (const double value : values) sweep.at(input.key, [&] { require(name, input, value); });
     return values;
   }
-  const TomlSection range = sweep.required_section(key);
+  const TomlSection range = sweep.required_section(input.key);
   range.allow({"from", "to", "count"});
-  const double from = range.between("from", unit, low, high), to = range.between("to", unit, low, high);
+  const auto end = [&](std::string_view key) {
+    const double value = range.finite(key, input.unit);
+    range.at(key, [&] { require(name + "." + std::string(key), input, value); });
+    return value;
+  };
+  const double from = end("from"), to = end("to");
   int count = 0;
   range.count("count", 2, most_states, count);
-  if (count == 0) range.at("count", [&] { throw Error("sweep." + std::string(key) + ": count is missing"); });
+  if (count == 0) range.at("count", [&] { throw Error(name + ": count is missing"); });
   std::vector<double> values;
   for (int k = 0; k < count; ++k) values.push_back(from + (to - from) * k / (count - 1));
   return values;
@@ -215,11 +190,11 @@ struct Sweep {
 
 std::vector<Sweep> read_sweeps(const TomlSection& section, const Variables& variables) {
   TomlSection::Words keys;
-  for (const Variable& v : variables) keys.push_back(v.name);
+  for (const description::Input* variable : variables) keys.push_back(variable->key);
   section.allow(keys);
   std::vector<Sweep> sweeps;
-  for (const Variable& v : variables)
-    if (section.has(v.name)) sweeps.push_back({v.name, read_values(section, v.name, v.unit, v.low, v.high)});
+  for (const description::Input* variable : variables)
+    if (section.has(variable->key)) sweeps.push_back({variable->key, read_values(section, *variable)});
   for (const Sweep& sweep : sweeps)
     section.at(sweep.name, [&] {
       const std::size_t count = sweep.values.size(), first = sweeps.front().values.size();
@@ -235,21 +210,21 @@ bool varies(const std::vector<Sweep>& sweeps, std::string_view name) {
   return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; });
 }
 
-/// A number of the state before any sweep. What a sweep varies may be left out.
-double number_of_state(const TomlSection& root, const StateQuantity& quantity, std::string_view name,
+/// A number of the state before any sweep. What a sweep varies, and what may be left out without a default, is 0 then.
+double number_of_state(const TomlSection& root, std::string_view section_name, std::string_view name,
                        const std::vector<Sweep>& sweeps) {
-  const bool needed = name == "forward_velocity" && !varies(sweeps, name);
-  return root.required_section(quantity.section)
-      .between(name, quantity.unit, -quantity.limit, quantity.limit, needed ? std::nullopt : std::optional(0.0));
+  const TomlSection section = root.required_section(section_name);
+  const description::Input& input = section.input(name);
+  if (section.has(name) || (input.is_needed && name != height_key && !varies(sweeps, name)))
+    return section.number(name);
+  return section.between(name, input.unit, input.bounds.low, input.bounds.high, 0);
 }
 
-LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const Variables& variables,
-                            const std::vector<Sweep>& sweeps) {
-  TomlSection::Words keys = {"side"};
-  add_keys(keys, variables, "wheel");
-  wheel.allow(keys);
+LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const std::vector<Sweep>& sweeps) {
+  wheel.allow_described();
   LoadedWheelState loaded;
-  for (const StateQuantity& q : state_quantities()) q.of(loaded.state) = number_of_state(root, q, q.name, sweeps);
+  for (const StateQuantity& q : state_quantities())
+    q.of(loaded.state) = number_of_state(root, q.section, q.name, sweeps);
   const bool force_varies = varies(sweeps, force_key), height_varies = varies(sweeps, height_key);
   if (force_varies || height_varies) {
     wheel.at(force_varies ? height_key : force_key, [&] {
@@ -257,7 +232,7 @@ LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, c
         throw Error("[wheel] and [sweep] need either vertical_force or vertical");
     });
   } else if (wheel.one_of(force_key, height_key) == force_key) {
-    loaded.vertical_force = wheel.between(force_key, "N", least_vertical_force, largest_vertical_force);
+    loaded.vertical_force = wheel.number(force_key);
   }
   return loaded;
 }
@@ -283,20 +258,16 @@ struct GivenWheelset {
   PrescribedWheelsetForces forces;
 };
 
-GivenWheelset read_wheelset_state(const TomlSection& root, const TomlSection& wheel, const Variables& variables,
-                                  const std::vector<Sweep>& sweeps) {
+GivenWheelset read_wheelset_state(const TomlSection& root, const TomlSection& wheel, const std::vector<Sweep>& sweeps) {
   for (const auto key : {height_key, roll_key})
     if (wheel.has(key))
       wheel.at(key, [&] { throw Error("wheel." + std::string(key) + ": is found from the load of both wheels"); });
-  TomlSection::Words keys = {"side"};
-  add_keys(keys, variables, "wheel");
-  wheel.allow(keys);
+  wheel.allow_described();
   GivenWheelset given;
   for (const WheelsetStateQuantity& q : wheelset_state_quantities())
     if (q.name != height_key && q.name != roll_key)
-      q.set(given.state, number_of_state(root, *q.of_wheel, q.name, sweeps));
-  for (const PrescribedForce& f : prescribed_forces())
-    if (wheel.has(f.name)) given.forces.*f.of = wheel.between(f.name, f.unit, f.low, f.high);
+      q.set(given.state, number_of_state(root, q.of_wheel->section, q.name, sweeps));
+  for (const PrescribedForce& f : prescribed_forces()) given.forces.*f.of = wheel.optional_number(f.name);
   return given;
 }
 
@@ -326,9 +297,9 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 }
 
 /// All sections but [wheel] and [sweep].
-WheelRailSetting read_setting(const TomlSection& root, const Variables& variables, const CreepTables& tables) {
-  TomlSection::Words sections = {"title",    "track",    "rail",     "wheelset", "wheel",
-                                 "material", "friction", "solution", "interior", "sweep"};
+WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables) {
+  TomlSection::Words sections = {"track",    "rail",     "wheelset", "wheel", "material",
+                                 "friction", "solution", "interior", "sweep"};
   const bool is_wheelset = is_wheelset_case(root);
   if (is_wheelset) sections.insert(sections.end(), {"right_rail", "right_wheel"});
   for (const char* section : {"right_rail", "right_wheel"})
@@ -338,18 +309,14 @@ WheelRailSetting read_setting(const TomlSection& root, const Variables& variable
                     "] is of a wheelset, with side = \"both\" in [wheel]; the profiles of "
                     "one wheel are in [rail] and [wheelset]");
     });
-  root.allow(sections);
+  root.allow_described(sections);
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset");
-  TomlSection::Words rail_keys(std::begin(profile_keys), std::end(profile_keys)), wheelset_keys = rail_keys;
-  add_keys(rail_keys, variables, "rail");
-  rail.allow(rail_keys);
-  for (const auto* key : {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"})
-    wheelset_keys.emplace_back(key);
-  wheelset.allow(wheelset_keys);
+  rail.allow_described();
+  wheelset.allow_described();
   const Material material = read_material(root.required_section("material"));
   return {.title = root.text("title", ""),
-          .track = read_track(track, variables),
+          .track = read_track(track),
           .wheelset = read_wheelset(wheelset),
           .rail = read_profile(rail, "rail", ProfileRole::rail),
           .wheel = read_profile(wheelset, "wheelset", ProfileRole::wheel),
@@ -425,12 +392,12 @@ WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& na
   return read_wheel_rail_case(TomlSection(table, name));
 }
 
-WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables) {
+WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& tables) {
+  const TomlSection root = file.described_by(description::wheel_inputs());
   const TomlSection wheel = root.required_section("wheel");
-  const Variables variables = wheel_variables_by_name();
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
-  wheel.word("side", "left", TomlSection::Words{"left", "right", "both"});
-  WheelRailCase input{read_setting(root, variables, tables), wheel.option("side", TrackSide::left), {}, {}};
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
+  wheel.word("side");
+  WheelRailCase input{read_setting(root, tables), wheel.option("side", TrackSide::left), {}, {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
   if (root.has("interior") && input.method.level == WheelRailLevel::table)
@@ -440,13 +407,12 @@ WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& t
   return input;
 }
 
-std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of) {
+std::vector<LoadedWheelState> read_states(const TomlSection& file, const WheelRailCase& of) {
+  const TomlSection root = file.described_by(description::wheel_inputs());
   const TomlSection wheel = root.required_section("wheel");
-  const Variables variables = wheel_variables_by_name();
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  auto states =
-      states_of(read_state(root, wheel, variables, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
+  auto states = states_of(read_state(root, wheel, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
   for (const LoadedWheelState& loaded : states) check_place_along_track(root, of.rail, loaded.state);
   return states;
 }
@@ -456,12 +422,12 @@ WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name)
   return read_wheelset_case(TomlSection(table, name));
 }
 
-WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tables) {
+WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tables) {
+  const TomlSection root = file.described_by(description::wheelset_inputs());
   if (root.has("interior"))
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
-  const Variables variables = wheelset_variables_by_name();
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
-  WheelsetCase input{read_setting(root, variables, tables),
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheelset_inputs()));
+  WheelsetCase input{read_setting(root, tables),
                      read_right_profile(root, "right_rail", ProfileRole::rail),
                      read_right_profile(root, "right_wheel", ProfileRole::wheel),
                      {}};
@@ -472,12 +438,12 @@ WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tabl
   return input;
 }
 
-std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of) {
+std::vector<LoadedWheelsetState> read_states(const TomlSection& file, const WheelsetCase& of) {
+  const TomlSection root = file.described_by(description::wheelset_inputs());
   const TomlSection wheel = root.required_section("wheel");
-  const Variables variables = wheelset_variables_by_name();
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables);
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheelset_inputs()));
   const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
-  auto states = states_of(wheel, read_wheelset_state(root, wheel, variables, sweeps), sweeps, pitch_is_given);
+  auto states = states_of(wheel, read_wheelset_state(root, wheel, sweeps), sweeps, pitch_is_given);
   for (const LoadedWheelsetState& loaded : states) {
     check_place_along_track(root, of.rail, loaded.state.left);
     if (of.right_rail) check_place_along_track(root, *of.right_rail, loaded.state.left);

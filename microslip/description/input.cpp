@@ -1,0 +1,64 @@
+#include "microslip/description/input.hpp"
+
+#include "microslip/decimal.hpp"
+#include "microslip/error.hpp"
+
+#include <algorithm>
+
+namespace microslip::description {
+
+void Bounds::require(std::string_view field, double value, std::string_view unit) const {
+  switch (kind) {
+  case Kind::finite:
+    require_finite(field, value, unit);
+    return;
+  case Kind::positive:
+    require_positive(field, value, unit);
+    return;
+  case Kind::between:
+    require_between(field, value, unit, low, high);
+    return;
+  case Kind::radius:
+    require_radius(field, value);
+    return;
+  case Kind::modulus:
+    if (!(value > 0)) throw Error(field, value, unit, "positive (inf for a rigid body)");
+  }
+}
+
+std::string Bounds::text() const {
+  switch (kind) {
+  case Kind::finite:
+    return "";
+  case Kind::positive:
+    return "positive";
+  case Kind::between:
+    return "in [" + shortest_text(low) + ", " + shortest_text(high) + "]";
+  case Kind::radius:
+    return "not 0; inf: flat, negative: concave";
+  case Kind::modulus:
+    return "positive; inf: rigid";
+  }
+  return "";
+}
+
+bool InputTable::has(const Input& input, std::string_view section) const {
+  return input.section == section || std::any_of(shared_.begin(), shared_.end(), [&](const Shared& shared) {
+           return shared.in_files == section && shared.in_table == input.section;
+         });
+}
+
+std::vector<std::string_view> InputTable::keys(std::string_view section) const {
+  std::vector<std::string_view> found;
+  for (const Input& input : inputs_)
+    if (has(input, section)) found.push_back(input.key);
+  return found;
+}
+
+const Input* InputTable::find(std::string_view section, std::string_view key) const {
+  const auto found = std::find_if(inputs_.begin(), inputs_.end(),
+                                  [&](const Input& input) { return input.key == key && has(input, section); });
+  return found == inputs_.end() ? nullptr : &*found;
+}
+
+} // namespace microslip::description

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "microslip/description/words.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace microslip::description {
+
+/// Which numbers an input may be.
+struct Bounds {
+  enum class Kind {
+    finite,   ///< any finite number
+    positive, ///< finite and > 0
+    between,  ///< in [low, high]
+    radius,   ///< of curvature: not 0; infinite for a flat body
+    modulus   ///< > 0; infinite for a rigid body
+  };
+  Kind kind = Kind::finite;
+  double low = 0, high = 0; ///< of `between`
+
+  /// Throws Error with field, value, unit and range for a number that is out of bounds.
+  void require(std::string_view field, double value, std::string_view unit) const;
+  /// In words: "in [0, 10]", "positive"; empty for any finite number.
+  std::string text() const;
+};
+inline constexpr Bounds any_number{};
+inline constexpr Bounds positive{Bounds::Kind::positive};
+inline constexpr Bounds radius{Bounds::Kind::radius};
+inline constexpr Bounds modulus{Bounds::Kind::modulus};
+constexpr Bounds between(double low, double high) {
+  return {Bounds::Kind::between, low, high};
+}
+
+/// What stands under a key.
+enum class InputKind {
+  number,
+  numbers, ///< a list of at least one
+  whole,   ///< a whole number
+  wholes,  ///< two of them, or one for both
+  text,
+  word ///< one of a few
+};
+
+/// A key of case files: all interfaces take unit, bounds, default and text from here. A new one is a line of the tables
+/// in rolling_inputs.cpp and wheel_inputs.cpp.
+struct Input {
+  std::string_view section; ///< "load"; `body` is that of body1 and body2, `profile` of all sections with a profile
+  std::string_view key;     ///< "normal_force"
+  InputKind kind = InputKind::number;
+  std::string_view unit = ""; ///< SI, "-" without one; empty where it is no number
+  Bounds bounds = {};
+  std::optional<double> missing = {}; ///< what it is where it is left out
+  std::string_view missing_word = ""; ///< the same of a word
+  bool is_needed = false;             ///< a case without it is refused; of alternatives one is needed
+  bool is_state = false;              ///< of a wheel's state or load, which a sweep may vary
+  std::span<const std::string_view> words = {};
+  std::string_view text = ""; ///< what it is, with the sign's meaning
+};
+
+/// The inputs of a kind of case, in the order in which they are shown.
+class InputTable {
+public:
+  /// `shared` are names of sections of files and the section of the table whose keys they have beside their own ones.
+  struct Shared {
+    std::string_view in_files, in_table;
+  };
+  InputTable(std::vector<Input> inputs, std::vector<Shared> shared)
+      : inputs_(std::move(inputs)), shared_(std::move(shared)) {}
+
+  std::span<const Input> inputs() const { return inputs_; }
+  /// The keys of a section of a file, "" for those of the file itself.
+  std::vector<std::string_view> keys(std::string_view section) const;
+  /// The input of a key in a section of a file; none if there is no such key.
+  const Input* find(std::string_view section, std::string_view key) const;
+
+private:
+  bool has(const Input& input, std::string_view section) const;
+
+  std::vector<Input> inputs_;
+  std::vector<Shared> shared_;
+};
+
+/// Of two bodies in rolling contact; of a wheel on a rail, and of a wheelset, which has more.
+const InputTable& rolling_inputs();
+const InputTable& wheel_inputs();
+const InputTable& wheelset_inputs();
+
+} // namespace microslip::description
