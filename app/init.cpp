@@ -1,7 +1,9 @@
 #include "app/init.hpp"
 
+#include "app/input_list.hpp"
 #include "examples.hpp"
 #include "io/nearest_word.hpp"
+#include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 
@@ -25,8 +27,27 @@ constexpr std::string_view case_ending = ".toml";
 struct InitArguments {
   fs::path file = "case.toml";
   std::string example = "hertzian_contact";
+  std::string keys = {}; ///< of which kind of case they are printed
   bool force = false;
 };
+
+/// Kinds of cases by name.
+struct CaseKind {
+  std::string_view name;
+  const description::InputTable& (*inputs)();
+};
+constexpr CaseKind case_kinds[] = {{"bodies", description::rolling_inputs},
+                                   {"wheel", description::wheel_inputs},
+                                   {"wheelset", description::wheelset_inputs}};
+
+void print_keys(const std::string& kind) {
+  std::vector<std::string_view> names;
+  for (const CaseKind& one : case_kinds) names.push_back(one.name);
+  io::require_word("--keys", kind, names);
+  const auto* const found =
+      std::find_if(std::begin(case_kinds), std::end(case_kinds), [&](const CaseKind& one) { return one.name == kind; });
+  fmt::print("{}", input_list(found->inputs()));
+}
 
 std::string_view text_of(std::string_view name) {
   const auto found = std::find_if(examples.begin(), examples.end(), [&](const auto& one) { return one.name == name; });
@@ -67,6 +88,7 @@ bool has_text(const fs::path& path, std::string_view text) {
 }
 
 void init(const InitArguments& arguments) {
+  if (!arguments.keys.empty()) return print_keys(arguments.keys);
   const auto known = example_names();
   if (std::find(known.begin(), known.end(), arguments.example) == known.end())
     throw Error("--example = \"" + arguments.example + "\": must be " + io::listed(known, "or") +
@@ -104,6 +126,10 @@ void add_init_command(CLI::App& program) {
   command->add_option("--example", arguments->example, "which example it is")
       ->type_name("EXAMPLE")
       ->capture_default_str();
+  command
+      ->add_option("--keys", arguments->keys,
+                   "print the keys of case files in place of writing one: unit, default, range and meaning of each")
+      ->type_name("bodies|wheel|wheelset");
   command->add_flag("--force", arguments->force, "replace files of these names");
   command->footer(
       "There are hertzian_contact, a case of two bodies by their radii, and wheel_on_rail, of a wheel on a rail by\n"

@@ -55,6 +55,13 @@ std::vector<std::string_view> InputTable::keys(std::string_view section) const {
   return found;
 }
 
+std::vector<std::string_view> InputTable::names(std::string_view section) const {
+  std::vector<std::string_view> found;
+  for (const Shared& shared : shared_)
+    if (shared.in_table == section) found.push_back(shared.in_files);
+  return found.empty() ? std::vector{section} : found;
+}
+
 const Input* InputTable::find(std::string_view section, std::string_view key) const {
   const auto found = std::find_if(inputs_.begin(), inputs_.end(),
                                   [&](const Input& input) { return input.key == key && has(input, section); });

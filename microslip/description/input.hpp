@@ -74,6 +74,8 @@ public:
   std::span<const Input> inputs() const { return inputs_; }
   /// The keys of a section of a file, "" for those of the file itself.
   std::vector<std::string_view> keys(std::string_view section) const;
+  /// The names that a section of the table has in files.
+  std::vector<std::string_view> names(std::string_view section) const;
   /// The input of a key in a section of a file; none if there is no such key.
   const Input* find(std::string_view section, std::string_view key) const;
 
