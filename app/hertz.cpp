@@ -3,6 +3,7 @@
 #include "app/json_document.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/case_file.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 
@@ -76,20 +77,30 @@ HertzResult solve(const HertzArguments& arguments) {
                                      : hertz_from_approach(gap, combined, arguments.approach[0])};
 }
 
+/// What Hertz's theory takes of a body, by the keys of case files.
+void add_body(io::Json& document, io::Json& units, const std::string& name, const io::BodyInput& body) {
+  const std::pair<const char*, double> numbers[] = {{"rolling_radius", body.rolling_radius},
+                                                    {"transverse_radius", body.transverse_radius},
+                                                    {"shear_modulus", body.material.shear_modulus},
+                                                    {"poisson_ratio", body.material.poisson_ratio}};
+  for (const auto& [key, value] : numbers) {
+    const std::string path = "inputs/" + name + "/" + key;
+    document[io::Json::json_pointer("/" + path)] = io::json_number(value);
+    units[path] = description::rolling_inputs().find(name, key)->unit;
+  }
+}
+
 void print_document(const HertzArguments& arguments, const HertzResult& result,
                     const std::vector<std::string>& warnings) {
   auto document = json_document("hertz");
   document["case_file"] = arguments.case_file.string();
   auto units = io::Json::object();
-  const auto add = [&](const std::vector<cases::StoredNumber>& quantities) {
-    for (const auto& quantity : quantities) {
-      document[io::Json::json_pointer("/" + quantity.path)] = io::json_number(quantity.value);
-      units[quantity.path] = quantity.unit;
-    }
-  };
-  add(cases::body_quantities(result.body1, 1));
-  add(cases::body_quantities(result.body2, 2));
-  add(cases::hertz_quantities(result.contact));
+  add_body(document, units, "body1", result.body1);
+  add_body(document, units, "body2", result.body2);
+  for (const auto& quantity : cases::hertz_quantities(result.contact)) {
+    document[io::Json::json_pointer("/" + quantity.path)] = io::json_number(quantity.value);
+    units[quantity.path] = quantity.unit;
+  }
   document["units"] = units;
   document["warnings"] = warnings;
   print_json(document);

@@ -56,7 +56,9 @@ std::string input_list(const description::InputTable& table) {
   for (const Input& input : table.inputs()) {
     const auto same = std::find_if(sections.begin(), sections.end(),
                                    [&](const auto& section) { return section.first == input.section; });
-    auto& section = same != sections.end() ? *same : sections.emplace_back(input.section, std::vector<std::pair<Row, std::string_view>>());
+    auto& section = same != sections.end()
+                        ? *same
+                        : sections.emplace_back(input.section, std::vector<std::pair<Row, std::string_view>>());
     const Row row = {std::string(input.key), std::string(input.unit), default_of(input), range_of(input)};
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
     section.second.emplace_back(row, input.text);
@@ -66,8 +68,9 @@ std::string input_list(const description::InputTable& table) {
     if (!text.empty()) text += '\n';
     if (!name.empty()) text += heading(table, name) + '\n';
     for (const auto& [row, what] : rows) {
-      for (std::size_t k = 0; k < row.size(); ++k) text += fmt::format("{:<{}}  ", row[k], widths[k]);
-      text += fmt::format("{}\n", what);
+      std::string line;
+      for (std::size_t k = 0; k < row.size(); ++k) line += fmt::format("{:<{}}  ", row[k], widths[k]);
+      text += line.substr(0, line.find_last_not_of(' ') + 1) + fmt::format("\n    {}\n", what);
     }
   }
   return text;

@@ -1,5 +1,6 @@
 #include "cases/rolling_contact_result.hpp"
 
+#include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
@@ -157,92 +158,6 @@ void write(io::ResultWriter& file, const std::vector<StoredNumber>& quantities) 
   for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
 }
 
-void write_friction(io::ResultWriter& file, const io::RollingCase& input) {
-  const auto& law = input.friction;
-  file.text("inputs/friction_law", input.friction_law, "friction as a function of the slip velocity");
-  file.scalar("inputs/friction_coefficient", law.static_coefficient(), "-", "friction coefficient mu without slip");
-  if (const auto& effect = input.temperature_effect) {
-    file.scalar("inputs/thermal_change", effect->change, "-", "what heat adds to the friction coefficient");
-    file.scalar("inputs/thermal_begin", effect->begin, "deg C", "temperature from which on it does");
-    file.scalar("inputs/thermal_range", effect->range, "K", "over which the change comes");
-  }
-  if (law.kind() == FrictionLaw::Kind::coulomb) return;
-  file.scalar("inputs/kinetic_coefficient", law.kinetic_coefficient(), "-", "friction coefficient at large slip");
-  for (std::size_t i = 0; i < law.terms().size(); ++i) {
-    const auto name = "inputs/" + std::string(i == 0 ? "" : "second_");
-    file.scalar(name + "drop", law.terms()[i].drop, "-", "what a term of the friction law adds without slip");
-    file.scalar(name + "half_velocity", law.terms()[i].half_velocity, "m/s", "slip velocity at half of it");
-  }
-}
-
-/// What was given: a creepage whose force is given in its place is a result, exact/creepage_longitudinal or
-/// creepage_lateral.
-void write_motion(io::ResultWriter& file, const io::RollingCase& input) {
-  const auto& creepage = input.creepage;
-  const bool shift = input.motion.kind == ContactMotion::shift;
-  const auto write = [&](const char* name, double value, const char* unit, const char* what) {
-    file.scalar(std::string("inputs/") + name, value, unit, what);
-  };
-  if (!input.motion.force_x)
-    write(shift ? "shift_longitudinal" : "creepage_longitudinal", creepage.longitudinal, shift ? "m" : "-",
-          "rigid motion along x");
-  if (!input.motion.force_y)
-    write(shift ? "shift_lateral" : "creepage_lateral", creepage.lateral, shift ? "m" : "-", "rigid motion along y");
-  write(shift ? "rotation" : "spin", creepage.spin, shift ? "rad" : "1/m", "rigid rotation about the normal");
-  file.scalar("inputs/rolling_speed", input.rolling_speed, "m/s", "rolling speed V");
-  file.text("inputs/motion", std::string(io::to_word(input.motion.kind)), "shift, transient or steady rolling");
-  if (input.motion.force_x) file.scalar("inputs/force_longitudinal", *input.motion.force_x, "N", "force given along x");
-  if (input.motion.force_y) file.scalar("inputs/force_lateral", *input.motion.force_y, "N", "force given along y");
-  if (input.motion.step > 0) file.scalar("inputs/step", input.motion.step, "m", "distance rolled in a step");
-  file.scalar("inputs/steps", input.motion.steps, "-", "number of steps");
-  file.text("inputs/direction", std::string(io::to_word(input.options.direction)), "rolling along +x or -x");
-}
-
-void write_solution(io::ResultWriter& file, const io::RollingCase& input) {
-  const auto& options = input.options;
-  file.text("inputs/theory", std::string(io::to_word(input.theory)), "algorithm");
-  if (input.theory == Theory::exact) {
-    file.text("inputs/discretisation", std::string(io::to_word(input.discretisation)), "of the exact theory");
-    file.text("inputs/elements", std::string(io::to_word(input.elements)), "of the classical discretisation");
-    file.scalar("inputs/tolerance", input.tolerance, "-", "relative residual at which the exact theory stops");
-    file.text("inputs/slip_start", std::string(io::to_word(input.slip_start)),
-              "where friction that depends on slip begins");
-    file.scalar("inputs/friction_memory_distance", input.friction_memory.distance, "m", "slip that friction remembers");
-    file.scalar("inputs/friction_memory_speed", input.friction_memory.slowest, "m/s", "least speed of forgetting");
-  }
-  if (input.theory == Theory::table) {
-    const auto [least, largest] = std::pair(input.table->axes().least_ratio, input.table->axes().largest_ratio);
-    file.scalar("inputs/table_least_ratio", least, "-", "least a/b of the creep-force table");
-    file.scalar("inputs/table_largest_ratio", largest, "-", "largest a/b of the creep-force table");
-  }
-  file.scalar("inputs/mx", options.mx, "-", "cells along x");
-  file.scalar("inputs/my", options.my, "-", "rows along y");
-  file.text("inputs/bound", std::string(io::to_word(options.bound)), "shape of the traction bound");
-  file.text("inputs/flexibility", std::string(io::to_word(options.flexibility)),
-            "flexibilities of the simplified theory");
-  file.text("inputs/coefficients", std::string(io::to_word(options.creepage_table)), "table of creepage coefficients");
-  const auto& reduction = options.slope_reduction;
-  file.scalar("inputs/slope_reduction_initial", reduction.initial, "-", "factor on the creep curve's initial slope");
-  file.scalar("inputs/slope_reduction_at_infinity", reduction.at_infinity, "-", "its part that is left at large slip");
-  file.scalar("inputs/slope_reduction_decay", reduction.decay, "-", "how fast it falls");
-}
-
-void write_inputs(io::ResultWriter& file, const io::RollingCase& input, const EllipticContact& contact) {
-  write(file, body_quantities(input.body1, 1));
-  write(file, body_quantities(input.body2, 2));
-  file.scalar("inputs/shear_modulus", contact.shear_modulus, "Pa", "combined shear modulus G");
-  file.scalar("inputs/poisson_ratio", contact.poisson_ratio, "-", "combined Poisson's ratio");
-  file.scalar("inputs/normal_force", contact.normal_force, "N", "normal force Fn");
-  if (input.layer.flexibility > 0) {
-    file.scalar("inputs/layer_flexibility", input.layer.flexibility, "m/Pa", "h/G of the layer between the bodies");
-    file.scalar("inputs/layer_yield_stress", input.layer.yield_stress, "Pa", "where it begins to yield");
-    file.scalar("inputs/layer_hardening", input.layer.hardening, "Pa/m", "what plastic deformation adds to that");
-  }
-  write_friction(file, input);
-  write_motion(file, input);
-  write_solution(file, input);
-}
-
 void write_tolerances(io::ResultWriter& file, const std::string& theory, const DiscretisationError& error,
                       const ContactSolution& of, const std::string& cells) {
   const auto write = [&](const std::string& name, double value, std::string_view unit) {
@@ -334,7 +249,8 @@ void write_assumption(io::ResultWriter& file, const std::string& group, const st
 }
 
 /// Which creepage varies, and where on the curve the case is.
-void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const Creepage& creepage) {
+void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const EllipticContact& contact) {
+  const Creepage& creepage = contact.creepage;
   const auto write = [&](const char* name, double value, const char* unit) {
     file.scalar(std::string("creep_curve/") + name, value, unit,
                 "of the case: given, or found where the force is given");
@@ -342,35 +258,12 @@ void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const Cr
   write("creepage_longitudinal", creepage.longitudinal, "-");
   write("creepage_lateral", creepage.lateral, "-");
   write("spin", creepage.spin, "1/m");
+  file.scalar("creep_curve/limit", contact.friction.static_coefficient() * contact.normal_force, "N",
+              "mu Fn without slip, which no force exceeds");
   file.attribute("creep_curve", "variable", curve.variable);
 }
 
 } // namespace
-
-std::vector<StoredNumber> body_quantities(const io::BodyInput& body, int number) {
-  const auto suffix = std::to_string(number), of_body = " of body " + suffix;
-  const auto quantity = [&](const std::string& name, double value, const char* unit, const std::string& what) {
-    return StoredNumber{"inputs/" + name + "_" + suffix, value, unit, what + of_body};
-  };
-  std::vector<StoredNumber> quantities = {
-      quantity("rolling_radius", body.rolling_radius, "m", "radius in the plane of rolling"),
-      quantity("transverse_radius", body.transverse_radius, "m", "radius in the lateral plane"),
-      quantity("shear_modulus", body.material.shear_modulus, "Pa", "shear modulus G"),
-      quantity("poisson_ratio", body.material.poisson_ratio, "-", "Poisson's ratio")};
-  const auto add = [&](const std::string& name, double value, const char* unit, const std::string& what) {
-    quantities.push_back(quantity(name, value, unit, what));
-  };
-  if (body.creep.ratio > 0) {
-    add("creep_ratio", body.creep.ratio, "-", "share by which deformation grows with time");
-    add("creep_time", body.creep.time, "s", "time in which it grows");
-  }
-  if (!body.thermal) return quantities;
-  add("bulk_temperature", body.thermal->bulk_temperature, "deg C", "temperature before the contact");
-  add("conductivity", body.thermal->conductivity, "W/(m K)", "thermal conductivity");
-  add("density", body.thermal->density, "kg/m^3", "density");
-  add("heat_capacity", body.thermal->heat_capacity, "J/(kg K)", "specific heat capacity");
-  return quantities;
-}
 
 std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz) {
   return {{"hertz/normal_force", hertz.normal_force, "N", "normal force Fn"},
@@ -432,8 +325,14 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
 }
 
 void write_result(const io::RollingCase& input, const RollingContactResult& result, io::ResultWriter& file) {
-  write_inputs(file, input, result.contact);
+  write_inputs(file, input.inputs, description::rolling_inputs());
   write(file, hertz_quantities(result.hertz));
+  file.scalar("hertz/shear_modulus", result.contact.shear_modulus, "Pa", "combined shear modulus G");
+  file.scalar("hertz/poisson_ratio", result.contact.poisson_ratio, "-", "combined Poisson's ratio");
+  if (input.table) {
+    file.scalar("table/least_ratio", input.table->axes().least_ratio, "-", "least a/b of the creep-force table");
+    file.scalar("table/largest_ratio", input.table->axes().largest_ratio, "-", "largest a/b of it");
+  }
   write_assumption(file, "hertz", hertz_assumption(input));
   std::string warnings;
   for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
@@ -457,7 +356,7 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     write_assumption(file, name, simplified_assumption(input));
     write_tolerances(file, name, simplified->discretisation_error, simplified->solution, "twice the cells");
     write_curve(file, name, simplified->curve);
-    write_curve_point(file, simplified->curve, result.contact.creepage);
+    write_curve_point(file, simplified->curve, result.contact);
   }
 }
 

@@ -62,8 +62,6 @@ struct StoredNumber {
   std::string description;
 };
 
-/// Of body `number`, 1 or 2: inputs/rolling_radius_1 and so on.
-std::vector<StoredNumber> body_quantities(const io::BodyInput& body, int number);
 /// hertz/normal_force and so on, tolerances/hertz_relative.
 std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz);
 

@@ -1,5 +1,6 @@
 #include "cases/wheel_rail_result.hpp"
 
+#include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
 #include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
@@ -59,40 +60,6 @@ void add_warnings(const Solutions& solutions, const std::string& which, std::vec
         std::count_if(solutions.begin(), solutions.end(), [&](const auto* s) { return s->warnings.has(one.warning); }));
     if (some > 0) warnings.push_back(which + std::string(one.text) + of_states(some, solutions.size()));
   }
-}
-
-void write_inputs(io::ResultWriter& file, const io::WheelRailSetting& input, std::string_view side) {
-  const auto scalar = [&](const char* name, double value, const char* unit, const char* what) {
-    file.scalar(std::string("inputs/") + name, value, unit, what);
-  };
-  file.text("inputs/side", std::string(side), "of the track, looking along x");
-  file.text("inputs/theory", std::string(io::to_word(input.method.level)), "algorithm");
-  if (input.method.shape) file.text("inputs/shape", std::string(io::to_word(*input.method.shape)), "of the patches");
-  scalar("grid", input.method.elements, "-", "elements across a patch, of the exact theory");
-  scalar("tolerance", input.method.tolerance, "-", "of the vertical force, relative");
-  if (const auto& origin = input.track.rail_origin) {
-    scalar("rail_y", origin->y, "m", "of the left rail's profile in track axes");
-    scalar("rail_z", origin->z, "m", "the same, upwards");
-  } else {
-    scalar("gauge", input.track.gauge, "m", "between the gauge points of both rails");
-    scalar("gauge_height", input.track.gauge_height, "m", "of the gauge points below the rails' tops");
-  }
-  scalar("cant", input.track.cant, "rad", "inclination of the rails, towards the track's centre");
-  scalar("nominal_radius", input.wheelset.nominal_radius, "m", "of the wheels");
-  scalar("flange_back_distance", input.wheelset.flange_back_distance, "m", "between the backs of both flanges");
-  scalar("flange_back_position", input.wheelset.flange_back_position, "m", "of the flange's back in the profile");
-  if (input.wheelset.tape_circle)
-    scalar("tape_circle", *input.wheelset.tape_circle, "m", "where the radius is the nominal one");
-  scalar("shear_modulus", input.material.shear_modulus, "Pa", "shear modulus G of wheel and rail");
-  scalar("poisson_ratio", input.material.poisson_ratio, "-", "Poisson's ratio of both");
-  if (input.strength.hardness)
-    scalar("hardness", *input.strength.hardness, "Pa", "hardness H of the surface that wears");
-  if (const auto k = input.strength.shear_yield_strength)
-    scalar("shear_yield_strength", *k, "Pa", "yield strength k in shear of the surface");
-  std::vector<double> coefficient, angle;
-  for (const InclinedFriction& f : input.friction) coefficient.push_back(f.coefficient), angle.push_back(f.angle);
-  file.array("inputs/friction_coefficient", coefficient, "-", "friction coefficient mu at the angles");
-  file.array("inputs/friction_angle", angle, "rad", "inclination of the surface, > 0 rising to the field side");
 }
 
 void write_varied(io::ResultWriter& file, const io::WheelRailSetting& input) {
@@ -358,7 +325,7 @@ WheelsetResult solve_case(const io::WheelsetCase& input, const Progress& progres
 }
 
 void write_result(const io::WheelRailCase& input, const WheelRailResult& result, io::ResultWriter& file) {
-  write_inputs(file, input, io::to_word(input.side));
+  write_inputs(file, input.inputs, description::wheel_inputs());
   write_states(file, input);
   const Solutions solutions = solutions_of(result);
   write_wheel(file, "", solutions);
@@ -372,7 +339,7 @@ void write_result(const io::WheelRailCase& input, const WheelRailResult& result,
 }
 
 void write_result(const io::WheelsetCase& input, const WheelsetResult& result, io::ResultWriter& file) {
-  write_inputs(file, input, "both");
+  write_inputs(file, input.inputs, description::wheelset_inputs());
   write_states(file, input);
   std::vector<const WheelsetSolution*> all;
   for (const WheelsetSolution& solution : result.solutions) all.push_back(&solution);

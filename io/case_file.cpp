@@ -231,7 +231,8 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
 }
 
 RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
-  const TomlSection root = file.described_by(description::rolling_inputs());
+  RollingCase input;
+  const TomlSection root = file.described_by(description::rolling_inputs(), &input.inputs);
   if (root.has("sweep"))
     root.at("sweep", [] {
       throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
@@ -244,7 +245,6 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
                     ": this is a case of a wheel on a rail; one of two bodies has body1 and body2");
       });
   root.allow_described({"body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
-  RollingCase input;
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
   input.body2 = read_body(root.required_section("body2"));

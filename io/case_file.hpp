@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/creep_tables.hpp"
+#include "io/read_inputs.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -53,6 +54,7 @@ struct RollingCase {
   std::shared_ptr<const CreepForceTable> table = {};            ///< of the theory `table`
   InteriorGrid interior = {};          ///< points inside the bodies, with the exact theory; none: no interior field
   std::optional<double> accuracy = {}; ///< of its forces, in mu Fn, from grids that this chooses; none: on the grid
+  ReadInputs inputs = {};              ///< the same by the keys of the file
 };
 
 /// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and

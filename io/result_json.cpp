@@ -35,7 +35,7 @@ public:
   }
 
 private:
-  /// Files from before there was the attribute have format 1.
+  /// Files without the attribute are taken for the format that is known.
   void require_known_format(const Json& root) const {
     const std::string known = std::to_string(result_format), format = root.value("format", known);
     if (format != known)

@@ -11,7 +11,7 @@ namespace microslip::io {
 
 /// The format of result files and of the JSON documents with the same names: root attribute `format`. Raised when
 /// names, shapes or meanings change so that readers of the one before would be wrong; not by what is added.
-inline constexpr int result_format = 1;
+inline constexpr int result_format = 2;
 
 /// Where a result comes from: root attributes of every result file, beside `format`, those the build knows itself
 /// (`version`, `commit`, `compiler`, `build_type`) and `created` (ISO 8601, UTC).

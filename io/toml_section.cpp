@@ -122,9 +122,10 @@ void TomlSection::allow(const Words& keys) const {
               (near.empty() ? "; must be " + listed(keys) : near));
 }
 
-TomlSection TomlSection::described_by(const description::InputTable& inputs) const {
+TomlSection TomlSection::described_by(const description::InputTable& inputs, ReadInputs* read) const {
   TomlSection described(table_, name_, *this);
   described.inputs_ = &inputs;
+  if (read != nullptr) described.read_ = read;
   return described;
 }
 
@@ -323,8 +324,10 @@ void TomlSection::wrong_type(std::string_view key, const toml::node& node, const
   throw Error(location(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
 }
 
-void TomlSection::record(std::string_view key, Value value, std::string_view unit) const {
-  if (keys_ != nullptr) keys_->insert_or_assign(full(key), ReadKey{std::move(value), std::string(unit), has(key)});
+void TomlSection::record(std::string_view key, ReadInput::Value value, std::string_view unit) const {
+  const ReadInput read{std::move(value), std::string(unit), has(key)};
+  for (ReadInputs* inputs : {keys_, read_})
+    if (inputs != nullptr) inputs->insert_or_assign(full(key), read);
 }
 
 double TomlSection::value_of(std::string_view key, const toml::node& node, std::string_view unit,

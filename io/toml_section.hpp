@@ -1,17 +1,16 @@
 #pragma once
 
 #include "io/option_words.hpp"
+#include "io/read_inputs.hpp"
 #include "io/toml.hpp"
 #include "microslip/description/input.hpp"
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace microslip::io {
@@ -26,15 +25,7 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
-  using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
-  /// What was read under a key: numbers in their unit; whole ones and texts have none.
-  struct ReadKey {
-    Value value;
-    std::string unit;
-    bool is_given = false; ///< else it is the default of a key that the file leaves out
-  };
-  /// By the full names of keys: "load.normal_force".
-  using ReadKeys = std::map<std::string, ReadKey, std::less<>>;
+  using ReadKeys = ReadInputs;
   /// Which unit a number of the file is read in, by the full names of keys.
   using KeyUnits = std::map<std::string, std::string, std::less<>>;
   static KeyUnits units_of(const ReadKeys& keys);
@@ -49,8 +40,8 @@ public:
   TomlSection optional_section(std::string_view name) const;
 
   /// The same file with a table of its inputs, from which the functions below that are given a key alone take unit,
-  /// bounds and default. The table must outlive it.
-  TomlSection described_by(const description::InputTable& inputs) const;
+  /// bounds and default. All that is read goes to `read` as well, if it is given. Both must outlive it.
+  TomlSection described_by(const description::InputTable& inputs, ReadInputs* read = nullptr) const;
 
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
@@ -107,20 +98,22 @@ private:
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
-      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_), inputs_(parent.inputs_) {}
+      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_), inputs_(parent.inputs_),
+        read_(parent.read_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
   double number(std::string_view key, std::string_view unit, std::optional<double> missing, const Check& check) const;
   double value_of(std::string_view key, const toml::node& node, std::string_view unit, const std::string& wanted) const;
   int whole(std::string_view key, const toml::node& node, int low, int high) const;
-  void record(std::string_view key, Value value, std::string_view unit) const;
+  void record(std::string_view key, ReadInput::Value value, std::string_view unit) const;
 
   const toml::table* table_ = nullptr;
   std::string name_;
   const std::string& file_;
   ReadKeys* keys_ = nullptr;
   const description::InputTable* inputs_ = nullptr;
+  ReadInputs* read_ = nullptr;
 };
 
 } // namespace microslip::io

@@ -324,6 +324,7 @@ WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
           .method = read_method(root.optional_section("solution"), material.poisson_ratio, tables),
+          .inputs = {},
           .varied = {}};
 }
 
@@ -393,7 +394,8 @@ WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& na
 }
 
 WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& tables) {
-  const TomlSection root = file.described_by(description::wheel_inputs());
+  ReadInputs read;
+  const TomlSection root = file.described_by(description::wheel_inputs(), &read);
   const TomlSection wheel = root.required_section("wheel");
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
   wheel.word("side");
@@ -404,6 +406,7 @@ WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& t
     root.at("interior", [] { throw Error("interior: a creep-force table has no tractions: fastsim2 or exact have"); });
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
   check_places(root, input, input.rail, input.wheel);
+  input.inputs = std::move(read);
   return input;
 }
 
@@ -423,7 +426,8 @@ WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name)
 }
 
 WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tables) {
-  const TomlSection root = file.described_by(description::wheelset_inputs());
+  ReadInputs read;
+  const TomlSection root = file.described_by(description::wheelset_inputs(), &read);
   if (root.has("interior"))
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheelset_inputs()));
@@ -435,6 +439,7 @@ WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tabl
   add_varied(input, sweeps);
   check_places(root, input, input.rail, input.wheel);
   check_places(root, input, input.right_rail.value_or(input.rail), input.right_wheel.value_or(input.wheel));
+  input.inputs = std::move(read);
   return input;
 }
 

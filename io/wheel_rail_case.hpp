@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/creep_tables.hpp"
+#include "io/read_inputs.hpp"
 #include "io/sliced_profile.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -38,6 +39,7 @@ struct WheelRailSetting {
   SurfaceStrength strength;
   std::vector<InclinedFriction> friction;
   WheelRailMethod method;
+  ReadInputs inputs;                    ///< all of it, and of the states, by the keys of the file
   std::vector<std::string_view> varied; ///< names of what the sweep varies, in the order of the table of quantities
 };
 

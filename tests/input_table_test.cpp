@@ -91,8 +91,8 @@ struct AnnotatedLine {
 };
 
 std::vector<AnnotatedLine> annotated_lines(const std::string& name) {
-  const std::regex heading(R"(^#? ?\[([\w.]+)\])"),
-      line(R"(^#? ?(\w+) = ("[^"]*"|\S+) *# *(.*)$)"), said(R"((^|, |\) )default( ("\w+"|[-\d.]+)|(?=[;,]|$)))");
+  const std::regex heading(R"(^#? ?\[([\w.]+)\])"), line(R"(^#? ?(\w+) = ("[^"]*"|\S+) *# *(.*)$)"),
+      said(R"((^|, |\) )default( ("\w+"|[-\d.]+)|(?=[;,]|$)))");
   std::vector<AnnotatedLine> lines;
   std::istringstream text(example(name));
   std::string section;
@@ -101,8 +101,8 @@ std::vector<AnnotatedLine> annotated_lines(const std::string& name) {
     if (std::regex_search(row, found, heading)) section = found[1];
     if (!std::regex_match(row, found, line)) continue;
     const std::string comment = found[3];
-    AnnotatedLine& annotated = lines.emplace_back(
-        AnnotatedLine{section, found[1], found[2], comment.substr(0, comment.find(',')), ""});
+    AnnotatedLine& annotated =
+        lines.emplace_back(AnnotatedLine{section, found[1], found[2], comment.substr(0, comment.find(',')), ""});
     if (std::regex_search(comment, value, said)) annotated.missing = value[3].matched ? value[3] : found[2];
   }
   return lines;
@@ -131,7 +131,8 @@ TEST(InputTable, AnnotatedExamplesSayItsDefaults) {
       const bool is_text = missing.front() == '"';
       const std::string text = is_text ? missing.substr(1, missing.size() - 2) : missing;
       if (input->missing)
-        EXPECT_DOUBLE_EQ(is_text ? io::number_in_unit(key, text, input->unit) : std::stod(text), *input->missing) << key;
+        EXPECT_DOUBLE_EQ(is_text ? io::number_in_unit(key, text, input->unit) : std::stod(text), *input->missing)
+            << key;
       else
         EXPECT_EQ(text, input->missing_word) << key;
     }

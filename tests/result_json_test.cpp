@@ -57,16 +57,16 @@ TEST(ResultJson, RefusesAFormatOfLaterVersions) {
     H5Tset_cset(type.get(), H5T_CSET_UTF8);
     const io::Hdf5Handle format(H5Acreate2(later.get(), "format", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
                                 H5Aclose);
-    const char* const number = "2";
+    const char* const number = "3";
     H5Awrite(format.get(), type.get(), static_cast<const void*>(&number));
   }
-  EXPECT_EQ(io::result_json(folder / "now.h5").at("format"), "1");
+  EXPECT_EQ(io::result_json(folder / "now.h5").at("format"), "2");
   try {
     io::result_json(folder / "later.h5");
     FAIL() << "a format that is not known was read";
   } catch (const Error& error) {
     EXPECT_EQ(error.what(),
-              (folder / "later.h5").string() + ": has format 2 of result files; this version of microslip reads 1");
+              (folder / "later.h5").string() + ": has format 3 of result files; this version of microslip reads 2");
   }
 }
 

@@ -23,11 +23,11 @@ LEVELS = 16
 def case_of(result):
     """The case that the result file holds. The pictures are of rolling that is steady."""
     case = microslip.parse_case(result.attribute("case_text"), f"{result.path}: case_text")
-    if result.text("/inputs/motion") != "steady":
+    if result.text("/inputs/motion/kind") != "steady":
         raise ResultError(f"{result.path}: this picture needs steady rolling")
-    if "/inputs/step" in result:
+    if "/inputs/motion/step" in result:
         raise ResultError(f"{result.path}: this picture needs rolling without motion.step")
-    if result.number("/inputs/friction_coefficient") == 0:
+    if "/inputs/friction/coefficient" in result and result.number("/inputs/friction/coefficient") == 0:
         raise ResultError(f"{result.path}: this picture needs friction")
     return case
 
@@ -158,8 +158,11 @@ def stresses_pictures(result, y=0.0):
 
 def material_of(result, body):
     """The material of a body; on rails both bodies are of one."""
-    which = f"_{body}" if f"/inputs/shear_modulus_{body}" in result else ""
-    return microslip.Material(result.number(f"/inputs/shear_modulus{which}"), result.number(f"/inputs/poisson_ratio{which}"))
+    section = f"/inputs/body{body}" if f"/inputs/body{body}" in result else "/inputs/material"
+    poisson_ratio = result.number(f"{section}/poisson_ratio")
+    if f"{section}/young_modulus" in result:
+        return microslip.Material.from_young(result.number(f"{section}/young_modulus"), poisson_ratio)
+    return microslip.Material(result.number(f"{section}/shear_modulus"), poisson_ratio)
 
 
 def stresses_picture(result, contact, which, y):

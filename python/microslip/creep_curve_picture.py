@@ -24,7 +24,7 @@ def creep_curve_picture(result, theories):
     if varied not in CREEPAGES:
         raise ResultError(f"{result.path}: /creep_curve has variable '{varied}', known: {', '.join(CREEPAGES)}")
     title, _, factor, unit, _ = CREEPAGES[varied]
-    limit = result.number("/inputs/friction_coefficient") * result.number("/inputs/normal_force")
+    limit = result.number("/creep_curve/limit")
     figure = new_figure(7.2, 5.4 if len(theories) == 1 else 6.4)
     axes = figure.subplots()
     open_axes(axes)
@@ -60,8 +60,8 @@ def creep_curve_picture(result, theories):
 
 
 def creepage_of_case(result, name):
-    """As given, or as found where a force is given; older files have it among the inputs only."""
-    return result.number(f"/creep_curve/{name}" if f"/creep_curve/{name}" in result else f"/inputs/{name}")
+    """As given, or as found where a force is given."""
+    return result.number(f"/creep_curve/{name}")
 
 
 def mark_points(axes, result, theories, varied, scale):

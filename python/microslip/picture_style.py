@@ -69,10 +69,10 @@ def bodies_of(result):
     """What pictures call both bodies: those of a wheel on a rail if body 2 is straight where it rolls and body 1 is not."""
     if result.attribute("kind", "") in ("wheel_rail", "wheelset"):
         return "wheel", "rail"
-    if any(f"/inputs/rolling_radius_{body}" not in result for body in (1, 2)):
+    if any(f"/inputs/body{body}/rolling_radius" not in result for body in (1, 2)):
         return "body 1", "body 2"
-    upper, lower = (float(result.array(f"/inputs/rolling_radius_{body}", dimensions=0, finite=False)) for body in (1, 2))
-    across = float(result.array("/inputs/transverse_radius_2", dimensions=0, finite=False))
+    upper, lower = (float(result.array(f"/inputs/body{body}/rolling_radius", dimensions=0, finite=False)) for body in (1, 2))
+    across = float(result.array("/inputs/body2/transverse_radius", dimensions=0, finite=False))
     if np.isfinite(upper) and np.isinf(lower):
         return ("wheel", "rail") if np.isfinite(across) and upper > 0 else ("body 1", "body 2")
     if np.isfinite(upper) and np.isfinite(lower):

@@ -11,8 +11,8 @@ class ResultError(Exception):
     """A result file that cannot be drawn; the text is one line for the user."""
 
 
-#: The format of result files that this version reads; files from before there was the attribute have it too.
-FORMAT = "1"
+#: The format of result files that this version reads; files without the attribute are taken for it.
+FORMAT = "2"
 DAMAGED = "cut short or damaged: copy it again, or write it again by the command that made it"
 
 

@@ -28,7 +28,7 @@ def read_contacts(result):
 
 def by_theory(result):
     """Of two bodies: one contact by each theory."""
-    speed = result.number("/inputs/rolling_speed")
+    speed = 1 if is_shift(result) else result.number("/inputs/motion/rolling_speed")
     return {theory: SolvedContact(f"/{theory}/fields", read_cells(result, theory), speed)
             for theory in THEORIES if f"{theory}/fields" in result}
 
@@ -65,14 +65,14 @@ def patch_cells(result, folder, at=(0.0, 0.0)):
 
 def rolls_backward(result):
     """Whether body 1 rolls against x."""
-    if "/inputs/direction" in result:
-        return result.text("/inputs/direction") == "backward"
+    if "/inputs/motion/direction" in result:
+        return result.text("/inputs/motion/direction") == "backward"
     return "/states/forward_velocity" in result and bool(result.array("/states/forward_velocity")[0] < 0)
 
 
 def is_shift(result):
     """Whether the bodies do not roll; slip is a length then."""
-    return "/inputs/motion" in result and result.text("/inputs/motion") == "shift"
+    return "/inputs/motion/kind" in result and result.text("/inputs/motion/kind") == "shift"
 
 
 def label_along_x(result):

@@ -47,7 +47,7 @@ class RailHead:
 
     def __init__(self, result):
         y, z = (1e3 * values for values in result.arrays(["/outlines/rail/y", "/outlines/rail/z"]))
-        if result.text("/inputs/side") == "right":  # outlines run to the field side
+        if result.text("/inputs/wheel/side") == "right":  # outlines run to the field side
             y, z = y[::-1], z[::-1]
         length = np.concatenate(([0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))))
         self.y, self.z, self.u = y, z, length - length[np.argmax(z)]
@@ -150,7 +150,7 @@ def rail_head_picture(result, rail, patches):
     put_title(figure, heading("Patches on the rail head", result))
     pressed, areas = panels = figure.subplots(2, 1, subplot_kw={"projection": "3d", "computed_zorder": False})
     for axes, title in ((pressed, "Pressure"), (areas, "Adhesion and slip")):
-        draw_rail_head(axes, x, u, rail, result.text("/inputs/side") == "left")
+        draw_rail_head(axes, x, u, rail, result.text("/inputs/wheel/side") == "left")
         axes.set_title(title, y=0.95)
     for order, cells in enumerate(sorted(patches, key=lambda one: -one.outline.limits()[2]), start=2):
         draw_pressure(pressed, rail, cells, largest, order)

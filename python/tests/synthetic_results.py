@@ -51,8 +51,10 @@ def write_rolling_contact(path, a=6e-3, b=4e-3, mx=10, my=10, creepage=(0.001, 0
     limit = friction * load
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "rolling_contact", "title": "wheel on rail", "version": "0.1.0", "commit": "abc"})
-        inputs = {"normal_force": load, "friction_coefficient": friction, **dict(zip(names, creepage)),
-                  "direction": "backward" if backward else "forward", "theory": theories[0], "rolling_speed": SPEED}
+        inputs = {"load/normal_force": load, "friction/coefficient": friction,
+                  **{f"motion/{name}": value for name, value in zip(names, creepage)},
+                  "motion/direction": "backward" if backward else "forward", "solution/theory": theories[0],
+                  "motion/rolling_speed": SPEED}
         for name, value in inputs.items():
             file[f"/inputs/{name}"] = value
         file["/hertz/a"], file["/hertz/b"] = a, b
@@ -63,6 +65,9 @@ def write_rolling_contact(path, a=6e-3, b=4e-3, mx=10, my=10, creepage=(0.001, 0
             for name, value in totals(fields).items():
                 file[f"/{theory}/{name}"] = value
         file.create_group("creep_curve").attrs["variable"] = varied
+        file["/creep_curve/limit"] = limit
+        for name, value in zip(names, creepage):
+            file[f"/creep_curve/{name}"] = value
         for finer, theory in enumerate(theories, start=1):
             grid = (a, b, finer * mx, finer * my)
             write_creep_curve(file, theory, names.index(varied), grid, creepage, limit, backward)

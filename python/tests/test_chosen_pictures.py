@@ -114,8 +114,8 @@ class ChosenPicturesTest(FolderTest):
 
     def test_a_format_of_later_versions_is_refused(self):
         with h5py.File(self.path, "a") as file:
-            file.attrs["format"] = "2"
-        with self.assertRaisesRegex(ResultError, "result.h5: has format 2 of result files; this version .* reads 1$"):
+            file.attrs["format"] = "3"
+        with self.assertRaisesRegex(ResultError, "result.h5: has format 3 of result files; this version .* reads 2$"):
             self.chosen(cut=0.0)
 
     def test_other_kinds_are_refused(self):

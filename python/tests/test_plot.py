@@ -165,7 +165,7 @@ class CommandLineTest(FolderTest):
         self.expect_error("'kind'")
 
     def test_every_missing_dataset_is_named(self):
-        for name in ("/fastsim2/fields/px", "/fastsim2/fx", "/hertz/a", "/creep_curve/fastsim2/fy", "/inputs/normal_force"):
+        for name in ("/fastsim2/fields/px", "/fastsim2/fx", "/hertz/a", "/creep_curve/fastsim2/fy", "/creep_curve/limit"):
             write_rolling_contact(self.path)
             with h5py.File(self.path, "a") as file:
                 del file[name]
@@ -250,7 +250,7 @@ class RollingContactPicturesTest(FolderTest):
             axes = self.figures()["creep_curve.png"].axes[0]
             points = [line.get_xydata()[0] for line in axes.lines if "this case" in str(line.get_label())]
             with h5py.File(self.path) as file:
-                here = factor * file[f"/inputs/{varied}"][()]
+                here = factor * file[f"/creep_curve/{varied}"][()]
                 expected = [[here, 1e-3 * file[f"/fastsim2/{name}"][()]] for name in ("fx", "fy")]
             np.testing.assert_allclose(points, expected, rtol=1e-12)
             for line, point in zip(axes.lines, points):
@@ -346,7 +346,7 @@ class BodiesTest(FolderTest):
                              ((0.05, -0.12, inf), ("roller", "ring")), ((-0.12, 0.05, 0.1), ("ring", "roller")),
                              ((0.46, inf, inf), ("body 1", "body 2")), ((inf, inf, 0.3), ("body 1", "body 2"))):
             with h5py.File(self.path, "w") as file:
-                for name, value in zip(("rolling_radius_1", "rolling_radius_2", "transverse_radius_2"), radii):
+                for name, value in zip(("body1/rolling_radius", "body2/rolling_radius", "body2/transverse_radius"), radii):
                     file[f"/inputs/{name}"] = value
             with ResultFile(self.path) as result:
                 self.assertEqual(bodies_of(result), names)

@@ -29,7 +29,7 @@ def write_wheel_rail(path, states=1, side="left", fields=True):
     """A file of kind wheel_rail with a patch in each state."""
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "wheel_rail", "title": "arcs", "version": "0.1.0", "commit": "abc"})
-        file["inputs/side"] = side
+        file["inputs/wheel/side"] = side
         for name in ("force_x", "force_y", "t_gamma", "t_gamma_with_spin", "frictional_power"):
             file[f"wheel/{name}"] = np.linspace(1, 2, states)
         file["patches/state"] = np.arange(states)
