@@ -28,7 +28,8 @@ void write_inputs(io::ResultWriter& file, const io::ReadInputs& inputs, const de
   for (const auto& [path, read] : inputs) {
     const std::size_t end = path.rfind('.'); // of the section's name
     const bool has_section = end != std::string::npos;
-    const description::Input* input = table.find(has_section ? path.substr(0, end) : "", path.substr(has_section ? end + 1 : 0));
+    const description::Input* input =
+        table.find(has_section ? path.substr(0, end) : "", path.substr(has_section ? end + 1 : 0));
     if (input == nullptr || (input->is_state && !read.is_given) || path == "title") continue;
     std::string place = "inputs/" + path;
     std::replace(place.begin(), place.end(), '.', '/');

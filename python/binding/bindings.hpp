@@ -17,6 +17,7 @@ void bind_grid_problems(pybind11::module_& module);
 void bind_exact(pybind11::module_& module);
 void bind_creep_table(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
+void bind_inputs_of_cases(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 void bind_profile(pybind11::module_& module);
 void bind_wheel_rail(pybind11::module_& module);

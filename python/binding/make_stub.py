@@ -74,6 +74,10 @@ RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "an
            "to_dataframe": "Any", "to_xarray": "Any"}  # a pandas.DataFrame, an xarray.Dataset
 
 
+# Classes whose methods take a state, and the kind of case that has it.
+OWNERS_OF_STATES = {"WheelRail": "wheel", "WheelsetOnTrack": "wheelset"}
+
+
 def python_type(text):
     """A type as pybind11 writes it, as Python does."""
     text = re.sub(r"numpy\.ndarray(\[numpy\.float64\])?", "NDArray[numpy.float64]", text)
@@ -122,6 +126,20 @@ def argument(text, owner):
     return f"{name}: {kind}" + (f" = {default}" if default else "")
 
 
+def keywords(owner, name):
+    """What the methods that take a state take by keyword, in place of **kwargs: numbers, or arrays of many states."""
+    kind = "ArrayLike" if name.endswith("_batch") else "float"
+    wanted = ["*"]
+    if owner == "WheelsetOnTrack":  # in place of a load
+        wanted += [f"{key}: float = ..." for key in ("vertical", "roll")]
+    for given in microslip.inputs(OWNERS_OF_STATES[owner]):
+        if given["state"]:
+            is_needed = given["needed"] and given["key"] == "forward_velocity"
+            default = "" if is_needed else " = ..." if given["default"] is None else f" = {given['default']}"
+            wanted.append(f"{given['key']}: {kind}" + default)
+    return wanted
+
+
 def signatures(function):
     """The signatures of a function or method, from the first line or the numbered lines of its docstring."""
     lines = function.__doc__.splitlines()
@@ -158,6 +176,10 @@ def function_lines(name, function, owner="", indent="", decorator=""):
             yield f"{indent}@{decorator}"
         result = RESULTS.get(name, python_type(result))
         parts = [argument(part, owner) for part in split(arguments)]
+        if "**kwargs" in parts and owner in OWNERS_OF_STATES:
+            at = parts.index("**kwargs")
+            words = keywords(owner, name)
+            parts[at:] = words[1:] if "*" in parts else words
         if name == "__init__":
             result = "None"
         yield from documented(f"{indent}def {name}({', '.join(parts)}) -> {result}", text, indent)

@@ -54,6 +54,7 @@ PYBIND11_MODULE(_core, module) {
   bind_exact(module);
   bind_creep_table(module);
   bind_case_files(module);
+  bind_inputs_of_cases(module);
   bind_contact_input(module);
   bind_profile(module);
   bind_wheel_rail(module);

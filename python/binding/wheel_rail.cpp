@@ -50,6 +50,7 @@ StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nomin
     column.data = column.values.data();
   }
   if (has("vertical") == has(force_name)) throw Error("vertical, vertical_force: either of them must be given");
+  if (!has("forward_velocity")) throw Error("forward_velocity: must be given");
   pitch_is_given_ = has("pitch_velocity");
 }
 

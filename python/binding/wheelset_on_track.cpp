@@ -77,6 +77,7 @@ GivenWheelset given_wheelset(const py::kwargs& given) {
   for (const std::string_view name : found_names)
     if (out.load.vertical && has(name)) throw Error(std::string(name) + ": is found from the load");
   if (!out.load.vertical && !has("vertical")) throw Error("vertical_force or vertical: either of them must be given");
+  if (!has("forward_velocity")) throw Error("forward_velocity: must be given");
   return out;
 }
 

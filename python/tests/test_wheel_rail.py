@@ -190,8 +190,9 @@ class WheelRailTest(unittest.TestCase):
     def test_what_makes_no_sense_is_refused(self):
         for text, call in (("did you mean lateral", lambda: self.pair.solve(latteral=0.0, vertical_force=1e3)),
                            ("either of them", lambda: self.pair.solve(lateral=0.0)),
+                           ("forward_velocity: must be given", lambda: self.pair.solve(vertical_force=1e3)),
                            ("either of them", lambda: self.pair.solve(vertical=0.0, vertical_force=1e3)),
-                           ("solve_batch takes arrays", lambda: self.pair.solve(lateral=[0.0, 1.0], vertical_force=1e3)),
+                           ("solve_batch takes arrays", lambda: self.pair.solve(lateral=[0.0, 1.0], forward_velocity=20.0, vertical_force=1e3)),
                            ("gauge", lambda: wheel_rail(track=microslip.Track(gauge=-1.0))),
                            ("must be left or right", lambda: wheel_rail(side="lefft")),
                            ("must be fastsim2, exact or table", lambda: wheel_rail(theory="fastsim")),

@@ -102,7 +102,8 @@ class WheelsetOnTrackTest(unittest.TestCase):
 
     def test_what_makes_no_sense_is_refused(self):
         for text, given in (("did you mean lateral", {"latteral": 0.0, "vertical_force": 1e5}),
-                            ("either of them must be given", {"lateral": 0.0}),
+                            ("either of them must be given", {"forward_velocity": 20.0}),
+                            ("forward_velocity: must be given", {"vertical_force": 1e5}),
                             ("is found from the load", {"roll": 0.0, "vertical_force": 1e5}),
                             ("only either of them", {"pitch_velocity": 60.0, "axle_torque": 0.0, "vertical_force": 1e5}),
                             ("only both of them", {"vertical_force_left": 1e5}),
@@ -112,8 +113,8 @@ class WheelsetOnTrackTest(unittest.TestCase):
                 self.pair.solve(**given)
         with self.assertRaisesRegex(microslip.Error, "rail"):
             wheelset(rail=microslip.read_profile(PROFILES / "s1002.prw"))
-        self.assertEqual(self.pair.solve(lateral=0.3, vertical_force=1e5).status, microslip.Status.no_contact)
-        self.assertEqual(self.pair.solve(lateral=float("nan"), vertical_force=1e5).status, microslip.Status.invalid_input)
+        self.assertEqual(self.pair.solve(lateral=0.3, forward_velocity=20.0, vertical_force=1e5).status, microslip.Status.no_contact)
+        self.assertEqual(self.pair.solve(lateral=float("nan"), forward_velocity=20.0, vertical_force=1e5).status, microslip.Status.invalid_input)
         self.assertEqual(self.pair.solve(**STATE, vertical_force=1e5, axle_torque=1e5).status, microslip.Status.no_solution)
 
 
