@@ -22,7 +22,6 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -112,15 +111,6 @@ Method method_of(const BatchArguments& arguments) {
   if (arguments.tolerance)
     method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", smallest_tolerance, largest_tolerance);
   return method;
-}
-
-/// The words of the table of incompatibilities for options of the command line: `--elements` for `solution.elements`,
-/// `--theory exact` for `solution.theory = "exact"`.
-std::string in_options(std::string text) {
-  for (const auto& [key, option] : {std::pair("solution.", "--"), {" = \"", " "}, {"\"", ""}})
-    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key))
-      text.replace(at, std::strlen(key), option);
-  return text;
 }
 
 bool is_standard(const fs::path& path) {
@@ -350,7 +340,7 @@ void check_options(const BatchArguments& arguments) {
   }
   refuse({{"--table", !arguments.table.empty()}}, "needs --theory table");
   const auto found = incompatibilities(any_contact(arguments), method_of(arguments));
-  if (!found.empty()) throw Error(in_options(found.front().message()));
+  if (!found.empty()) throw Error(found.front().message(KeyStyle::option));
 }
 
 std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {

@@ -97,10 +97,14 @@ void print_document(const HertzArguments& arguments, const HertzResult& result,
   auto units = io::Json::object();
   add_body(document, units, "body1", result.body1);
   add_body(document, units, "body2", result.body2);
-  for (const auto& quantity : cases::hertz_quantities(result.contact)) {
-    document[io::Json::json_pointer("/" + quantity.path)] = io::json_number(quantity.value);
-    units[quantity.path] = quantity.unit;
-  }
+  const auto add = [&](const std::vector<cases::StoredNumber>& quantities) {
+    for (const auto& quantity : quantities) {
+      document[io::Json::json_pointer("/" + quantity.path)] = io::json_number(quantity.value);
+      units[quantity.path] = quantity.unit;
+    }
+  };
+  add(cases::hertz_quantities(result.contact));
+  add(cases::material_quantities(combine(result.body1.material, result.body2.material)));
   document["units"] = units;
   document["warnings"] = warnings;
   print_json(document);

@@ -277,6 +277,11 @@ std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz) {
           {"tolerances/hertz_relative", 1e-12, "-", "relative error of the Hertz solution"}};
 }
 
+std::vector<StoredNumber> material_quantities(const CombinedMaterial& material) {
+  return {{"hertz/shear_modulus", material.shear_modulus, "Pa", "combined shear modulus G"},
+          {"hertz/poisson_ratio", material.poisson_ratio, "-", "combined Poisson's ratio"}};
+}
+
 std::string simplified_name(const io::RollingCase& input) {
   if (input.theory == Theory::fastrip) return "fastrip";
   return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
@@ -327,8 +332,7 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
 void write_result(const io::RollingCase& input, const RollingContactResult& result, io::ResultWriter& file) {
   write_inputs(file, input.inputs, description::rolling_inputs());
   write(file, hertz_quantities(result.hertz));
-  file.scalar("hertz/shear_modulus", result.contact.shear_modulus, "Pa", "combined shear modulus G");
-  file.scalar("hertz/poisson_ratio", result.contact.poisson_ratio, "-", "combined Poisson's ratio");
+  write(file, material_quantities(combine(input.body1.material, input.body2.material)));
   if (input.table) {
     file.scalar("table/least_ratio", input.table->axes().least_ratio, "-", "least a/b of the creep-force table");
     file.scalar("table/largest_ratio", input.table->axes().largest_ratio, "-", "largest a/b of it");

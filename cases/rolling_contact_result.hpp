@@ -64,6 +64,8 @@ struct StoredNumber {
 
 /// hertz/normal_force and so on, tolerances/hertz_relative.
 std::vector<StoredNumber> hertz_quantities(const HertzContact& hertz);
+/// hertz/shear_modulus and hertz/poisson_ratio, combined.
+std::vector<StoredNumber> material_quantities(const CombinedMaterial& material);
 
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const io::RollingCase& input);

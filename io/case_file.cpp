@@ -183,10 +183,10 @@ void refuse_where_given(const TomlSection& root, const Incompatibility& found) {
     const std::string_view field = fields.substr(0, end), section = field.substr(0, field.find('.')),
                            key = field.substr(field.find('.') + 1);
     fields = end == std::string_view::npos ? std::string_view() : fields.substr(end + 2);
-    if (section == "case" && root.has(key)) refuse_at(root, section, key, true, std::string(found.text));
+    if (section == "case" && root.has(key)) refuse_at(root, section, key, true, found.reason());
     if (!root.has(section)) continue;
     const auto table = root.required_section(section);
-    if (table.has(key)) refuse_at(table, section, key, true, std::string(found.text));
+    if (table.has(key)) refuse_at(table, section, key, true, found.reason());
   }
   throw Error(root.file() + ": " + found.message());
 }
@@ -204,7 +204,7 @@ void read_solution(const TomlSection& solution, const CreepTables& tables, Rolli
   if (input.theory == Theory::table)
     input.table = tables.get(solution, std::nullopt, input.options.direction);
   else if (solution.has("table"))
-    solution.at("table", [] { throw Error("solution.table: needs theory = \"table\""); });
+    solution.at("table", [] { throw Incompatible(table_without_theory); });
   set_defaults(input.theory, input.options); // FaStrip has other ones than the table of inputs
   input.options.bound = solution.option("bound", input.options.bound);
   input.options.flexibility = solution.option("flexibility", input.options.flexibility);

@@ -8,6 +8,7 @@
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/rolling/incompatibility.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -153,7 +154,7 @@ WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, co
   if (method.level == WheelRailLevel::table)
     method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))
-    section.at("table", [] { throw Error("solution.table needs theory = \"table\""); });
+    section.at("table", [] { throw Incompatible(table_without_theory); });
   method.elements = section.whole("grid");
   method.tolerance = section.number("tolerance");
   return method;

@@ -87,7 +87,8 @@ TEST(CreepTableCase, RefusesWhatATableDoesNotHave) {
   refused(table + "accuracy = 0.01", "", "c.toml:22: solution.accuracy: needs solution.theory = \"exact\"");
   refused(table, "kind = \"transient\"\n", "motion.kind: needs solution.theory = \"exact\"");
   refused(table + "[interior]\nx = [0]\ny = [0]\nz = [1e-3]", "", "[interior]: needs solution.theory = \"exact\"");
-  refused("theory = \"exact\"\ntable = \"steel.creep\"", "", "c.toml:22: solution.table: needs theory = \"table\"");
+  refused("theory = \"exact\"\ntable = \"steel.creep\"", "",
+          "c.toml:22: solution.table: needs solution.theory = \"table\"");
   refused(table + "table = \"no.creep\"", "", "c.toml:22: solution.table: no.creep: cannot be read: No such file");
 }
 

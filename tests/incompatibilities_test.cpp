@@ -175,6 +175,16 @@ TEST(Incompatibilities, AreTheLibrarysWords) {
             "dissimilarity = 0.2 [-]: must be 0 in the simplified theory");
 }
 
+/// Each interface writes keys in its own style.
+TEST(Incompatibilities, AreSaidInTheKeysOfTheInterface) {
+  const Incompatibility found{"solution.slip_start", "needs {solution.theory=exact} without {motion.step}"};
+  EXPECT_EQ(found.message(), "solution.slip_start: needs solution.theory = \"exact\" without motion.step");
+  EXPECT_EQ(found.message(KeyStyle::option), "--slip-start: needs --theory exact without --step");
+  EXPECT_EQ(found.message(KeyStyle::keyword), "slip_start: needs theory=\"exact\" without step");
+  const Incompatibility two{"body1.creep_ratio, body2.creep_ratio", "are none"};
+  EXPECT_EQ(two.message(KeyStyle::option), "--creep-ratio, --creep-ratio: are none");
+}
+
 /// So does the solver of ellipses: at once what its options tell, as a status what a contact brings.
 TEST(Incompatibilities, OfTheEllipsesSolver) {
   ExactOptions options;

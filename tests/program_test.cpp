@@ -115,10 +115,10 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   EXPECT_EQ(reader.attribute("/", "version"), build_info().version);
   EXPECT_EQ(reader.attribute("/", "case_text"), contents(example));
   EXPECT_NE(reader.attribute("/", "command_line").find("solve " + example + " -o out"), std::string::npos);
-  EXPECT_EQ(scalar("inputs/rolling_radius_1"), 0.46);
-  EXPECT_EQ(reader.attribute("inputs/rolling_radius_1", "unit"), "m");
-  EXPECT_EQ(scalar("inputs/friction_coefficient"), 0.3);
-  EXPECT_EQ(reader.text("inputs/bound"), "parabolic");
+  EXPECT_EQ(scalar("inputs/body1/rolling_radius"), 0.46);
+  EXPECT_EQ(reader.attribute("inputs/body1/rolling_radius", "unit"), "m");
+  EXPECT_EQ(scalar("inputs/friction/coefficient"), 0.3);
+  EXPECT_EQ(reader.text("inputs/solution/bound"), "parabolic");
   EXPECT_EQ(scalar("hertz/a"), hertz.a);
   EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
   EXPECT_EQ(scalar("fastsim2/fx"), expected.totals.fx);
@@ -143,7 +143,7 @@ TEST(Program, CreepCurvePassesThroughTheCase) {
   ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
   const Hdf5Reader reader(folder / "out/result.h5");
   EXPECT_EQ(reader.attribute("creep_curve", "variable"), "creepage_longitudinal");
-  const auto point = reader.values<double>("inputs/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0);
+  const auto point = reader.values<double>("inputs/motion/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0);
   EXPECT_EQ(point, 0.0018);
   for (const std::string theory : {"fastsim2", "exact"}) {
     const auto value = reader.values<double>("creep_curve/" + theory + "/value", H5T_NATIVE_DOUBLE);
@@ -175,9 +175,9 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
     const Hdf5Reader reader(folder / "out/result.h5");
     EXPECT_NEAR(reader.values<double>("exact/fx", H5T_NATIVE_DOUBLE).at(0), -12e3, 0.1);
     EXPECT_GT(reader.values<double>("exact/creepage_longitudinal", H5T_NATIVE_DOUBLE).at(0), 0);
-    EXPECT_FALSE(reader.has("inputs/shift_longitudinal")); // the force is what was given
-    EXPECT_EQ(reader.values<double>("inputs/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
-    EXPECT_EQ(reader.text("inputs/motion"), "shift");
+    EXPECT_FALSE(reader.has("inputs/motion/shift_longitudinal")); // the force is what was given
+    EXPECT_EQ(reader.values<double>("inputs/motion/shift_lateral", H5T_NATIVE_DOUBLE).at(0), 1e-6);
+    EXPECT_EQ(reader.text("inputs/motion/kind"), "shift");
   }
   ASSERT_EQ(solve("kind = \"transient\"\nforce_longitudinal = -12e3\nsteps = 4\nrolling_speed = 2").exit_code, 0);
   {
@@ -193,10 +193,10 @@ TEST(Program, ShiftsAndTransientRollingWithForcesGiven) {
   {
     const Hdf5Reader reader(folder / "out/result.h5");
     const auto number = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
-    EXPECT_FALSE(reader.has("inputs/creepage_longitudinal"));
-    EXPECT_EQ(number("inputs/creepage_lateral"), 0);
+    EXPECT_FALSE(reader.has("inputs/motion/creepage_longitudinal"));
+    EXPECT_EQ(number("inputs/motion/creepage_lateral"), 0);
     EXPECT_EQ(number("creep_curve/creepage_longitudinal"), number("exact/creepage_longitudinal"));
-    EXPECT_EQ(number("creep_curve/spin"), number("inputs/spin"));
+    EXPECT_EQ(number("creep_curve/spin"), number("inputs/motion/spin"));
   }
   const auto too_much = solve("force_longitudinal = -30e3\nrolling_speed = 2");
   EXPECT_EQ(too_much.exit_code, 1);
@@ -219,7 +219,7 @@ TEST(Program, SaysWhereFallingFrictionBegan) {
     const auto outcome = run_program(folder, "solve c.toml -o out --no-pictures");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
     EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
-    EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("inputs/slip_start"), start);
+    EXPECT_EQ(Hdf5Reader(folder / "out/result.h5").text("inputs/solution/slip_start"), start);
   }
 }
 

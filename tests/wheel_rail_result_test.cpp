@@ -156,7 +156,7 @@ TEST(WheelRailResult, LeavesOutWhatIsNotGiven) {
   }
   EXPECT_FALSE(without["wheel"].contains("worn_area"));
   EXPECT_EQ(with["units"]["wheel/worn_area"], "m^2");
-  EXPECT_EQ(with["inputs"]["hardness"], 2.7e9);
+  EXPECT_EQ(with["inputs"]["material"]["hardness"], 2.7e9);
   EXPECT_TRUE(without["wheel"].contains("nadal_limit"));
 }
 

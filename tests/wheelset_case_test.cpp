@@ -136,7 +136,7 @@ TEST(WheelsetResult, HasWearAndFieldsOfBothWheels) {
     EXPECT_DOUBLE_EQ(with[side]["wheel"]["worn_area"][0].get<double>(), worn);
     EXPECT_EQ(with[side]["wheel"]["force_z"], without[side]["wheel"]["force_z"]);
   }
-  EXPECT_EQ(with["inputs"]["hardness"], 2.7e9);
+  EXPECT_EQ(with["inputs"]["material"]["hardness"], 2.7e9);
   const io::WheelsetCase input = io::parse_wheelset_case(wheelset_text, "w.toml");
   const WheelsetSolution solution = cases::solve_case(input).solutions.at(0);
   EXPECT_EQ(solution.left.fields.size(), solution.left.patches.size());

@@ -72,7 +72,7 @@ TEST(CSolveCase, HasTheDocumentOfTheProgram) {
   EXPECT_EQ(json, wanted);
   EXPECT_EQ(json.at("exact").at("fx"), result.exact->contact.totals.fx);
   EXPECT_EQ(json.at("units").at("exact/fx"), "N");
-  EXPECT_EQ(json.at("inputs").at("rolling_radius_2"), "inf");
+  EXPECT_EQ(json.at("inputs").at("body2").at("rolling_radius"), "inf");
   EXPECT_FALSE(json.at("exact").contains("fields"));
   EXPECT_FALSE(json.contains("interior"));
   EXPECT_EQ(json.at("interior_extremes").at("von_mises").at("value"),

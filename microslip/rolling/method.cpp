@@ -36,8 +36,8 @@ struct Rule {
   bool (*is_broken)(Problem, How);
 };
 
-constexpr std::string_view needs_exact = "needs solution.theory = \"exact\"",
-                           not_of_table = "cannot be combined with solution.theory = \"table\"";
+constexpr std::string_view needs_exact = "needs {solution.theory=exact}",
+                           not_of_table = "cannot be combined with {solution.theory=table}";
 
 /// What cannot be combined. Every door reads it from here, in this order.
 constexpr Rule rules[] = {
@@ -59,12 +59,12 @@ constexpr Rule rules[] = {
        // Shifts and steps that are given are classical without being asked.
        return is_exact(m) && m.discretisation == Discretisation::second_order && needs_sequence(p);
      }},
-    {"solution.elements", "bilinear ones need solution.discretisation = \"classical\"",
+    {"solution.elements", "bilinear ones need {solution.discretisation=classical}",
      [](Problem p, How m) {
        return is_exact(m) && elements_of(p, m) != ElementShape::constant && !needs_sequence(p) &&
               m.discretisation != Discretisation::classical;
      }},
-    {"solution.accuracy", "needs steady rolling without motion.step, of second order",
+    {"solution.accuracy", "needs steady rolling without {motion.step}, of second order",
      [](Problem p, How m) {
        return is_exact(m) && m.accuracy &&
               (!is_steady(p) || p.motion.step != 0 || discretisation_of(p, m) != Discretisation::second_order);
@@ -74,19 +74,19 @@ constexpr Rule rules[] = {
     {"solution.accuracy", "needs an ellipse; a gap on a grid is solved on that grid",
      [](Problem p, How m) { return is_exact(m) && m.accuracy && !is_hertzian(p); }},
     // Simplified theory
-    {"friction.law", "must be coulomb with solution.theory = \"fastrip\"",
+    {"friction.law", "must be coulomb with {solution.theory=fastrip}",
      [](Problem p, How m) { return is_fastrip(m) && !is_coulomb(p); }},
-    {"solution.bound", "must be elliptic with solution.theory = \"fastrip\"",
+    {"solution.bound", "must be elliptic with {solution.theory=fastrip}",
      [](Problem, How m) {
        return is_fastrip(m) && m.bound.value_or(TractionBound::elliptic) != TractionBound::elliptic;
      }},
-    {"solution.slope_reduction", "FaStrip has none, solution.theory = \"fastrip\"",
+    {"solution.slope_reduction", "FaStrip has none, {solution.theory=fastrip}",
      [](Problem, How m) { return is_fastrip(m) && has_slope_reduction(m); }},
     {"solution.precision", "single is for FASTSIM and FASTSIM2",
      [](Problem, How m) { return m.precision == Precision::single && (is_exact(m) || is_fastrip(m) || is_table(m)); }},
     // Creep-force tables
-    {"solution.table", "needs solution.theory = \"table\"", [](Problem, How m) { return !is_table(m) && m.table; }},
-    {"solution.theory", "needs a creep-force table, solution.table",
+    {table_without_theory.field, table_without_theory.text, [](Problem, How m) { return !is_table(m) && m.table; }},
+    {"solution.theory", "needs a creep-force table, {solution.table}",
      [](Problem, How m) { return is_table(m) && !m.table; }},
     {"motion.direction", "must be that of the creep-force table",
      [](Problem p, How m) { return is_table(m) && m.table && m.table->direction() != p.motion.direction; }},
@@ -153,7 +153,7 @@ std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, co
 
 void require_compatible(const RollingProblem& problem, const Method& method) {
   const auto found = incompatibilities(problem, method);
-  if (!found.empty()) throw Error(found.front().message());
+  if (!found.empty()) throw Incompatible(found.front());
 }
 
 namespace {

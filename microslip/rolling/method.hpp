@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/incompatibility.hpp"
 #include "microslip/rolling/rolling_problem.hpp"
 #include "microslip/rolling/theory.hpp"
 
@@ -36,20 +37,11 @@ struct Method {
   std::shared_ptr<const CreepForceTable> table = {}; ///< for the direction of rolling
 };
 
-/// Something in a problem that its method, or another part of the problem, does not allow.
-struct Incompatibility {
-  std::string_view field; ///< where it is given, as in case files: "motion.kind"
-  std::string_view text;  ///< what is wrong and what would be right
-
-  /// "motion.kind: must be steady with viscoelastic bodies".
-  std::string message() const { return std::string(field) + ": " + std::string(text); }
-};
-
 /// All incompatibilities of a problem and a method, in the order of the table that every door reads: empty if the
 /// problem can be solved so.
 std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, const Method& method);
 
-/// Throws Error with the first of them.
+/// Throws Incompatible with the first of them.
 void require_compatible(const RollingProblem& problem, const Method& method);
 
 /// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion. A contact's

@@ -46,11 +46,13 @@ py::list inputs(const std::string& kind) {
 } // namespace
 
 void bind_inputs_of_cases(py::module_& module) {
-  module.def("inputs", &inputs, "kind"_a,
-             "The keys of case files of a kind, bodies, wheel or wheelset: for each a dict of its section and key, unit,\n"
-             "default (None: none; without a unit [-]), whether a case without it is refused, range and words that may stand there, whether\n"
-             "it is a number of a wheel's state, and a text. The section body is that of body1 and body2, profile that\n"
-             "of all sections with a profile.");
+  module.def(
+      "inputs", &inputs, "kind"_a,
+      "The keys of case files of a kind, bodies, wheel or wheelset: for each a dict of its section and key, unit,\n"
+      "default (None: none; without a unit [-]), whether a case without it is refused, range and words that may stand "
+      "there, whether\n"
+      "it is a number of a wheel's state, and a text. The section body is that of body1 and body2, profile that\n"
+      "of all sections with a profile.");
 }
 
 } // namespace microslip::python

@@ -2,6 +2,7 @@
 #include "binding/sweep.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/rolling/incompatibility.hpp"
 #include "microslip/version.hpp"
 
 namespace microslip::python {
@@ -13,6 +14,15 @@ void bind_error(py::module_& module) {
   auto error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
   error.attr("__doc__") =
       "A set-up that makes no sense: the text names the field, its value, its unit and the allowed range.";
+  // What cannot be combined, with keys as keyword parameters.
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Incompatible& refusal) {
+      const py::object type = py::module_::import("microslip._core").attr("Error");
+      PyErr_SetString(type.ptr(), refusal.of().message(KeyStyle::keyword).c_str());
+    }
+  });
 }
 
 void bind_build(py::module_& module) {

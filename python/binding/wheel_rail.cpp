@@ -12,6 +12,7 @@
 #include "io/option_words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/rolling/incompatibility.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -86,7 +87,7 @@ WheelRailMethod method_from(const std::string& theory, const std::optional<std::
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio) {
   const auto level = io::from_word<WheelRailLevel>("theory", theory);
-  if (table && level != WheelRailLevel::table) throw Error("table needs theory = \"table\"");
+  if (table && level != WheelRailLevel::table) throw Incompatible(table_without_theory);
   return {.level = level,
           .shape = shape ? std::optional(io::from_word<PatchShape>("shape", *shape)) : std::nullopt,
           .elements = grid,
