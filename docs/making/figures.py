@@ -40,7 +40,7 @@ def parse(text):
 
 
 def column(line, begin, end):
-    """Where a part of a line stands: in a table of Markdown the number of its cell, else its first and last place."""
+    """Where a part of a line stands: in a table of Markdown the number of its cell, else its first and last column."""
     return (line.count("|", 0, begin),) * 2 if line.startswith("|") else (begin, end - 1)
 
 

@@ -142,7 +142,7 @@ def renew(block, output, write):
 
 
 def make_workplace(folder, build):
-    """Links to all that the commands name, so that what they write is written elsewhere; `build` in place of the usual one."""
+    """Links to all that the commands name, so that what they write is written elsewhere; `build` instead of the usual one."""
     for entry in ROOT.iterdir():
         if entry.name not in ("build", "results"):
             (folder / entry.name).symlink_to(entry)

@@ -39,7 +39,7 @@ alone = microslip.InteriorField(steel, 2, grid, pn=normal.pressure)
 
 # %% [markdown]
 # Points are given with their depth below the surface. Here a section along the rail, below the middle of the contact;
-# von Mises' stress says how near a place is to yielding.
+# von Mises' stress says how close a point is to yielding.
 
 # %%
 x, depth = np.linspace(-2 * hertz.a, 2 * hertz.a, 81), np.linspace(0.3e-3, 9e-3, 36)
