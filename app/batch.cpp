@@ -207,8 +207,8 @@ struct ChunkResult {
   std::vector<io::BadRow> bad;
 };
 
-/// Solves chunks of a table by one batch. Results go to the places of the chunks; if `progress` ends the batch they
-/// mean nothing.
+/// Solves chunks of a table by one batch. Results are stored by the index of the chunks; if `progress` ends the batch
+/// they mean nothing.
 class TableSolver {
 public:
   virtual ~TableSolver() = default;
@@ -374,7 +374,7 @@ std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
                                                             RowSolver(marching_scheme(method.theory), options));
 }
 
-/// Bad rows in a file of their own, if one is named.
+/// Bad rows in a separate file, if one is named.
 class ErrorList {
 public:
   explicit ErrorList(const fs::path& path) {

@@ -283,7 +283,7 @@ def cost(arguments):
 
 def makespan(times, workers, latency, service):
     """When the last of the tasks is done: workers ask one after another for the next one; a question takes a while to travel
-    and a while at the place that all ask."""
+    and a while at the number that all ask."""
     free_at, end = 0.0, 0.0
     asking = [(latency / 2, 0)] * workers
     heapq.heapify(asking)

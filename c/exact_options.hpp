@@ -17,7 +17,7 @@ Method method_of(const microslip_exact_options& options);
 RollingProblem problem_of(const microslip_exact_options& options, const EllipticContact& contact,
                           const ExactMotion& motion);
 
-/// Whether the bodies are more than the contact's own constants: materials of both, or a layer.
+/// Whether the bodies are more than the contact's constants: materials of both, or a layer.
 bool has_bodies(const microslip_exact_options& options);
 
 } // namespace microslip::c

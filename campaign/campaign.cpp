@@ -54,7 +54,7 @@ void create(const fs::path& folder) {
 
 } // namespace
 
-/// Keeps other runs away from a checkpoint, until the process ends in whatever way. The first rank has byte 0 of a
+/// Keeps other runs away from a checkpoint, until the process ends, for whatever reason. The first rank has byte 0 of a
 /// file, rank r byte r: a new run needs all of it for a moment, so that it does not begin while a rank of an old one
 /// still writes. Locks by fcntl are not inherited by child processes and work over NFS; where a file system has none,
 /// nothing is locked.

@@ -44,10 +44,10 @@ struct KeptChunk {
 
 /// The chunks of a journal, in the order in which they were added. A chunk that is cut off at the end, as by the death
 /// of its process, is taken away from the file; nobody may be writing to it. Throws Error with the path for a file that
-/// is no journal, or of another campaign, version or byte order, or has damaged chunks, with the place of the first.
+/// is no journal, or of another campaign, version or byte order, or has damaged chunks, with the position of the first.
 std::vector<KeptChunk> find_chunks(const std::filesystem::path& path, const CampaignPlan& plan);
 
-/// Reads chunks of one journal, at any place.
+/// Reads chunks of one journal, from any position.
 class JournalReader {
 public:
   /// Throws Error with the path and the system's reason.

@@ -14,7 +14,7 @@ namespace microslip::campaign {
 /// What a parameter is in a case: a number, or what a list in the file or a column of a table has.
 struct CaseValue {
   double number = 0;
-  const toml::node* node = nullptr; ///< in place of the number, if there is one; of the specification
+  const toml::node* node = nullptr; ///< instead of the number, if there is one; of the specification
 
   bool operator==(const CaseValue&) const = default;
 };

@@ -39,7 +39,7 @@ ConicityResult find_conicity(const ConicityInput& input, const WheelsetSearch::S
 std::optional<double> steering_index(const ConicityInput& input, const ConicityResult& result);
 
 /// The result as members of a JSON object: conicity over the amplitudes; rolling radius difference and so on in steps
-/// of 0.1 mm, with the places of contact on the profiles.
+/// of 0.1 mm, with the contact points on the profiles.
 io::Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
                            const WheelsetSearch::Side& right);
 /// The units of these members.

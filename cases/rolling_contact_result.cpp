@@ -73,7 +73,7 @@ TableResult look_up(const io::RollingCase& input, const EllipticContact& contact
   return result;
 }
 
-/// In the case's steps, with creepages in place of forces that are given.
+/// In the case's steps, with creepages instead of prescribed forces.
 CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, ExactMotion motion,
                        const Progress& progress) {
   motion.force_x = motion.force_y = std::nullopt;
@@ -175,7 +175,7 @@ void write_friction(io::ResultWriter& file, const io::RollingCase& input) {
   }
 }
 
-/// What was given: a creepage whose force is given in its place is a result, exact/creepage_longitudinal or
+/// The inputs: a creepage whose force is prescribed instead is a result, exact/creepage_longitudinal or
 /// creepage_lateral.
 void write_motion(io::ResultWriter& file, const io::RollingCase& input) {
   const auto& creepage = input.creepage;

@@ -12,7 +12,7 @@ namespace microslip::fmi {
 enum class Kind { real, integer, text };
 enum class Causality { parameter, input, output, local };
 
-/// A variable of a unit. Its value reference is its place in the table, whatever its kind.
+/// A variable of a unit. Its value reference is its index in the table, whatever its kind.
 struct Variable {
   std::string name, description;
   Kind kind = Kind::real;
@@ -23,7 +23,7 @@ struct Variable {
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
 };
 
-/// The values of all variables by their value references; of each kind only those places count that are of it.
+/// The values of all variables by their value references; of each kind only those entries count that are of it.
 struct Values {
   std::vector<double> real;
   std::vector<int> integer;
@@ -57,7 +57,7 @@ public:
 // Each unit defines these.
 
 ModelInfo model_info();
-/// `resources` is the folder of the unit's own files, empty if the importer tells of none.
+/// `resources` is the folder of the unit's files, empty if the importer gives none.
 std::unique_ptr<Model> make_model(const std::filesystem::path& resources);
 
 } // namespace microslip::fmi

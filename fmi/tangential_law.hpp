@@ -16,7 +16,7 @@ struct LawParameters {
   double shear_modulus = 82e9;               ///< combined G [Pa]
   double poisson_ratio = 0.28;               ///< combined nu [-]
   int mx = 10, my = 10;                      ///< cells of FASTSIM2
-  std::optional<CreepForceTable> table = {}; ///< in its place
+  std::optional<CreepForceTable> table = {}; ///< instead of it
 };
 
 struct LawInput {

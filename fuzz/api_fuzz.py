@@ -4,7 +4,7 @@
 
 Every call gives finite results whose forces keep within friction, or says in its status that it does not, or raises
 microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls
-run in a process of their own, so that a crash is told as well. Each has a seed of its own: `--seed S --call I` makes
+run in a separate process, so that a crash is told as well. Each has a seed: `--seed S --call I` makes
 call I again and nothing else.
 """
 
@@ -60,7 +60,7 @@ class Draw(random.Random):
         return {name: draw() for name, draw in arguments.items() if self.random() < 0.4}
 
     def array(self, values):
-        """An array of these values, or of some others' shape, in a kind of its own."""
+        """An array of these values, or of some others' shape, of any kind."""
         values = np.asarray(values, dtype=float)
         if self.is_odd():
             shape = self.choice([(0,), (3,), values.shape[::-1], (*values.shape, 1), ()])
@@ -338,7 +338,7 @@ def wheelset_geometry(draw):
 
 
 def wheelset_on_track(draw):
-    """Both wheels of S1002 on 60E1, in equilibrium or in a place."""
+    """Both wheels of S1002 on 60E1, in equilibrium or at a position."""
     rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
     pair = microslip.WheelsetOnTrack(
         track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
@@ -411,7 +411,7 @@ def end_call(*_):
 
 
 def run(seed, calls, seconds, said):
-    """Makes calls, as many as these seconds have room for; `said` tells before each one which it is, in case that it
+    """Makes calls, as many as these seconds allow; `said` tells before each one which it is, in case that it
     never comes back."""
     signal.signal(signal.SIGALRM, end_call)
     end = time.monotonic() + seconds

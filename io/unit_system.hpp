@@ -21,7 +21,7 @@ struct UnitPrefix {
 std::span<const UnitDefinition> unit_definitions();
 std::span<const UnitPrefix> unit_prefixes();
 
-/// These units with the algebra of products, quotients and whole powers: UDUNITS', or our own where that is missing.
+/// These units with the algebra of products, quotients and whole powers: UDUNITS', or ours where that is missing.
 class UnitSystem {
 public:
   UnitSystem();

@@ -375,7 +375,7 @@ void check_places(const TomlSection& root, const WheelRailSetting& input, const 
   });
 }
 
-/// Whether a place is among the rail's slices, beyond which nothing is known of it.
+/// Whether a position is among the rail's slices, beyond which nothing is known of it.
 void check_place_along_track(const TomlSection& root, const PlacedProfile& rail, const WheelState<double>& state) {
   if (!rail.surface) return;
   const bool is_swept = root.optional_section("sweep").has("longitudinal");

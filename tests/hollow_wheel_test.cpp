@@ -50,7 +50,7 @@ public:
     }
   }
 
-  /// The wheel's height above the profile's zero where it touches first, or nothing where another place is as near
+  /// The wheel's height above the profile's zero where it touches first, or nothing where another point is as near
   /// within a micrometre and a millimetre away.
   std::optional<double> touched_height(double lateral) const {
     struct Place {

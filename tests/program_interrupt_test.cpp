@@ -103,7 +103,7 @@ bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
   return false;
 }
 
-/// The example of two bodies with other lines in the place of some.
+/// The example of two bodies with some lines replaced.
 std::string case_with(const std::vector<std::pair<std::string, std::string>>& changes) {
   auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
   for (const auto& [from, to] : changes) text.replace(text.find(from), from.size(), to);

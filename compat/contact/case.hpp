@@ -19,7 +19,7 @@ struct FrictionData {
   Law law = Law::coulomb;                ///< never keep
   bool by_row = false;                   ///< V = 3
   std::vector<std::vector<double>> sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file
-  /// Of module 1 with V = 1, 2: the inclination [rad], or the place along the track, of each of the sets, ascending.
+  /// Of module 1 with V = 1, 2: the inclination [rad], or the position along the track, of each of the sets, ascending.
   std::vector<double> stations = {};
 };
 
@@ -49,7 +49,7 @@ struct MaterialData {
   std::vector<double> model_data = {};
 };
 
-/// The solvers' parameters; most of them belong to CONTACT's own methods.
+/// The solvers' parameters; most of them belong to CONTACT's methods.
 struct SolverData {
   SolverChoice method = SolverChoice::standard; ///< never keep
   int maxgs = 0, maxin = 0, maxnr = 0, maxout = 0;

@@ -31,7 +31,7 @@ public:
   CarriedTractions carried() const;
   /// What the last case has gone on from, in shifts and transient rolling.
   CarriedTractions started_from() const;
-  /// The next case goes on from this in place of it.
+  /// The next case goes on from this instead of it.
   void carry(const CarriedTractions& carried);
 
 private:

@@ -29,7 +29,7 @@ struct Place {
   std::size_t patch;
 };
 
-/// The axes of a profile in the track's: turned about the track's x, and then about their own z [mm], [rad].
+/// The axes of a profile in the track's: turned about the track's x, and then about their z [mm], [rad].
 struct Marker {
   Vec3<double> origin;
   double roll = 0, yaw = 0;

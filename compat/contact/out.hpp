@@ -8,7 +8,7 @@ namespace microslip::contact_program {
 
 // The text of CONTACT's output files, `.out`, with its sections, labels, units (mm, N) and digits, so that what reads
 // its files reads these: as its revision 2707 writes them. The trace of the iterations that the digits X and W ask for
-// is CONTACT's own and left out, and so are its timers.
+// is CONTACT's and left out, and so are its timers.
 
 /// What stands before the first case.
 std::string out_head();

@@ -30,7 +30,7 @@ struct Outcome {
   Kind kind = Kind::solved;
   std::vector<std::string> reasons = {}; ///< why it was refused
   bool is_unsupported = false;           ///< it was refused for what it asks for
-  std::vector<std::string> notes = {};   ///< what was left out or done in another way
+  std::vector<std::string> notes = {};   ///< what was left out or done differently
   bool misses_force = false;             ///< it does not bear what is prescribed, as its status and a note say
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};

@@ -22,7 +22,7 @@ double rolling_velocity(const Case& c);
 /// Whether the step of rolling is the elements' length whatever the file says: in steady rolling CONTACT takes another
 /// one only with its solver ConvexGS, G = 2, and with a layer, M = 4, never.
 bool takes_element_length(const Case& c);
-/// Whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to .01.
+/// Whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to 0.01.
 bool rolls_along_x(const Case& c);
 
 /// The gap A x^2 + B y^2 of a case, if it has that form [1/m]: Hertzian geometry, or a quadratic one about the origin.

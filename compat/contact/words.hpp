@@ -28,7 +28,7 @@ public:
   std::size_t line();
 
   int integer(std::string_view field, int low, int high);
-  /// A real number as Fortran reads it: `1`, `1.`, `.5`, `1d-3`, and `.1-07` without a letter for the exponent.
+  /// A real number as Fortran reads it: `1`, `1.`, `0.5`, `1d-3`, and `0.1-07` without a letter for the exponent.
   double real(std::string_view field);
   double positive(std::string_view field);
   double not_negative(std::string_view field);

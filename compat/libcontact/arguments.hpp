@@ -29,7 +29,7 @@ std::string text(const char* name, const char* letters, const int* length);
 int as_integer(const char* name, double value, int least, int most);
 /// Refuses a number of values other than those from `least` to `most`.
 void require_count(const char* name, std::size_t count, std::size_t least, std::size_t most);
-/// Writes as many values as there is room for; the rest of the room stays.
+/// Writes as many values as fit; the rest of the array stays.
 template <class Value> void fill(std::span<Value> room, const std::vector<Value>& values) {
   for (std::size_t k = 0; k < room.size() && k < values.size(); ++k) room[k] = values[k];
 }

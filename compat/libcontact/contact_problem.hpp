@@ -28,7 +28,7 @@ struct CalculationTime {
 /// What became of a calculation.
 struct Calculation {
   int code = 0;                      ///< 0, elements in contact at a border, or an error's
-  std::vector<std::string> messages; ///< why it was refused, or what was left out or done in another way
+  std::vector<std::string> messages; ///< why it was refused, or what was left out or done differently
 };
 
 /// A contact with its solution: that of module 3, or a patch of a wheel.

@@ -100,7 +100,7 @@ void set_units(ContactProblem& p, int value) {
 }
 
 [[noreturn]] void refuse_read_only(ContactProblem&, int) {
-  throw Refusal(CNTC_err_other, "a flag that has a function of its own: L, M and H are set with their data");
+  throw Refusal(CNTC_err_other, "a flag that has a separate function: L, M and H are set with their data");
 }
 
 constexpr Flag flags[] = {

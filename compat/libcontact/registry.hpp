@@ -15,8 +15,8 @@ namespace microslip::libcontact {
 /// The result elements that there are, by their numbers. This is the library's only state beyond a call: the interface
 /// names result elements by numbers that its caller chooses, and has one log for all of them.
 ///
-/// The registry's mutex is held for look-ups only; whoever works on a problem holds the problem's own. A problem that
-/// is finalized while a thread works on it lives until that thread is done.
+/// The registry's mutex is held for look-ups only; whoever works on a problem holds the mutex of the problem. A problem
+/// that is finalized while a thread works on it lives until that thread is done.
 class Registry {
 public:
   static constexpr int most_elements = 999, most_problems = 9;

@@ -18,7 +18,7 @@ struct Units {
   double pressure() const { return 1 / area(); }
 };
 
-/// Those of one of CNTC_un_...; imperial units are CONTACT's own, as in CONTACT.
+/// Those of one of CNTC_un_...; imperial units are those of CONTACT.
 inline Units units_of(int code) {
   if (code == CNTC_un_spck) return {1e3, 1e3, -1};
   if (code == CNTC_un_si) return {1e3, 1e3, 1};

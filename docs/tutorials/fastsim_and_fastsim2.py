@@ -105,7 +105,7 @@ plt.show()
 # error when the cells are halved; FASTSIM2 quarters it. On 10 x 10 cells FASTSIM2 is better than FASTSIM on 80 x 80,
 # with a sixty-fourth of the cells. The middle line shows what a better first step alone is worth.
 #
-# The model error of the simplified theory is some .03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take
+# The model error of the simplified theory is some 0.03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take
 # more for tractions and areas.
 #
 # ## What it costs

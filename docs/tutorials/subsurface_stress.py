@@ -85,7 +85,7 @@ right.set(xlabel="coefficient of friction", ylabel="its depth [mm]", ylim=(0, No
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Up to a friction of about .4 the worst point stays inside and its stress hardly changes. Beyond,
+# **How to read it.** Up to a friction of about 0.4 the worst point stays inside and its stress hardly changes. Beyond,
 # it jumps to the surface (the dotted line is where the search begins) and grows with friction. That is the old rule
 # that dry rails crack from the surface and lubricated ones from within.
 #

@@ -67,7 +67,7 @@ print(f"{1e12 * area:.0f} mm^2 per 1000 km")
 #
 # ## The profile that is left
 #
-# The depth is taken off along the normal, at most .05 mm before contacts are computed anew:
+# The depth is taken off along the normal, at most 0.05 mm before contacts are computed anew:
 
 # %%
 profile, gone, total = new, 0.0, 0.0

@@ -12,7 +12,7 @@ import numpy as np
 
 PROFILES = Path(__file__).resolve().parents[1] / "profiles"
 SPEED, LOAD, RADIUS = 30.0, 80e3, 0.46  # m/s, N, m
-# Dry steel by KTH's map; in service part of the way is lubricated by rain or grease, and wear is several times less.
+# Dry steel by KTH's map; in service part of the distance is lubricated by rain or grease, and wear is several times less.
 STEEL = microslip.SurfaceStrength(hardness=3e9)
 BIN = 0.25e-3  # m, along the profile
 SMOOTHING = 1e-3  # m, of each pass

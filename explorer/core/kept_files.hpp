@@ -6,7 +6,7 @@
 
 namespace microslip::explorer {
 
-/// Files that cases name, in a folder of their own; in a browser it is in memory.
+/// Files that cases name, in a separate folder; in a browser it is in memory.
 class KeptFiles {
 public:
   /// The folder has to be there; empty: the current one.

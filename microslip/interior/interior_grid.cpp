@@ -87,7 +87,7 @@ bool follow_columns(const Elements& e) {
   return true;
 }
 
-/// Tractions of the grid's elements that have the forces of these ones. Where rows are divided along their own lengths,
+/// Tractions of the grid's elements that have the forces of these ones. Where rows are divided along their lengths,
 /// an element's force is shared out by overlap.
 std::vector<double> on_grid(const Elements& e, const std::vector<double>& traction) {
   std::vector<double> regular(e.size());

@@ -44,7 +44,7 @@ public:
     const Spectrum* kernel;
     Parity parity;
   };
-  /// The sum of the terms' products in some rows of the grid, one after another: out has room for mx numbers of each. A
+  /// The sum of the terms' products in some rows of the grid, one after another: out holds mx numbers of each. A
   /// few rows cost less than all.
   void apply(std::span<const Term> terms, std::span<const int> rows, std::span<double> out,
              const Progress& progress = {});

@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// Adds what is between two places, and the second one.
+/// Adds what is between two points, and the second one.
 class Refiner {
 public:
   Refiner(WheelsetSearch& search, RollRule rule, double yaw, const Progress& progress)

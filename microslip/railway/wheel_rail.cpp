@@ -130,7 +130,7 @@ bool is_velocity(std::size_t basic) {
   return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
 }
 
-/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of .001.
+/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of 0.001.
 double difference_step(std::size_t basic, double speed) {
   constexpr double place = 1e-10, yaw = 5e-9, creepage = 5e-10, radius = 0.5; // [m], [rad], [-], [m]
   switch (static_cast<WheelVariable>(basic)) {
@@ -363,7 +363,8 @@ private:
   /// The equivalent rail is found anew at each step, to less digits.
   double step_scale() const { return is_general ? 100 : 1; }
 
-  /// By the place along the track and the pitch, forward differences at the coarse level; with what `basic` holds held.
+  /// By the position along the track and the pitch, forward differences at the coarse level; with what `basic` holds
+  /// held.
   PlaceDerivatives place_derivatives(const WheelState<double>& state, const Wrench& here,
                                      const BasicDerivatives& basic) {
     PlaceDerivatives derivatives{};

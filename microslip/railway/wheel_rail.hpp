@@ -14,8 +14,8 @@ namespace microslip {
 /// Throws Error for a shape of patches that the level does not have, with this text before the message.
 void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
 
-/// What the forces are differentiated by: the numbers of a state in the order of state_quantities(), and the vertical
-/// force. Round wheels and fixed profiles have no derivatives by the place along the track and the angle of pitch.
+/// Variables of differentiation: the numbers of a state in the order of state_quantities(), and the vertical
+/// force. Round wheels and fixed profiles have no derivatives by the position along the track and the angle of pitch.
 enum class WheelVariable {
   lateral,
   vertical,
@@ -83,7 +83,7 @@ public:
   /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
   /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
-  /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
+  /// positions differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives, const Progress& progress = {});
 

@@ -16,13 +16,13 @@
 
 namespace microslip {
 
-/// How rolling is discretised. Shifts, and rolling with a step that is given, are always classical.
+/// Discretisation of rolling. Shifts, and rolling with a prescribed step, are always classical.
 enum class Discretisation {
   second_order, ///< SecondOrderRolling, TransientRolling: forces with errors of second order in the elements' size
   classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
 };
 
-/// How the exact theory discretises a Hertzian contact.
+/// Options of the exact theory for a Hertzian contact.
 struct ExactOptions {
   int mx = 24; ///< elements across the ellipse along x, 1 to 4,000
   int my = 24; ///< and along y
@@ -45,7 +45,7 @@ struct ExactOptions {
   friend bool operator==(const ExactOptions&, const ExactOptions&) = default;
 };
 
-/// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
+/// Motion of the bodies over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
 /// [m] and rotation [rad].
 struct ExactMotion {
   ContactMotion kind = ContactMotion::steady;

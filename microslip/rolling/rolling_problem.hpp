@@ -38,14 +38,14 @@ struct GapValues {
 /// Hertz's theory finds it, or any gap on a grid.
 using ContactGeometry = std::variant<Ellipse, GapCurvatures, GapFormula, GapValues>;
 
-/// What resists sliding.
+/// Friction between the bodies.
 struct FrictionModel {
   FrictionLaw law = {};
   FrictionMemory memory = {};                               ///< of laws that depend on the slip
   std::optional<TemperatureEffect> temperature_effect = {}; ///< needs the bodies' thermal data
 };
 
-/// How the bodies move over each other.
+/// Motion of the bodies over each other.
 struct Motion {
   ContactMotion kind = ContactMotion::steady;
   Creepage creepage = {};                           ///< for a shift the rigid shift [m] and rotation [rad]

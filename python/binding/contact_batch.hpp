@@ -9,7 +9,7 @@
 
 namespace microslip::python {
 
-/// What may be given as an array in the place of the contact's own value: keyword arguments of the batches.
+/// What may be given as an array instead of the contact's value: keyword arguments of the batches.
 struct ContactArrays {
   pybind11::object longitudinal, lateral, spin; ///< [-], [-], [1/m]
   pybind11::object a, b;                        ///< [m]
@@ -41,7 +41,7 @@ private:
   Shape shape_;
   std::size_t count_ = 1;
   std::array<RealArray, 11> columns_;
-  std::array<const double*, 11> values_ = {}; ///< null where the contact's own value holds
+  std::array<const double*, 11> values_ = {}; ///< null where the contact's value holds
   std::array<bool, 11> constant_ = {};
 };
 

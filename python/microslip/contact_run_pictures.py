@@ -9,7 +9,7 @@ from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMIL
                                      shown, unit_for)
 from microslip.pressure_picture import pressure_picture
 
-# So many cases have a picture of their own.
+# So many cases have a separate picture.
 MOST_CASES = 12
 GRID_NAMES = ["x0", "y0", "dx", "dy"]
 # Forces and changes of a force that are smaller than this part of the normal force are what a solver leaves.

@@ -100,7 +100,7 @@ def unit_for(largest, unit):
 
 
 def shown(values, largest, noise=NOISE):
-    """Numbers without what is rounding beside the largest one: 0 in its place."""
+    """Numbers without what is rounding compared with the largest one, which becomes 0."""
     return np.where(np.abs(values) < noise * abs(largest), 0.0, values)
 
 

@@ -69,7 +69,7 @@ def pictures(result):
 
 def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
     """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], on rails in each
-    patch's own frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
+    patch's frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
     comparison with another open result file."""
     asked = {"--field": fields, "--surface": surfaces, "--cut": cut is not None, "--stresses": stresses is not None,
              "--creep-curves": spins is not None, "--convergence": convergence, "--compare": other}

@@ -54,7 +54,7 @@ KINDS = {"rolling_contact": by_theory, "wheel_rail": patches_of_wheel, "wheelset
 
 
 def patch_cells(result, folder, at=(0.0, 0.0)):
-    """The cells of a patch in its own frame, or with its origin at x and y [mm]."""
+    """The cells of a patch in its frame, or with its origin at x and y [mm]."""
     names = ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state", "pressure")
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(f"{folder}/x")]
     x, y, area, bound, px, py, sx, sy, state, pressure = result.arrays([f"{folder}/{name}" for name in names], dimensions=2,

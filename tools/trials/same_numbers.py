@@ -12,7 +12,7 @@ ORIGIN = {"compiler", "command_line", "files", "commit", "created", "seconds", "
 
 
 def numbers(value, place=""):
-    """All numbers and words with their places."""
+    """All numbers and words with their paths."""
     if isinstance(value, dict):
         for name, part in value.items():
             if name not in ORIGIN:

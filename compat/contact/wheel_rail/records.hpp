@@ -54,7 +54,7 @@ struct TrackDimensions {
   bool by_gauge() const { return gauge_height > 0; }
 };
 
-/// The current rail off its place: DYRAIL DZRAIL DROLLR VYRAIL VZRAIL VROLLR.
+/// The current rail off its position: DYRAIL DZRAIL DROLLR VYRAIL VZRAIL VROLLR.
 struct RailPosition {
   double dy = 0, dz = 0, roll = 0, vy = 0, vz = 0, vroll = 0;
 };
@@ -74,7 +74,7 @@ struct WheelsetDimensions {
 struct WheelsetPosition {
   double s = 0; ///< along the track, for rollers the roller's X
   double y = 0;
-  double z = 0; ///< Z_WS, > 0 below the nominal place; FZ with N = 1
+  double z = 0; ///< Z_WS, > 0 below the nominal position; FZ with N = 1
   double roll = 0, yaw = 0, pitch = 0;
 };
 
@@ -85,7 +85,7 @@ struct WheelsetVelocity {
   double vpitch = 0; ///< FX_WS with F = 1, MY_WS with F = 2
 };
 
-/// The wheel off its place in the wheelset, and its velocities.
+/// The wheel off its position in the wheelset, and its velocities.
 struct WheelDeflection {
   double dx = 0, dy = 0, dz = 0, droll = 0, dyaw = 0, dpitch = 0;
   double vx = 0, vy = 0, vz = 0, vroll = 0, vyaw = 0, vpitch = 0;

@@ -43,7 +43,7 @@ struct WheelEffort {
 struct WheelOutcome {
   double z = 0;                    ///< Z_WS [mm]
   double vpitch = 0;               ///< VPITCH_WS [rad/s]
-  double dy_rail = 0, dz_rail = 0; ///< what the rail gives way, with F = 3 [mm]
+  double dy_rail = 0, dz_rail = 0; ///< deflection of the rail, with F = 3 [mm]
   Wrench track;                    ///< in the track's axes, moment about the rail's marker
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;

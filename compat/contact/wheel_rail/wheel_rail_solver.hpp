@@ -56,7 +56,7 @@ private:
     double place = 0, x = 0, s_rail = 0, dx = 0, ds = 0;
     std::optional<PatchBox> contact = {};
     CarriedTractions carried = {};
-    Vec3<double> force = {}; ///< what it bore, in its own axes [N],
+    Vec3<double> force = {}; ///< what it carried, in its axes [N],
     std::vector<RowLoad> rows = {};
   };
 

@@ -14,7 +14,7 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Of a step, with all that is tried on the way: nearly all take some tens, those of the study random-problems that
+/// Of a step, with all attempts counted: nearly all take some tens, those of the study random-problems that
 /// have a solution at most 200, nearly frictionless unlike cylinders that roll freely more than 400.
 constexpr int most_newton_steps_of_a_step = 800;
 constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
@@ -128,7 +128,7 @@ Field first_slip(const ContactStep& step, const TangentialState& start) {
   return Field(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
 }
 
-/// Time that passes in a step, or in steady rolling on the way of an element [s]. A shift takes a second.
+/// Time that passes in a step, or in steady rolling over an element's length [s]. A shift takes a second.
 double time_of(const ContactStep& step) {
   const TangentialInput& m = step.motion;
   if (m.motion == ContactMotion::shift) return 1;
@@ -327,7 +327,7 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
 
 /// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs
 /// to begin near one: rounds, each with the bound that the slip of the last one has, lead from the start to the
-/// solution that belongs to it, and Newton's method is tried on the way. Without such friction it is tried before.
+/// solution that belongs to it, and Newton's method is tried in between. Without such friction it is tried before.
 ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& step, SlipFriction& law,
                                                           const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 256, most_steps_of_a_round = 50, most_steps_of_a_trial = 12;

@@ -75,7 +75,7 @@ CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion,
   return *coupled_operator_;
 }
 
-/// What a particle loses of its previous displacement, over the way.
+/// What a particle loses of its previous displacement, over the step.
 void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous,
                                   Field& cx, Field& cy) {
   const auto n = grid_.count();

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What a simpler theory says of a contact, to begin with.
+/// Start from a simpler theory.
 struct RollingEstimate {
   /// Tractions of the elements [Pa] with these creepages, where friction's bound is g [Pa].
   std::function<VectorField(const FittedContact& contact, std::span<const double> bound, const Creepage& creepage)>

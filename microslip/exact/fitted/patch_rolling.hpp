@@ -15,7 +15,7 @@
 
 namespace microslip {
 
-/// How a contact rolls: creepages and spin about the origin of the grid's coordinates, or forces in their place.
+/// Rolling motion of a contact: creepages and spin about the origin of the grid's coordinates, or prescribed forces.
 struct PatchRollingMotion {
   double friction = 0; ///< mu [-], > 0
   Creepage creepage = {};
@@ -34,7 +34,7 @@ struct PatchRollingMotion {
 /// problem on them, started from coarser elements (NestedRolling). Where the edge is smooth the error of the forces
 /// falls with a mean order of 1.7 to 2, and is that of a Hertzian contact whose ellipse is known. It is only so
 /// on grids that resolve how p_n grows from the edge: beside a side where the gap steepens abruptly the edge is located
-/// badly on coarse grids, with errors of .03 at 12 elements across and .003 at 32. A gap between patches shorter than
+/// badly on coarse grids, with errors of 0.03 at 12 elements across and 0.003 at 32. A gap between patches shorter than
 /// two elements, or a neck, is resolved by its elements alone, without an order.
 class PatchRolling {
 public:
