@@ -546,7 +546,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--coefficients", arguments->coefficients, choices<CreepageTable>(),
          "table of creepage coefficients of the simplified theory; default: kalker");
   option("--precision", arguments->precision, choices<Precision>(),
-         "of FASTSIM and FASTSIM2: single takes about half the time, forces are right to 1e-5 of mu Fn");
+         "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn");
   option("--direction", arguments->direction, choices<RollingDirection>(), "of rolling, along +x or -x");
   option("--discretisation", arguments->discretisation, choices<Discretisation>(),
          "of the exact theory; default: second_order, for dissimilar bodies classical");

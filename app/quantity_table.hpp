@@ -8,7 +8,7 @@
 
 namespace microslip::app {
 
-/// What a printed table calls a quantity: a shift has shifts and work where rolling has creepages and power.
+/// Name of a quantity in a printed table: a shift has shifts and work where rolling has creepages and power.
 std::string label_of(const Quantity& quantity, const ContactSolution& solution);
 
 /// A unit and what a number in SI units is multiplied by for it.

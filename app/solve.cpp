@@ -195,7 +195,7 @@ void add_totals(SideBySide& rows, const EllipticContact& contact) {
                  &cases::DiscretisationError::frictional_power);
 }
 
-/// What the simplified theory, or a table, lets aside.
+/// What the simplified theory, or a table, neglects.
 void add_assumption(QuantityTable& table, const io::RollingCase& input, const std::string& of) {
   const auto assumption = cases::simplified_assumption(input);
   if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});

@@ -9,7 +9,7 @@
 
 namespace microslip::campaign {
 
-/// What one process has computed of a campaign: a file to which chunks are added one by one, each with its checksum,
+/// Results of one process of a campaign: a file to which chunks are added one by one, each with its checksum,
 /// by one write to the system. It begins with what tells campaigns apart and the byte order. A process that is killed
 /// leaves all chunks that it has added, and at most one cut off at the end.
 class Journal {
@@ -36,7 +36,7 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Where a chunk stands in a journal.
+/// Position of a chunk in a journal.
 struct KeptChunk {
   std::size_t number = 0; ///< of the chunk
   std::size_t offset = 0; ///< [bytes]

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What the calls of both versions of the interface do: they differ in names, types and what else they must have.
+/// Calls of both versions of the interface: they differ in names, types and what else they must have.
 namespace microslip::fmi {
 
 using Stages = std::initializer_list<Stage>;

@@ -33,13 +33,13 @@ struct Values {
   explicit Values(std::span<const Variable> variables);
 };
 
-/// What a unit says of itself.
+/// Description of a unit.
 struct ModelInfo {
   std::string name, identifier, description;
   std::vector<Variable> variables;
 };
 
-/// What joins the variables of a unit: a law without states, whose results follow from the inputs at once.
+/// Relation of the variables of a unit: a law without states, whose results follow from the inputs at once.
 class Model {
 public:
   virtual ~Model() = default;

@@ -237,7 +237,7 @@ void read_solution(const TomlSection& solution, const CreepTables& tables, Rolli
 
 bool needs_classical(const RollingCase& input) {
   RollingProblem problem = rolling_problem(input);
-  problem.motion.kind = ContactMotion::steady; // of shifts and transient rolling it goes without saying
+  problem.motion.kind = ContactMotion::steady; // implied by shifts and transient rolling
   return needs_classical(problem);
 }
 
@@ -249,8 +249,8 @@ RollingCase parse_case(std::string_view text, const std::string& name) {
 RollingCase read_case(const TomlSection& root, const CreepTables& tables) {
   if (root.has("sweep"))
     root.at("sweep", [] {
-      throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
-                  "has, examples/creep_sweep.toml shows how");
+      throw Error("sweep: not allowed for two-body cases; use `microslip sweep SPEC.toml` to vary such a case, "
+                  "as examples/creep_sweep.toml shows");
     });
   for (const std::string_view of_rails : {"track", "rail", "wheel"})
     if (root.has(of_rails))

@@ -17,7 +17,7 @@ enum class LateralSense { field, gauge };
 /// Direction of a file's z axis.
 enum class VerticalSense { up, down };
 
-/// What a profile's file may leave open. What is not given here is taken from the file, else from the format's
+/// Data that a profile's file may leave open. What is not given here is taken from the file, else from the format's
 /// convention, else from the name or the shape; the report says which.
 struct ProfileFileOptions {
   std::optional<ProfileFormat> format = {};

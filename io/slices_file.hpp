@@ -31,7 +31,7 @@ struct SlicesFile {
   std::size_t features() const { return slices.front().features.size(); }
 };
 
-/// Whether a name ends in .slcs or .slcw.
+/// Returns whether a name ends in .slcs or .slcw.
 bool names_slices(const std::filesystem::path& path);
 
 /// Reads the text of a slices file; `path` is that of the file, for the role, the folder of the slices and messages.

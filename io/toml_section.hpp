@@ -25,7 +25,7 @@ class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
   using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
-  /// What was read under a key: numbers in their unit; whole ones and texts have none.
+  /// Value read under a key: numbers in their unit; whole ones and texts have none.
   struct ReadKey {
     Value value;
     std::string unit;
@@ -33,7 +33,7 @@ public:
   };
   /// By the full names of keys: "load.normal_force".
   using ReadKeys = std::map<std::string, ReadKey, std::less<>>;
-  /// Which unit a number of the file is read in, by the full names of keys.
+  /// Units in which numbers of the file are read, by the full names of keys.
   using KeyUnits = std::map<std::string, std::string, std::less<>>;
   static KeyUnits units_of(const ReadKeys& keys);
 
@@ -49,7 +49,7 @@ public:
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// Which one of two keys is there; Error if it is none or both.
+  /// Returns which of two keys is there; Error if it is none or both.
   std::string_view one_of(std::string_view first, std::string_view second) const;
 
   double finite(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
@@ -80,7 +80,7 @@ public:
   /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.
   void at(std::string_view key, const std::function<void()>& check) const;
 
-  /// What stands before a message about a key: file and line, of the key, if it is there, or of the table.
+  /// Prefix of a message about a key: file and line, of the key, if it is there, or of the table.
   std::string line_of(std::string_view key) const;
 
 private:

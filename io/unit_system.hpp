@@ -29,7 +29,7 @@ public:
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// Whether it is a unit's symbol, with prefixes or without.
+  /// Returns whether it is a unit's symbol, with prefixes or without.
   bool knows(const std::string& symbol) const;
 
   /// A number in one unit as such in another, whose symbols are known. Empty for units of different dimensions.

@@ -35,7 +35,7 @@ protected:
     return read_profile_curve(record, role);
   }
 
-  /// Whether the sign of z is changed.
+  /// Returns whether the sign of z is changed.
   bool is_turned(const std::vector<ProfilePoint>& points, ProfileRole role) const {
     const auto found = read(points, role)->points(), turned = read(points, role, 1)->points();
     const auto same = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z == b.z; };

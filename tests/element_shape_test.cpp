@@ -198,7 +198,7 @@ TEST(ElementShape, ASequenceMayChangeIt) {
   EXPECT_EQ(ContactSequence().solve(step).tangential.forces.fx, tents);
 }
 
-/// Deformation that comes late, for rolling along +x: l du/dx = u - f u_elastic.
+/// Retarded deformation, for rolling along +x: l du/dx = u - f u_elastic.
 TEST(ElementShape, DelayedDeformationOfTents) {
   const ElementGrid grid = bilinear({.mx = 5, .my = 3, .x0 = 0, .y0 = 0, .dx = 1, .dy = 1.3});
   const CombinedMaterial material{1, 0.3, 0.2};

@@ -164,7 +164,7 @@ TEST(WheelRailBadInput, AWheelBesideItsRailTouchesNothing) {
 }
 
 TEST(WheelRailBadInput, AWheelOnTheEndOfARailSaysSo) {
-  // The rail ends in the midst of the contact, the rest of it where it was.
+  // The rail ends in the middle of the contact, the rest of it where it was.
   WheelRailBodies bodies = pair();
   const Vec3<double> origin = place_rail(bodies.track, bodies.rail).origin;
   bodies.track.rail_origin = ProfilePoint{origin.y, origin.z};

@@ -319,7 +319,7 @@ typedef struct microslip_exact microslip_exact;
 
 /* One of the two bodies. Zero stands for what is not given. */
 typedef struct microslip_exact_body {
-  double shear_modulus;    /* G [Pa], > 0, of quick loads; given for both bodies or for neither: viscoelastic ones */
+  double shear_modulus;    /* G [Pa], > 0, instantaneous; given for both bodies or for neither: viscoelastic ones */
   double poisson_ratio;    /* nu [-], in [0, 0.5] */
   double creep_ratio;      /* share by which deformation grows with time [-], in [0, 1e6]; 0: elastic */
   double creep_time;       /* in which it grows [s] */

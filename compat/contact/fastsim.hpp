@@ -14,7 +14,7 @@ struct Springs {
   SpringState state = {};
 };
 
-/// What a case of FASTSIM leaves to the next one: the springs that it began with, and those of its end.
+/// State that a case of FASTSIM leaves to the next one: the springs that it began with, and those of its end.
 struct CarriedSprings {
   Springs before = {}, after = {};
 };

@@ -22,7 +22,7 @@ public:
   /// `stream` must outlive the words; `name` is the file's name for messages.
   Words(std::istream& stream, std::string name);
 
-  /// Whether there is no further value.
+  /// Returns whether there is no further value.
   bool at_end();
   /// The line of the next value, from 1.
   std::size_t line();

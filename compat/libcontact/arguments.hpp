@@ -12,7 +12,7 @@ namespace microslip::libcontact {
 // Arguments of calls. Each throws Refusal, with the argument's name, for a null pointer, a length below 0 and numbers
 // that are not finite.
 
-/// What a pointer points to.
+/// Target of a pointer.
 template <class Value> Value& given(const char* name, Value* pointer);
 int integer(const char* name, const int* value);
 double real(const char* name, const double* value);
@@ -20,7 +20,7 @@ double real(const char* name, const double* value);
 /// An array and its length; a null pointer may stand for none.
 std::span<const int> integers(const char* name, const int* count, const int* values);
 std::span<const double> reals(const char* name, const int* count, const double* values);
-/// Where results go.
+/// Destination of results.
 template <class Value> std::span<Value> room(const char* name, const int* count, Value* values);
 /// Letters, without blanks at the end, or up to a zero.
 std::string text(const char* name, const char* letters, const int* length);

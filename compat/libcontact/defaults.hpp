@@ -10,7 +10,7 @@ namespace microslip::libcontact {
 /// Whose default it is: of all problems, of wheels (module 1), or of contact problems (module 3).
 enum class DefaultOf { both, wheel, contact };
 
-/// What a digit or a number of CONTACT is until it is set.
+/// Value of a digit or a number of CONTACT until it is set.
 struct Default {
   std::string_view name; ///< CONTACT's
   DefaultOf of;

@@ -14,7 +14,7 @@ struct Units {
   double body = 1;   ///< 1: forces and slip are those of body 1, -1: of body 2
 
   double area() const { return length * length; }
-  /// Of a pressure or a modulus of elasticity [N/mm2].
+  /// Unit of a pressure or a modulus of elasticity [N/mm2].
   double pressure() const { return 1 / area(); }
 };
 

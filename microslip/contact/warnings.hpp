@@ -9,7 +9,7 @@
 namespace microslip {
 
 /// Reasons to doubt a result: it was probably not meant, or it is not to be trusted. Results have a set of these
-/// beside their status; whoever shows results shows their texts.
+/// beside their status; displays of results show their texts.
 enum class Warning : std::uint8_t {
   high_pressure,    ///< of contacts of two bodies and of wheels
   extreme_pressure, ///< the same

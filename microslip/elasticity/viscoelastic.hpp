@@ -45,7 +45,7 @@ struct Bodies {
   InterfaceLayer layer = {};               ///< between them
 
   bool are_elastic() const { return retarded.empty(); }
-  /// Whether normal and tangential problem depend on each other.
+  /// Returns whether normal and tangential problem depend on each other.
   bool are_coupled() const;
 
   friend bool operator==(const Bodies&, const Bodies&) = default;

@@ -47,7 +47,7 @@ public:
   /// Cost: 0.3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
   /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point, const Progress& progress = {}) const;
-  /// The same at many points, which OpenMP's threads share out. `progress` is told often; false throws Stopped.
+  /// The same at many points, shared among OpenMP's threads. `progress` is called often; false throws Stopped.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points, const Progress& progress = {}) const;
 
   /// Instantaneous influence of an element at an offset from it.
@@ -97,7 +97,7 @@ class InteriorLayers {
 public:
   /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
   /// line contact).
-  /// Throws Error for a plane that needs more memory than the machine has. `progress` is told often; false throws
+  /// Throws Error for a plane that needs more memory than the machine has. `progress` is called often; false throws
   /// Stopped.
   explicit InteriorLayers(InteriorField field, int margin = 0, const Progress& progress = {});
   /// Replaces the tractions of the field. Throws Error as InteriorField does; where it is Stopped tractions

@@ -363,7 +363,7 @@ bool hold_contacts(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
 }
 
-/// Whether elements further out are of no use: there are none in the overlap.
+/// Returns whether elements further out are of no use: there are none in the overlap.
 bool cover_overlap(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.covers_overlap; });
 }
@@ -508,7 +508,7 @@ public:
 private:
   static constexpr int most_beyond_elements = 6; ///< fewer lose states that `validate random-wheels` has solved
 
-  /// Whether the force changes more steeply than any contact would let it.
+  /// Returns whether the force changes more steeply than any contact would let it.
   bool is_jump(const BracketedRoot& root) const {
     const double stiffest = bodies_.material.shear_modulus * bodies_.wheelset.nominal_radius; // [N/m]
     return vertical_force_ * std::abs(root.side.value - root.other.value) >

@@ -66,7 +66,7 @@ public:
   /// For a conformal patch: distance by which the tractions that were found last would still move the surfaces that the
   /// pressures know of, over the largest displacement [-]; else 0.
   double unsettled() const { return unsettled_; }
-  /// Whether the outline holds the contact, as the elements need it.
+  /// Returns whether the outline holds the contact, as the elements need it.
   bool holds_contact() const;
   /// The pressures as one load, that of none at the frame's origin; and as some loads over the patch.
   const PointLoad& load() const { return load_; }

@@ -30,7 +30,7 @@ public:
   /// Size of the ellipse in the last load(): half the length of its middle row, half its width [m].
   double half_length() const { return length_; }
   double half_width() const { return half_width_; }
-  /// Whether a row is one of those that were fitted.
+  /// Returns whether a row is one of those that were fitted.
   bool has(std::size_t row) const { return weight_[row] > 0; }
 
   std::span<const double> loads() const { return {load_.data(), count_}; }

@@ -38,7 +38,7 @@ public:
   void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
              double side, std::span<RowForces> forces) noexcept;
 
-  /// Whether a row's ellipse was in the table's range.
+  /// Returns whether a row's ellipse was in the table's range.
   bool in_range(std::size_t row) const { return patches_[patch_of_[row]].table.status == Status::ok; }
 
 private:

@@ -165,7 +165,7 @@ BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   return out;
 }
 
-/// Whether the surfaces are more than a round wheel on a prismatic rail.
+/// Returns whether the surfaces are more than a round wheel on a prismatic rail.
 bool has_general_surfaces(const WheelRailBodies& bodies) {
   return bodies.rail_surface || bodies.wheel_surface || bodies.track.roller_radius != 0;
 }
@@ -267,7 +267,7 @@ private:
       out.status = Status::implausible, out.reason = Unsolved::implausible;
   }
 
-  /// Whether there is contact.
+  /// Returns whether there is contact.
   bool solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     out.patches.clear(), out.fields.clear();
     out.patches.reserve(most_patches); // for all that come later
@@ -382,7 +382,7 @@ private:
     return derivatives;
   }
 
-  /// Forward differences with the height held. Velocities alone need no new pressures: they come first, in the place of
+  /// Forward differences with the height held. Velocities alone need no new pressures: they come first, instead of
   /// the last solve.
   BasicDerivatives coarse_derivatives(const WheelState<double>& state, double speed, const Wrench& here) {
     BasicDerivatives derivatives;

@@ -72,8 +72,8 @@ public:
   /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
   /// size, unless fields are asked for, or wear, which needs them: with a hardness. Where surfaces vary, or on rollers,
   /// it first finds the equivalent rail of each state, which takes some 10 ms and allocates. Without contact, too,
-  /// where a rail is interrupted. `progress` is told often at the level `exact`, of no fraction; where it returns false
-  /// Stopped is thrown, and the solver is as good as before.
+  /// where a rail is interrupted. `progress` is called often at the level `exact`, without a fraction; where it returns
+  /// false Stopped is thrown, and the solver is as good as before.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
              const Progress& progress = {});
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {},

@@ -66,7 +66,7 @@ Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact);
 /// depends on slip, temperatures.
 bool needs_sequence(const RollingProblem& problem);
 bool needs_sequence(const ExactOptions& options, const EllipticContact& contact);
-/// Whether it needs its classical discretisation: for those, shifts and transient rolling.
+/// Returns whether it needs its classical discretisation: for those, shifts and transient rolling.
 bool needs_classical(const RollingProblem& problem);
 
 /// Options that follow from the method for this problem.

@@ -66,7 +66,7 @@ struct RollingProblem {
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
 };
 
-/// Whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
+/// Returns whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
 bool is_hertzian(const RollingProblem& problem);
 
 /// The ellipse of a Hertzian problem, of elastic bodies without friction. Throws Error for a problem that is not

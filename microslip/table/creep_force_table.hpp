@@ -19,7 +19,7 @@ public:
   /// Costs nothing yet.
   CreepTableSource(CreepTableNodes nodes); // NOLINT: nodes are a source that is used once
 
-  /// Whether tables from both share their numbers.
+  /// Returns whether tables from both share their numbers.
   friend bool operator==(const CreepTableSource&, const CreepTableSource&) = default;
 
 private:

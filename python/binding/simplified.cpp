@@ -189,7 +189,7 @@ constexpr const char* options_text =
     "'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)\n"
     "or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's\n"
     "slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,\n"
-    "right to 1e-5 of mu Fn. Error if an option is out of range.";
+    "accurate to 1e-5 of mu Fn. Error if an option is out of range.";
 
 } // namespace
 

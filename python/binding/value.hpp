@@ -15,7 +15,7 @@
 
 namespace microslip::python {
 
-/// Of the states that pickles hold; to be counted up when what `fields` lists changes its meaning.
+/// Version of the states that pickles hold; to be counted up when what `fields` lists changes its meaning.
 inline constexpr int state_version = 1;
 
 namespace detail {

@@ -767,7 +767,7 @@ class Fastsim(RowSolver):
         'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
         or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
         slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        right to 1e-5 of mu Fn. Error if an option is out of range.
+        accurate to 1e-5 of mu Fn. Error if an option is out of range.
         half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as
         in (F16)."""
 
@@ -780,7 +780,7 @@ class Fastsim2(RowSolver):
         'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
         or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
         slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        right to 1e-5 of mu Fn. Error if an option is out of range."""
+        accurate to 1e-5 of mu Fn. Error if an option is out of range."""
 
 class ForceArrays:
     """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""

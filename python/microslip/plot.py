@@ -158,7 +158,7 @@ def end_early(_number, _frame):
 @contextlib.contextmanager
 def ending_from_within():
     """What Ctrl-C and SIGTERM end here can clean up behind itself. Elsewhere they end the program of pictures at once, also
-    in the midst of what other libraries do."""
+    in the middle of the work of other libraries."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

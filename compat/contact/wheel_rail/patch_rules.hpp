@@ -11,7 +11,7 @@ namespace microslip::contact_program {
 struct PatchRegion {
   GapRegion whole;              ///< the extent of all its parts, with their mean centre and angle
   std::vector<GapRegion> parts; ///< from the field side to the gauge side
-  /// How much parts i and j act on each other, 1 on themselves; index i count + j.
+  /// Weight with which parts i and j act on each other, 1 on themselves; index i count + j.
   std::vector<double> factors;
 };
 

@@ -18,7 +18,7 @@ ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role);
 std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
                                                           ProfileRole role);
 
-/// Whether a record names slices of a profile that varies, .slcs or .slcw.
+/// Returns whether a record names slices of a profile that varies, .slcs or .slcw.
 bool is_variable(const ProfileRecord& record);
 
 } // namespace microslip::contact_program

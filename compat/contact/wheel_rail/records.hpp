@@ -43,7 +43,7 @@ struct ProfileRecord {
   friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
 };
 
-/// Where the rails lie, or the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
+/// Position of the rails, or of the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
 struct TrackDimensions {
   double gauge_height = 0;         ///< GAUGHT
   double gauge_width = 0;          ///< GAUGWD
@@ -91,7 +91,7 @@ struct WheelDeflection {
   double vx = 0, vy = 0, vz = 0, vroll = 0, vyaw = 0, vpitch = 0;
 };
 
-/// What a case of module 1 has besides the data of both modules.
+/// Data of a case of module 1 in addition to those of both modules.
 struct WheelRailData {
   WheelRailDigits digits;
   ContactSearch search = ContactSearch::keep; ///< D, of this case or before; never keep or form in a case to be run

@@ -8,7 +8,7 @@
 
 namespace microslip::contact_program {
 
-/// How z is interpolated in a quadrangle of a mesh; its position there is found bilinearly. Bicubic: from values and
+/// Interpolation of z in a quadrangle of a mesh; its position there is found bilinearly. Bicubic: from values and
 /// slopes at the corners, these from the differences of their neighbours (Catmull-Rom).
 enum class MeshInterpolation { bilinear, bicubic };
 

@@ -147,7 +147,7 @@ PatchMotion motion_of(const Case& right, const Placement& placement, const Patch
 constexpr int most_steps = 60;
 constexpr double least_step = 1e-12;
 
-/// Whether a search ends: what it looks for is there, or cannot be brought any nearer.
+/// Returns whether a search ends: what it looks for is there, or cannot be brought any nearer.
 bool ends(const PrescribedForce& force, int step, std::optional<double> width, double least_width) {
   return force.is_reached() || step == most_steps || (width && *width < least_width);
 }

@@ -20,7 +20,7 @@ ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tan
 /// Entry of the history for a step of transient rolling.
 SolutionStep solution_step(const ContactSolution& step);
 
-/// Whether transient rolling was ended before its last step, and nothing else was wrong.
+/// Returns whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status);
 
 /// Progress of the step that follows those of `history`; it counts only as a whole.

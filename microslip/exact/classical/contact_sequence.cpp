@@ -20,7 +20,7 @@ constexpr int most_newton_steps_of_a_step = 800;
 constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
 constexpr double tolerance_of_pressure = 1e-10; // of viscoelastic bodies; Newton's last steps cost little
 
-/// Whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
+/// Returns whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
 bool same_elasticity(const Bodies& a, const Bodies& b) {
   return a.material == b.material && a.retarded == b.retarded && a.layer.flexibility == b.layer.flexibility;
 }
@@ -31,7 +31,7 @@ bool same_elements(const ElementGrid& a, ElementGrid b) {
   return a == b;
 }
 
-/// Whether tractions change the pressure, or pressure the slip.
+/// Returns whether tractions change the pressure, or pressure the slip.
 bool is_coupled(const ContactStep& step) {
   return !step.response.is_half_space() || (!step.frictionless && step.bodies.are_coupled());
 }
@@ -171,7 +171,7 @@ Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
   return v;
 }
 
-/// Whether the forces given are beyond what any slip lets friction bear.
+/// Returns whether the forces given are beyond what any slip lets friction bear.
 bool is_beyond(const ContactStep& step, const SlipFriction& law, const Field& pressure) {
   Field bound(pressure.size());
   law.largest(pressure, bound);

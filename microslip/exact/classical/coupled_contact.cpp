@@ -31,7 +31,7 @@ bool is_trial(const ContactStep& step) {
   return step.motion.most_steps < most_newton_steps;
 }
 
-/// Whether the forces given are beyond what these pressures let friction bear.
+/// Returns whether the forces given are beyond what these pressures let friction bear.
 bool is_beyond(const ContactStep& step, const ElementFriction& friction, const Field& pressure) {
   Field bound = pressure;
   if (friction.slip_dependent)

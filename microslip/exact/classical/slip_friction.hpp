@@ -69,9 +69,9 @@ public:
   SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory,
                const InterfaceLayer& layer, Passage passage, std::optional<FrictionHeating> heating = {});
 
-  /// Whether the bound depends neither on the slip nor on the temperature.
+  /// Returns whether the bound depends neither on the slip nor on the temperature.
   bool is_constant() const;
-  /// Whether friction changes with the slip or the temperature, so that there may be several solutions.
+  /// Returns whether friction changes with the slip or the temperature, so that there may be several solutions.
   bool falls() const;
   /// At rest and cold.
   std::vector<double> static_coefficients() const;

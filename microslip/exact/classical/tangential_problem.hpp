@@ -49,7 +49,7 @@ struct TangentialInput {
   double tolerance = 1e-6;
   int most_steps = most_newton_steps;
   NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
-  /// Is told of the Newton steps; false ends the iteration, with status not_converged. While influence coefficients
+  /// Called after each Newton step; false ends the iteration, with status not_converged. While influence coefficients
   /// are computed false ends with Stopped.
   Progress progress = {};
 };

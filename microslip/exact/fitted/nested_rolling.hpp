@@ -44,8 +44,8 @@ public:
     return friction_bound(contact(), capacity, variation);
   }
 
-  /// `input` without start. Newton steps and products are those on the finest grid. Its progress is told of all grids;
-  /// false ends the solve with status not_converged.
+  /// `input` without start. Newton steps and products are those on the finest grid. Its progress is called on all
+  /// grids; false ends the solve with status not_converged.
   SecondOrderSolution solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate);
 
   /// As SecondOrderRolling::differentiate.

@@ -26,7 +26,7 @@ struct PatchRollingMotion {
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
   VectorField start = {};             ///< tractions of the grid's elements near the solution [Pa]; empty: FASTSIM's
   bool near_last = false;             ///< so near the last solution that the same elements may count as sliding ones
-  Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
+  Progress progress = {};             ///< called after each Newton step; false ends the iteration, as not converging
 };
 
 /// Steady rolling of elastically similar bodies of any shape, cylinders too, at second order (SecondOrderRolling): the
@@ -39,7 +39,7 @@ struct PatchRollingMotion {
 class PatchRolling {
 public:
   /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, for dissimilar bodies,
-  /// with columns to spare on the side that particles come from. `progress` is told of the normal problem and of what
+  /// with columns to spare on the side that particles come from. `progress` is called in the normal problem and in what
   /// prepares for the tangential one; false ends them, and solve() gives not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,

@@ -20,7 +20,7 @@ struct SecondOrderInput {
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionStart start;                    ///< for each element; the constants are the creepages where a force is given
   std::span<const char> centred = {};     ///< of a solution near the start (SecondOrderSolution); empty: to be found
-  Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
+  Progress progress = {};  ///< called after each Newton step; false ends the iteration, with status not_converged
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
 

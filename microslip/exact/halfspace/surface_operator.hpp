@@ -26,7 +26,7 @@ struct TangentialKernel;
 /// bodies.
 class NormalOperator {
 public:
-  /// Throws Stopped if `progress`, which is told of the rows of coefficients, returns false; as the others do.
+  /// Throws Stopped if `progress`, called for the rows of coefficients, returns false; as the others do.
   NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
                  const TransformPlans& plans = {});
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }

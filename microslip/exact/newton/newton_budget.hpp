@@ -18,7 +18,7 @@ private:
   long products_left_;
 };
 
-/// Whether there is a budget and nothing left of it.
+/// Returns whether there is a budget and nothing left of it.
 inline bool is_spent(const NewtonBudget* budget) {
   return budget && budget->is_spent();
 }
