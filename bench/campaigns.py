@@ -82,11 +82,11 @@ def chunks_of(journal):
     if len(data) < 56:
         return numbers
     count, width, chunk = struct.unpack_from("=3Q", data, 24)
-    place = 56
-    while place + 24 <= len(data):
-        _, reasons, number = struct.unpack_from("=IIQ", data, place)
-        place += 24 + min(chunk, count - number * chunk) * width * 8 + reasons + 8
-        if place <= len(data):
+    offset = 56
+    while offset + 24 <= len(data):
+        _, reasons, number = struct.unpack_from("=IIQ", data, offset)
+        offset += 24 + min(chunk, count - number * chunk) * width * 8 + reasons + 8
+        if offset <= len(data):
             numbers.append(number)
     return numbers
 
@@ -198,12 +198,12 @@ class Trial:
         return subprocess.run(["mount", "-t", "tmpfs", "-o", how, "tmpfs", str(self.output.parent)], capture_output=True,
                               check=False).returncode == 0
 
-    def run(self, ways):
+    def run(self, methods):
         """Returns what was kept after each of the kills."""
         (self.folder / "s.toml").write_text(specification(CASES, CHUNK, "exact", 16))
         kept = [0]
-        for way in ways:
-            way(self)
+        for method in methods:
+            method(self)
             chunks = [number for journal in self.checkpoint().glob("rank-*") for number in chunks_of(journal)]
             assert len(chunks) == len(set(chunks)), "a chunk was computed twice"
             if self.output.exists():  # it was faster
@@ -220,7 +220,7 @@ class Trial:
         return kept[1:]
 
 
-WAYS = {"one rank of three": Trial.one_rank, "mpirun and all ranks": Trial.all_ranks, "a process with threads": Trial.one_process,
+METHODS = {"one rank of three": Trial.one_rank, "mpirun and all ranks": Trial.all_ranks, "a process with threads": Trial.one_process,
         "a process while it writes": Trial.while_it_writes, "the disk is full": Trial.full_disk}
 
 
@@ -237,11 +237,11 @@ def kills(arguments):
         reference = contents(path / "reference.h5")
     print(f"{CASES} cases in chunks of {CHUNK}; after each kill the chunks that are kept, then the run to the end\n")
     print(f"{'killed':26} {'chunks kept':>14}  results")
-    names = [name for name in WAYS if shutil.which("mpirun") or "rank" not in name]
+    names = [name for name in METHODS if shutil.which("mpirun") or "rank" not in name]
     for number in range(arguments.kills):
         name = names[number % len(names)]
         with tempfile.TemporaryDirectory() as folder, Trial(arguments.program, folder, reference, seconds, dice) as trial:
-            kept = trial.run([WAYS[name]] * dice.choice([1, 2]))
+            kept = trial.run([METHODS[name]] * dice.choice([1, 2]))
         print(f"{name:26} {', '.join(map(str, kept)):>14}  identical, none lost, none twice")
 
 

@@ -176,9 +176,9 @@ class Runner:
         """Runs one example."""
         if name in BEFORE:
             self.run(*self.filled(BEFORE[name]))
-        for pattern, way in KINDS.items():
+        for pattern, method in KINDS.items():
             if fnmatch.fnmatch(name, pattern):
-                return way(self, name)
+                return method(self, name)
         raise Failed(f"examples/{name}: no line in the table of kinds says how it is run")
 
 

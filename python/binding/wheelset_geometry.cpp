@@ -136,11 +136,11 @@ WheelsetContacts curve(const WheelsetGeometry& self, double from, double to, Rol
 }
 
 /// Gauges and other numbers that broadcast, with one curve of rolling radii for each gauge.
-class Maps {
+class GaugeBroadcast {
 public:
   /// `gauge` may be None: the track's. Throws Error unless the reach is positive.
-  Maps(const WheelsetGeometry& geometry, const py::object& gauge, RollRule roll, const char* name,
-       const py::object& numbers, int threads)
+  GaugeBroadcast(const WheelsetGeometry& geometry, const py::object& gauge, RollRule roll, const char* name,
+                 const py::object& numbers, int threads)
       : numbers_(real_array(name, numbers)) {
     const RealArray given = real_array("gauge", gauge.is_none() ? py::float_(geometry.track.gauge) : gauge);
     broadcast(shape_, name, numbers_);
@@ -329,7 +329,7 @@ void bind_wheelset_geometry(py::module_& module) {
           "equivalent_conicity",
           [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
              int threads) {
-            return Maps(self, gauge, roll, "amplitude", amplitude, threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
                 .map([base = self.base()](const auto& dr, double a) { return conicity(dr, a, base); });
           },
           "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
@@ -339,7 +339,7 @@ void bind_wheelset_geometry(py::module_& module) {
           "wavelength",
           [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
              int threads) {
-            return Maps(self, gauge, roll, "amplitude", amplitude, threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
                 .map([base = self.base()](const auto& dr, double a) { return wavelength(dr, a, base); });
           },
           "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
@@ -347,7 +347,7 @@ void bind_wheelset_geometry(py::module_& module) {
       .def(
           "nonlinearity_parameter",
           [](const WheelsetGeometry& self, const py::object& gauge, RollRule roll, int threads) {
-            return Maps(self, gauge, roll, "amplitude", py::float_(nonlinearity_reach), threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", py::float_(nonlinearity_reach), threads)
                 .map([base = self.base()](const auto& dr, double) {
                   return nonlinearity_parameter(dr, base).value_or(none);
                 });
@@ -359,7 +359,7 @@ void bind_wheelset_geometry(py::module_& module) {
           [](const WheelsetGeometry& self, const py::object& lateral, double curve_radius, const py::object& gauge,
              RollRule roll, int threads) {
             require_positive("curve_radius", curve_radius, "m");
-            return Maps(self, gauge, roll, "lateral", lateral, threads)
+            return GaugeBroadcast(self, gauge, roll, "lateral", lateral, threads)
                 .map([&, base = self.base()](const auto& dr, double y) {
                   return steering_index(dr, y, curve_radius, base);
                 });

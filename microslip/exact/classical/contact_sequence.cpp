@@ -41,13 +41,13 @@ bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
          a.excluded == b.excluded && a.load.given == b.load.given && a.load.value == b.load.value;
 }
 
-/// Where a centre of the new grid lies among those of the old one.
-struct Place {
+/// Position of a centre of the new grid among those of the old one.
+struct GridPosition {
   int index;    ///< of the centre below
   double above; ///< share of the next one
 };
 
-Place place(double position, double first, double spacing) {
+GridPosition grid_position(double position, double first, double spacing) {
   constexpr double as_good_as_equal = 1e-3; // coordinates from files have few digits
   const double elements = (position - first) / spacing, nearest = std::round(elements);
   if (std::abs(elements) > 1e9) return {-2, 0};
@@ -63,9 +63,9 @@ Field moved(const ElementGrid& to, const Field& values, const ElementGrid& from)
   Field result;
   result.reserve(to.count());
   for (int j = 0; j < to.my; ++j) {
-    const auto [row, up] = from.my == 1 && to.my == 1 ? Place{0, 0} : place(to.y(j), from.y0, from.dy);
+    const auto [row, up] = from.my == 1 && to.my == 1 ? GridPosition{0, 0} : grid_position(to.y(j), from.y0, from.dy);
     for (int i = 0; i < to.mx; ++i) {
-      const auto [column, right] = place(to.x(i), from.x0, from.dx);
+      const auto [column, right] = grid_position(to.x(i), from.x0, from.dx);
       double value = (1 - right) * (1 - up) * at(column, row);
       if (right > 0) value += right * (1 - up) * at(column + 1, row);
       if (up > 0) value += (1 - right) * up * at(column, row + 1);
