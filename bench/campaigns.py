@@ -179,7 +179,7 @@ class Trial:
         self.resize(LARGE)
 
     def limited(self, action):
-        """What a process says whose files are limited; what it does at the limit is its action."""
+        """Behaviour of a process whose files are limited; its action is what it does at the limit."""
         limit = max([journal.stat().st_size for journal in self.checkpoint().glob("rank-*")], default=0) + self.dice.randrange(60, 60_000)
 
         def before():
@@ -193,7 +193,7 @@ class Trial:
         return sum(file.stat().st_size + 4096 for file in self.checkpoint().glob("*"))
 
     def resize(self, size):
-        """Whether the file system of the output has this size [bytes] now; only root can change it."""
+        """Returns whether the file system of the output has this size [bytes] now; only root can change it."""
         how = f"remount,size={size}" if os.path.ismount(self.output.parent) else f"size={size}"
         return subprocess.run(["mount", "-t", "tmpfs", "-o", how, "tmpfs", str(self.output.parent)], capture_output=True,
                               check=False).returncode == 0
@@ -254,7 +254,7 @@ def timed(command, folder):
 
 
 def cost(arguments):
-    """What a second rank brings, and what a chunk costs beside its cases."""
+    """Gain of a second rank, and overhead of a chunk beyond its cases."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder)
 

@@ -1,4 +1,4 @@
-"""What a call costs through the Python door: PYTHONPATH=build/release/share/microslip/python python3 bench/doors.py.
+"""Cost of a call through the Python interface: PYTHONPATH=build/release/share/microslip/python python3 bench/doors.py.
 
 The overhead is the time of a call whose input is refused at once: all that is left of it is the way in and out.
 """

@@ -46,7 +46,7 @@ class Draw(random.Random):
         return self.odd_number() if self.is_odd() else self.uniform(low, high)
 
     def scale(self, low, high):
-        """The same with an even logarithm."""
+        """A number whose logarithm is evenly distributed."""
         return self.odd_number() if self.is_odd() else math.exp(self.uniform(math.log(low), math.log(high)))
 
     def count(self, low, high):
@@ -114,7 +114,7 @@ def material(draw):
 
 
 def bodies(draw):
-    """What a solver of the exact theory takes for bodies: combined constants, with a layer, viscoelastic."""
+    """Bodies for a solver of the exact theory: combined constants, with a layer, viscoelastic."""
     layer = lambda: microslip.InterfaceLayer(draw.scale(1e-16, 1e-12), **draw.some(
         yield_stress=lambda: draw.scale(1e6, 1e9), hardening=lambda: draw.number(-1e12, 1e12)))
     body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
@@ -206,7 +206,7 @@ def accurate_contact(draw):
 
 
 def from_solution(draw):
-    """What a solution gives besides: fields on another grid, stresses inside."""
+    """Further results of a solution: fields on another grid, stresses inside."""
     solver = draw.choice((microslip.Fastsim2(6, 5).fields, microslip.EllipticContactSolver(draw.randint(1, 8), draw.randint(1, 8)).solve))
     solution = solver(contact(draw))
     if draw.random() < 0.5:

@@ -39,7 +39,7 @@ def folder_namespace(file):
 
 
 def is_within(name, *others):
-    """Whether a namespace is one of others or within one."""
+    """Returns whether a namespace is one of others or within one."""
     return any(name == other or name.startswith(other + "::") for other in others)
 
 

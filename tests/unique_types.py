@@ -83,7 +83,7 @@ def definitions(root):
 
 
 def are_alternatives(sites):
-    """Whether a program has but one of these files."""
+    """Returns whether a program has but one of these files."""
     return frozenset(file for file, _ in sites) in ALTERNATIVES
 
 

@@ -57,7 +57,7 @@ def declared(code):
 
 
 def name_of(code):
-    """What a declaration declares."""
+    """Name of a declaration."""
     text = re.sub(r"^template <[^{;]*?>\s+(?=class|struct|using|\w)", "", " ".join(line.strip() for line in code))
     text = re.sub(r"//.*?$|\bMICROSLIP_API\b", "", text)
     typedef = re.match(r"typedef (?:struct|enum) (\w+)|typedef .*?\(\*(\w+)\)", text)

@@ -22,7 +22,7 @@ DEEPEST_STEP = 50e-6  # m that may be worn off before contacts are computed agai
 
 @dataclass
 class Service:
-    """What a wheelset does: states of its left wheel and the share of the distance that it spends in each."""
+    """Service of a wheelset: states of its left wheel and the share of the distance that it spends in each."""
 
     lateral: np.ndarray  # m
     yaw: np.ndarray  # rad

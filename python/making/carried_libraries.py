@@ -20,7 +20,7 @@ def _needed(file):
 
 
 def _found(file):
-    """Where the loader finds each library of a file, and those that these need."""
+    """Paths at which the loader finds each library of a file, and those that these need."""
     return dict(re.findall(r"(\S+) => (/\S+)", _output("ldd", file)))
 
 

@@ -133,7 +133,7 @@ class ContactCells:
         return self.outline.turned() if turned else self.outline.path
 
     def has_boundary(self):
-        """Whether there are adhesion and slip."""
+        """Returns whether there are adhesion and slip."""
         return bool((self.state == ADHESION).any() and (self.state == SLIP).any())
 
     def surface(self, values, vanishes):
@@ -168,7 +168,7 @@ class ContactCells:
         return result
 
     def true_to_scale(self):
-        """Whether one scale along x and y shows the contact well."""
+        """Returns whether one scale along x and y shows the contact well."""
         return SLIMMEST_TRUE_TO_SCALE <= self.a / self.b <= 1 / SLIMMEST_TRUE_TO_SCALE
 
     def sample(self):

@@ -59,7 +59,7 @@ def forces_picture(result):
 
 
 def show_noise_as_a_line(axes):
-    """What changes by rounding only is drawn as a line in the middle."""
+    """Draws values that change by rounding only as a line in the middle."""
     low, high = axes.dataLim.intervaly
     far = max(abs(low), abs(high))
     if np.isfinite(far) and high - low < STEADY * far:

@@ -60,7 +60,7 @@ def creep_curve_picture(result, theories):
 
 
 def creepage_of_case(result, name):
-    """As given, or as found where a force is given; older files have it among the inputs only."""
+    """Returns it as given, or as found where a force is prescribed; older files have it among the inputs only."""
     return result.number(f"/creep_curve/{name}" if f"/creep_curve/{name}" in result else f"/inputs/{name}")
 
 

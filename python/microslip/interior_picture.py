@@ -35,7 +35,7 @@ def interior_points(result, folder):
 
 
 def panels_of(block):
-    """Of a block of points with three directions the planes y = const, nearest to the middle first; of others the block.
+    """Planes y = const of a block of points with three directions, nearest to the middle first; of others the block.
     Each body has separate panels: stresses jump at the surface."""
     z = block[2]
     inside = [z >= 0, z < 0]

@@ -126,7 +126,7 @@ def figures(path, **chosen):
 
 
 def is_creep_table(path):
-    """Whether a file is a creep-force table."""
+    """Returns whether a file is a creep-force table."""
     try:
         with open(path, "rb") as file:
             return file.read(len(CREEP_TABLE)) == CREEP_TABLE
@@ -157,7 +157,7 @@ def end_early(_number, _frame):
 
 @contextlib.contextmanager
 def ending_from_within():
-    """What Ctrl-C and SIGTERM end here can clean up behind itself. Elsewhere they end the program of pictures at once, also
+    """Lets what Ctrl-C and SIGTERM end clean up behind itself. Elsewhere they end the program of pictures at once, also
     in the middle of the work of other libraries."""
     if threading.current_thread() is not threading.main_thread():
         yield

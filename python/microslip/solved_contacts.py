@@ -27,7 +27,7 @@ def read_contacts(result):
 
 
 def by_theory(result):
-    """Of two bodies: one contact by each theory."""
+    """Contacts of two bodies: one by each theory."""
     speed = result.number("/inputs/rolling_speed")
     return {theory: SolvedContact(f"/{theory}/fields", read_cells(result, theory), speed)
             for theory in THEORIES if f"{theory}/fields" in result}
@@ -64,22 +64,22 @@ def patch_cells(result, folder, at=(0.0, 0.0)):
 
 
 def rolls_backward(result):
-    """Whether body 1 rolls against x."""
+    """Returns whether body 1 rolls against x."""
     if "/inputs/direction" in result:
         return result.text("/inputs/direction") == "backward"
     return "/states/forward_velocity" in result and bool(result.array("/states/forward_velocity")[0] < 0)
 
 
 def is_shift(result):
-    """Whether the bodies do not roll; slip is a length then."""
+    """Returns whether the bodies do not roll; slip is a length then."""
     return "/inputs/motion" in result and result.text("/inputs/motion") == "shift"
 
 
 def label_along_x(result):
-    """Of an axis in mm, with the direction of rolling."""
+    """Label of an axis in mm, with the direction of rolling."""
     return "x [mm]" if is_shift(result) else f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}"
 
 
 def slip_unit(result):
-    """Of the slip of ContactCells: for an axis, and as it follows a number."""
+    """Unit of the slip of ContactCells: for an axis, and as it follows a number."""
     return ("mm", " mm") if is_shift(result) else (r"$10^{-3}$", r"$\,\cdot\,10^{-3}$")
