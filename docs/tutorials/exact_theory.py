@@ -3,7 +3,7 @@
 #
 # The exact theory takes both bodies as elastic half-spaces: a traction anywhere moves the surface everywhere. So
 # nothing has to be assumed about the contact area or about springs, and shapes that are no ellipses, histories and
-# given forces can be treated. This tutorial shows three things that the simplified theory cannot do.
+# prescribed forces can be treated. This tutorial shows three things that the simplified theory cannot do.
 
 # %%
 import copy
