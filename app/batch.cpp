@@ -197,8 +197,8 @@ struct ChunkResult {
   std::vector<io::BadRow> bad;
 };
 
-/// Solves chunks of a table by one batch. Results go to the places of the chunks; if `progress` ends the batch they
-/// mean nothing.
+/// Solves chunks of a table by one batch. Results are stored by the index of the chunks; if `progress` ends the batch
+/// they mean nothing.
 class TableSolver {
 public:
   virtual ~TableSolver() = default;
@@ -364,7 +364,7 @@ std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
                                                             RowSolver(marching_scheme(method.theory), options));
 }
 
-/// Bad rows in a file of their own, if one is named.
+/// Bad rows in a separate file, if one is named.
 class ErrorList {
 public:
   explicit ErrorList(const fs::path& path) {
@@ -536,7 +536,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--coefficients", arguments->coefficients, choices<CreepageTable>(),
          "table of creepage coefficients of the simplified theory; default: kalker");
   option("--precision", arguments->precision, choices<Precision>(),
-         "of FASTSIM and FASTSIM2: single takes about half the time, forces are right to 1e-5 of mu Fn");
+         "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn");
   option("--direction", arguments->direction, choices<RollingDirection>(), "of rolling, along +x or -x");
   option("--discretisation", arguments->discretisation, choices<Discretisation>(),
          "of the exact theory; default: second_order, for dissimilar bodies classical");

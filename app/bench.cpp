@@ -97,7 +97,7 @@ void add_forces(std::vector<BenchRow>& rows, std::shared_ptr<Solver> solver, std
 BenchRow exact_row(std::string_view name, int n, int count, std::string_view over) {
   const auto solver = std::make_shared<EllipticContactSolver>(ExactOptions{.mx = n, .my = n});
   std::vector<EllipticContact> contacts = sample(count);
-  for (auto& contact : contacts) contact.a = contact.b = 6e-3; // the same ellipse: set-up is a row of its own
+  for (auto& contact : contacts) contact.a = contact.b = 6e-3; // the same ellipse: set-up has a separate row
   return {name,
           [=] {
             for (const auto& contact : contacts) {

@@ -25,7 +25,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 std::atomic<pid_t> running = 0;
 static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler may not wait");
 
-/// Waits until a child has ended; its number stays its own.
+/// Waits until a child has ended; its number is not reused.
 void wait_for(pid_t child) {
   siginfo_t ended{};
   while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {

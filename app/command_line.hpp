@@ -4,7 +4,7 @@
 
 namespace microslip::app {
 
-/// How this program was called, as a shell would take it: for results that can be traced.
+/// Command line of this program, as a shell would take it: for results that can be traced.
 std::string command_line();
 
 } // namespace microslip::app

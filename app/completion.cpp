@@ -20,7 +20,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What may stand in place of a value.
+/// What may stand for a value.
 struct Candidates {
   enum class Kind { none, words, files, folders } kind = Kind::none;
   Words words = {};
@@ -163,7 +163,7 @@ std::string zsh_quoted(const std::string& text) {
   return "'" + CLI::detail::find_and_replace(text, "'", "'\\''") + "'";
 }
 
-/// With what _arguments and _describe take as their own marked as text.
+/// Escapes the characters that _arguments and _describe interpret.
 std::string zsh_text(std::string text) {
   for (const auto* mark : {"\\", "[", "]", ":"})
     text = CLI::detail::find_and_replace(text, mark, "\\" + std::string(mark));

@@ -195,7 +195,7 @@ void write_curve(io::ResultFile& file, const std::string& group, const WheelsetC
   write_points("right", profiles.right(), [](Contact c) { return c.right; });
 }
 
-/// The curve of a profile in its own axes, by points a quarter of a millimetre apart.
+/// The curve of a profile in its axes, by points a quarter of a millimetre apart.
 void write_profile(io::ResultFile& file, const std::string& group, const Profile& profile) {
   std::vector<double> y, z;
   const int count = static_cast<int>(profile.length() / 0.25e-3) + 1;

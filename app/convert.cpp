@@ -85,7 +85,8 @@ void add_convert_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   add_json_flag(*command, arguments->json);
   command->footer(
-      "Writes a case file for microslip solve for each case that is a contact of its own with an elliptic area. Cases\n"
+      "Writes a case file for microslip solve for each case that is an independent contact with an elliptic area. "
+      "Cases\n"
       "that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not "
       "written.\n\n"
       "Example:\n  microslip convert examples/sphere_on_plane.inp -o results");

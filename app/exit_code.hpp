@@ -2,7 +2,7 @@
 
 namespace microslip::app {
 
-/// How the program ends.
+/// Exit codes of the program.
 struct ExitCode {
   static constexpr int done = 0, not_met = 1, bad_input = 2;
   static constexpr int interrupted = 130; ///< as shells report an end by Ctrl-C; by SIGTERM too

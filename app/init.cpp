@@ -67,7 +67,7 @@ void require_free(const fs::path& file) {
     throw Error(file.string() + ": is there already; --force replaces it");
 }
 
-/// Whether an example's text has a key with the other's name as its value.
+/// Returns whether an example's text has a key with the other's name as its value.
 bool is_named(std::string_view text, const ExampleFile& other) {
   const auto place = text.find("= \"" + std::string(other.name) + '"');
   return place != std::string_view::npos && text[text.rfind('\n', place) + 1] != '#'; // comments name some, too

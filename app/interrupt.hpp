@@ -11,7 +11,7 @@ public:
 };
 
 /// While it lives, SIGINT and SIGTERM are noted for work to see, and end a child. If the program does not end within
-/// .15 s, as within one long transform, or if there is a second signal, it ends there and then, with the same message
+/// 0.15 s, as within one long transform, or if there is a second signal, it ends there and then, with the same message
 /// and exit code, and without temporary files. One at a time: main has one, around all commands.
 class InterruptGuard {
 public:

@@ -10,7 +10,7 @@
 namespace microslip::app {
 
 void add_json_flag(CLI::App& command, bool& json) {
-  command.add_flag("--json", json, "print one JSON document in place of the text");
+  command.add_flag("--json", json, "print one JSON document instead of the text");
 }
 
 io::Json json_document(const std::string& kind) {

@@ -8,7 +8,7 @@
 
 namespace microslip::app {
 
-/// Adds the flag --json to a command: one JSON document on standard output in place of what people read.
+/// Adds the flag --json to a command: one JSON document on standard output instead of text for people.
 void add_json_flag(CLI::App& command, bool& json);
 
 /// The beginning of a command's document: `kind`, this program's `version`, `commit`, `compiler` and `build_type`, and

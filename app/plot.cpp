@@ -80,7 +80,7 @@ void add_plot_command(CLI::App& program, int& exit_code) {
   field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
   command
       ->add_option("--cut", arguments->cut,
-                   "tractions with their bound and slip along the row at y [mm], on a rail in each patch's own frame")
+                   "tractions with their bound and slip along the row at y [mm], on a rail in the frame of each patch")
       ->expected(1)
       ->type_name("Y");
   command

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the places along a rail [mm], or around a wheel [deg].
+/// Of the positions along a rail [mm], or around a wheel [deg].
 struct Along {
   double scale;
   const char* unit;

@@ -16,7 +16,7 @@ public:
 
   /// Shows the fraction done, 0 to 1; draws at most ten times a second. From one thread only.
   void update(double fraction);
-  /// Makes room for a line of output; the next update draws the bar again.
+  /// Clears the bar for a line of output; the next update draws the bar again.
   void clear();
 
 private:

@@ -8,7 +8,7 @@
 
 namespace microslip::app {
 
-/// What a printed table calls a quantity: a shift has shifts and work where rolling has creepages and power.
+/// Name of a quantity in a printed table: a shift has shifts and work where rolling has creepages and power.
 std::string label_of(const Quantity& quantity, const ContactSolution& solution);
 
 /// A unit and what a number in SI units is multiplied by for it.
@@ -17,7 +17,7 @@ struct PrintedUnit {
   double factor = 1;
 };
 
-/// The unit in which the largest of some numbers is easily read: kN for 80000 N, mm for .0067 m, MPa for 1.1e9 Pa.
+/// The unit in which the largest of some numbers is easily read: kN for 80000 N, mm for 0.0067 m, MPa for 1.1e9 Pa.
 /// Units that are not known, mm among them, stay as they are.
 PrintedUnit readable_unit(std::string_view unit, const std::vector<double>& values);
 

@@ -204,7 +204,7 @@ private:
     if (std::exchange(has_printed_, true)) fmt::print("\n");
   }
 
-  /// Beside our own geometry, patches and elements of second order.
+  /// The comparison with microslip's geometry, patches and elements of second order.
   void compare(const Case& c, const contact_program::WheelOutcome& wheel) {
     const auto own = contact_program::compare_with_own(c, wheel);
     if (json_) {
@@ -273,7 +273,7 @@ private:
     print_json(document);
   }
 
-  /// Words in place of the numbers that the result file has.
+  /// Words instead of the numbers that the result file has.
   static void name_codes(io::Json& document) {
     constexpr const char* outcomes[] = {"solved", "skipped", "refused"};
     const auto name_status = [](io::Json& status) {
@@ -307,7 +307,7 @@ private:
                  what, ranges(cases));
   }
 
-  /// In CONTACT's own layout.
+  /// In CONTACT's layout.
   void write_texts(const Case& c, const Outcome& outcome) {
     if (!outcome.wheel) {
       if (c.digits.matfil != contact_program::Stored::none)
@@ -343,7 +343,7 @@ private:
   int count_;
   fs::path output_;
   contact_program::RunFile file_;
-  std::optional<io::OutputFile> out_; ///< in CONTACT's own layout
+  std::optional<io::OutputFile> out_; ///< in CONTACT's layout
   ProgressBar bar_;
   bool shows_both_ = ::isatty(STDOUT_FILENO) == 1; ///< the tables and the bar in one terminal
   contact_program::Run run_;
@@ -382,9 +382,10 @@ void add_run_command(CLI::App& program, int& exit_code) {
   command->add_flag(
       "--mat", arguments->mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
-  command->add_flag("--accurate", arguments->accurate,
-                    "also solves wheels on rails by our own geometry, patches and elements of second order, and prints "
-                    "both beside each other");
+  command->add_flag(
+      "--accurate", arguments->accurate,
+      "also solves wheels on rails by microslip's geometry, patches and elements of second order, and prints "
+      "both beside each other");
   add_json_flag(*command, arguments->json);
   command->footer(
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"

@@ -132,9 +132,9 @@ std::vector<std::string> names_of(const std::vector<TheoryColumn>& columns) {
 }
 
 /// Adds the rows that all theories have, a column for each.
-class SideBySide {
+class TheoryRows {
 public:
-  SideBySide(QuantityTable& table, const std::vector<TheoryColumn>& columns) : table_(table), columns_(columns) {}
+  TheoryRows(QuantityTable& table, const std::vector<TheoryColumn>& columns) : table_(table), columns_(columns) {}
 
   /// A quantity of the table by its name.
   void add(std::string_view name) {
@@ -178,7 +178,7 @@ private:
   const std::vector<TheoryColumn>& columns_;
 };
 
-void add_totals(SideBySide& rows, const EllipticContact& contact) {
+void add_totals(TheoryRows& rows, const EllipticContact& contact) {
   const auto limit = contact.friction.static_coefficient() * contact.normal_force;
   const auto moment = limit * std::sqrt(contact.a * contact.b);
   for (const auto* name : {"fx", "fy", "mz"}) rows.add(name);
@@ -195,7 +195,7 @@ void add_totals(SideBySide& rows, const EllipticContact& contact) {
                  &cases::DiscretisationError::frictional_power);
 }
 
-/// What the simplified theory, or a table, lets aside.
+/// What the simplified theory, or a table, neglects.
 void add_assumption(QuantityTable& table, const io::RollingCase& input, const std::string& of) {
   const auto assumption = cases::simplified_assumption(input);
   if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});
@@ -218,7 +218,7 @@ void print_exact(const io::RollingCase& input, const cases::RollingContactResult
       limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
   QuantityTable table(describe_exact(input, mx, my), names_of(columns));
   round_to_zero(table, result);
-  SideBySide rows(table, columns);
+  TheoryRows rows(table, columns);
   add_totals(rows, result.contact);
   if (limit) add_limit(table, *limit, input);
   const auto add_found = [&](std::string_view name) {
@@ -246,7 +246,7 @@ void print_table(const io::RollingCase& input, const cases::RollingContactResult
   const auto columns = theory_columns(input, result);
   QuantityTable table("creep-force table, steady rolling", names_of(columns));
   round_to_zero(table, result);
-  SideBySide rows(table, columns);
+  TheoryRows rows(table, columns);
   add_totals(rows, result.contact);
   rows.add_status();
   add_assumption(table, input, columns.front().name);

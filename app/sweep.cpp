@@ -71,7 +71,7 @@ private:
     return true;
   }
 
-  /// Whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
+  /// Returns whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
   bool is_complete(campaign::Campaign& campaign) {
     bool is_there = false;
     ranks_.agree([&] {

@@ -6,7 +6,7 @@
 
 namespace microslip::app {
 
-/// What is wrong with the command line, with the nearest known word for an unknown command or option.
+/// Error of the command line, with the nearest known word for an unknown command or option.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
 } // namespace microslip::app

@@ -154,7 +154,7 @@ std::string page(const std::vector<StudyRecord>& records) {
       index(records), sections);
 }
 
-/// Whether a browser has made it.
+/// Returns whether a browser has made it.
 bool print_to(const fs::path& pdf, const fs::path& html) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::tmpfile(), std::fclose);
   if (!nowhere) return false;

@@ -38,8 +38,8 @@ constexpr PrintedQuantity printed_of_wheel[] = {
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
     {"y_over_q", "Y/Q", "-"},
     {"nadal_limit", "Nadal's limit of Y/Q", "-"},
-    {"worn_mass_r8t", "worn by T-gamma, steel R8T", "ug/m", 1e9},
-    {"worn_area", "worn by Archard's law", "mm^3/m", 1e9},
+    {"worn_mass_r8t", "wear rate, T-gamma, R8T", "ug/m", 1e9},
+    {"worn_area", "wear rate, Archard's law", "mm^3/m", 1e9},
     {"residual", "residual of the vertical force", "-"},
 };
 
@@ -81,8 +81,8 @@ constexpr PrintedQuantity printed_of_patch[] = {
     {"t_gamma_with_spin", "T-gamma with spin", "N"},
     {"traction_coefficient", "traction coefficient", "-"},
     {"t_gamma_per_area", "T-gamma per area", "N/mm^2", 1e-6},
-    {"worn_mass_r8t", "worn by T-gamma, steel R8T", "ug/m", 1e9},
-    {"worn_area", "worn by Archard's law", "mm^3/m", 1e9},
+    {"worn_mass_r8t", "wear rate, T-gamma, R8T", "ug/m", 1e9},
+    {"worn_area", "wear rate, Archard's law", "mm^3/m", 1e9},
     {"wear_depth", "largest wear depth of a passage", "nm", 1e9},
     {"fatigue_index", "surface fatigue index", "-"},
     {"shakedown_load", "shakedown map: load", "-"},

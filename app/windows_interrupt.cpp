@@ -23,7 +23,7 @@ std::atomic<int> guards = 0; ///< raised where one begins or ends: what the guar
   for (;;) ::Sleep(INFINITE);
 }
 
-/// Windows calls it in a thread of its own.
+/// Windows calls it in a separate thread.
 BOOL WINAPI note(DWORD) {
   if (was_interrupted.exchange(true)) end_at_once();
   const int guard = guards;

@@ -82,11 +82,11 @@ def chunks_of(journal):
     if len(data) < 56:
         return numbers
     count, width, chunk = struct.unpack_from("=3Q", data, 24)
-    place = 56
-    while place + 24 <= len(data):
-        _, reasons, number = struct.unpack_from("=IIQ", data, place)
-        place += 24 + min(chunk, count - number * chunk) * width * 8 + reasons + 8
-        if place <= len(data):
+    offset = 56
+    while offset + 24 <= len(data):
+        _, reasons, number = struct.unpack_from("=IIQ", data, offset)
+        offset += 24 + min(chunk, count - number * chunk) * width * 8 + reasons + 8
+        if offset <= len(data):
             numbers.append(number)
     return numbers
 
@@ -179,7 +179,7 @@ class Trial:
         self.resize(LARGE)
 
     def limited(self, action):
-        """What a process says whose files are limited; what it does at the limit is its action."""
+        """Behaviour of a process whose files are limited; its action is what it does at the limit."""
         limit = max([journal.stat().st_size for journal in self.checkpoint().glob("rank-*")], default=0) + self.dice.randrange(60, 60_000)
 
         def before():
@@ -193,17 +193,17 @@ class Trial:
         return sum(file.stat().st_size + 4096 for file in self.checkpoint().glob("*"))
 
     def resize(self, size):
-        """Whether the file system of the output has this size [bytes] now; only root can change it."""
+        """Returns whether the file system of the output has this size [bytes] now; only root can change it."""
         how = f"remount,size={size}" if os.path.ismount(self.output.parent) else f"size={size}"
         return subprocess.run(["mount", "-t", "tmpfs", "-o", how, "tmpfs", str(self.output.parent)], capture_output=True,
                               check=False).returncode == 0
 
-    def run(self, ways):
+    def run(self, methods):
         """Returns what was kept after each of the kills."""
         (self.folder / "s.toml").write_text(specification(CASES, CHUNK, "exact", 16))
         kept = [0]
-        for way in ways:
-            way(self)
+        for method in methods:
+            method(self)
             chunks = [number for journal in self.checkpoint().glob("rank-*") for number in chunks_of(journal)]
             assert len(chunks) == len(set(chunks)), "a chunk was computed twice"
             if self.output.exists():  # it was faster
@@ -220,7 +220,7 @@ class Trial:
         return kept[1:]
 
 
-WAYS = {"one rank of three": Trial.one_rank, "mpirun and all ranks": Trial.all_ranks, "a process with threads": Trial.one_process,
+METHODS = {"one rank of three": Trial.one_rank, "mpirun and all ranks": Trial.all_ranks, "a process with threads": Trial.one_process,
         "a process while it writes": Trial.while_it_writes, "the disk is full": Trial.full_disk}
 
 
@@ -237,11 +237,11 @@ def kills(arguments):
         reference = contents(path / "reference.h5")
     print(f"{CASES} cases in chunks of {CHUNK}; after each kill the chunks that are kept, then the run to the end\n")
     print(f"{'killed':26} {'chunks kept':>14}  results")
-    names = [name for name in WAYS if shutil.which("mpirun") or "rank" not in name]
+    names = [name for name in METHODS if shutil.which("mpirun") or "rank" not in name]
     for number in range(arguments.kills):
         name = names[number % len(names)]
         with tempfile.TemporaryDirectory() as folder, Trial(arguments.program, folder, reference, seconds, dice) as trial:
-            kept = trial.run([WAYS[name]] * dice.choice([1, 2]))
+            kept = trial.run([METHODS[name]] * dice.choice([1, 2]))
         print(f"{name:26} {', '.join(map(str, kept)):>14}  identical, none lost, none twice")
 
 
@@ -254,7 +254,7 @@ def timed(command, folder):
 
 
 def cost(arguments):
-    """What a second rank brings, and what a chunk costs beside its cases."""
+    """Gain of a second rank, and overhead of a chunk beyond its cases."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder)
 
@@ -283,7 +283,7 @@ def cost(arguments):
 
 def makespan(times, workers, latency, service):
     """When the last of the tasks is done: workers ask one after another for the next one; a question takes a while to travel
-    and a while at the place that all ask."""
+    and a while at the number that all ask."""
     free_at, end = 0.0, 0.0
     asking = [(latency / 2, 0)] * workers
     heapq.heapify(asking)

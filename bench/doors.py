@@ -1,4 +1,4 @@
-"""What a call costs through the Python door: PYTHONPATH=build/release/share/microslip/python python3 bench/doors.py.
+"""Cost of a call through the Python interface: PYTHONPATH=build/release/share/microslip/python python3 bench/doors.py.
 
 The overhead is the time of a call whose input is refused at once: all that is left of it is the way in and out.
 """
@@ -20,7 +20,7 @@ def nanoseconds(call):
 
 
 def main():
-    """Prints one line for each way to call."""
+    """Prints one line for each kind of call."""
     steel = microslip.Material.from_young(210e9, 0.28)
     pair = microslip.combine(steel, steel)
     hertz = microslip.hertz_from_load(microslip.gap_curvatures(0.46, math.inf, math.inf, 0.3), pair, 80e3)

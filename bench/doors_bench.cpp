@@ -1,5 +1,5 @@
-// What a call of FASTSIM2 costs through each door, over the 3,220 cases on one core: directly in C++, through the C
-// interface, and as a step of the functional mock-up unit. Doors take turns; each figure is the shortest of many
+// The cost of a call of FASTSIM2 through each interface, over the 3,220 cases on one core: directly in C++, through the
+// C interface, and as a step of the functional mock-up unit. Interfaces take turns; each figure is the shortest of many
 // rounds.
 
 #include "fmi/description.hpp"
@@ -43,7 +43,7 @@ std::vector<microslip_contact> c_contacts() {
   return all;
 }
 
-/// A way to solve all cases; returns something that depends on every result.
+/// Solves all cases; returns something that depends on every result.
 struct Door {
   const char* name;
   std::function<double()> solve_all;

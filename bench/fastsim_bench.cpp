@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
               ">= 30");
   table.ratio("plain FASTSIM2 10 x 10 / the same in a batch", "plain_fastsim2_10x10", "fastsim2_10x10_batch", ">= 5");
   table.ratio("a batch in single precision / in double", "fastsim2_10x10_batch_single", "fastsim2_10x10_batch",
-              "<= .5");
+              "<= 0.5");
   table.ratio("one call alone / in a batch", "fastsim2_10x10_one_by_one", "fastsim2_10x10_batch", "<= 3");
   table.ratio("derivatives / forces", "fastsim2_10x10_derivatives", "fastsim2_10x10_batch", "<= 4");
   return 0;

@@ -1,6 +1,6 @@
 // What a call of cntc_calculate costs beside the same case in C++, and what setters and getters cost: the right wheel
-// of the example's profiles, elements of .2 mm, ten states. Both take turns; each figure is the shortest of many rounds
-// [processor time].
+// of the example's profiles, elements of 0.2 mm, ten states. Both take turns; each figure is the shortest of many
+// rounds [processor time].
 
 #include "compat/contact/input.hpp"
 #include "compat/contact/run.hpp"

@@ -248,7 +248,7 @@ Figures classical(int n, double skewness) {
   return figures;
 }
 
-/// A first shift, by .6 of the sliding force.
+/// A first shift, by 0.6 of the sliding force.
 Figures shift(int n) {
   const ElementGrid grid = grid_of(n, 0);
   const NormalSolution normal = NormalProblem(steel, grid).solve(gap_on(grid, 0), {NormalLoad::Given::force, load});

@@ -233,10 +233,10 @@ int main(int argc, char** argv) {
   fast(pair, all, look_up, "table with derivatives, one patch", 1, true);
   fast(pair, all, {}, "fastsim2 with derivatives, two patches", 2, true);
   exact(pair, all, states, "exact, 24 elements across, force given", 0, true);
-  exact(pair, all, states, "exact, elements of .5 mm, height given", 0.5e-3, false);
-  exact(pair, all, states, "exact, elements of .5 mm, force given", 0.5e-3, true);
-  exact(pair, all, states, "exact, elements of .2 mm, height given", 0.2e-3, false);
-  exact(pair, all, states, "exact, elements of .2 mm, force given", 0.2e-3, true);
+  exact(pair, all, states, "exact, elements of 0.5 mm, height given", 0.5e-3, false);
+  exact(pair, all, states, "exact, elements of 0.5 mm, force given", 0.5e-3, true);
+  exact(pair, all, states, "exact, elements of 0.2 mm, height given", 0.2e-3, false);
+  exact(pair, all, states, "exact, elements of 0.2 mm, force given", 0.2e-3, true);
   std::printf("\n| yaw [rad/m], slip | table: rms, median, largest | fastsim2 |\n|---|---|---|\n");
   differences(pair, look_up, states, 2.4, 0);
   differences(pair, look_up, states, 0.2, 1e-3);

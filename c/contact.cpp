@@ -38,7 +38,7 @@ bool is_term(const FrictionTerm& term) {
   return is_coefficient(term.drop) && term.half_velocity > 0 && std::isfinite(term.half_velocity);
 }
 
-/// Whether friction_of does not throw.
+/// Returns whether friction_of does not throw.
 bool has_valid_friction(const microslip_contact& contact) {
   if (contact.friction_law == MICROSLIP_COULOMB) return is_coefficient(contact.friction);
   const FrictionTerm first = term_of(contact, 0), second = term_of(contact, 1);

@@ -41,7 +41,7 @@ Bodies materials_of(const microslip_exact_options& o, double velocity) {
   return viscoelastic(material(o.body1), creep(o.body1), material(o.body2), creep(o.body2), velocity);
 }
 
-/// The contact's combined constants stand beside the bodies' own, which they must follow from.
+/// The contact's combined constants must follow from those of the bodies.
 void require_combined(std::string_view field, double of_contact, double of_bodies, std::string_view unit) {
   constexpr double rounding = 1e-6;
   if (std::abs(of_contact - of_bodies) <= rounding * std::abs(of_bodies)) return;

@@ -10,14 +10,14 @@ microslip_exact_options default_exact_options();
 /// Throws Error for the first option that is out of its range whatever the contact.
 void check(const microslip_exact_options& options);
 
-/// How contacts are solved. What stands for the default in the header is left open.
+/// Method for contacts. Values that stand for the default in the header are left open.
 Method method_of(const microslip_exact_options& options);
 
-/// What the options and a contact with its motion say together. Throws Error if they contradict each other.
+/// Problem given by the options and a contact with its motion. Throws Error if they contradict each other.
 RollingProblem problem_of(const microslip_exact_options& options, const EllipticContact& contact,
                           const ExactMotion& motion);
 
-/// Whether the bodies are more than the contact's own constants: materials of both, or a layer.
+/// Returns whether the bodies are more than the contact's constants: materials of both, or a layer.
 bool has_bodies(const microslip_exact_options& options);
 
 } // namespace microslip::c

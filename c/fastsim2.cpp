@@ -75,7 +75,7 @@ int status_of(const microslip_derivatives& derivatives) {
   return derivatives.forces.status;
 }
 
-/// Solves chunk by chunk in the handle's own memory; `solve` takes contacts and fills in results.
+/// Solves chunk by chunk in the handle's memory; `solve` takes contacts and fills in results.
 template <class Own, class Result, class Solve>
 microslip_code solve_in_chunks(microslip_fastsim2& handle, std::array<Own, chunk>& own, std::size_t count,
                                const microslip_contact* contacts, Result* results, Solve solve) noexcept {

@@ -15,7 +15,7 @@ template <class Struct>
 constexpr bool is_growing_struct = std::is_trivially_copyable_v<Struct>&& std::is_standard_layout_v<Struct>&&
                                        offsetof(Struct, struct_size) == 0;
 
-/// What is taken for a size that was never set [bytes].
+/// Largest plausible size; a larger one was never set [bytes].
 constexpr std::size_t largest_struct = 4096;
 
 /// Throws Refusal unless `size` covers `oldest` bytes, which is what the first version of the struct had.

@@ -19,7 +19,7 @@ struct Refusal : std::runtime_error {
   microslip_code code;
 };
 
-/// Writes code and text, cut to the room there is; returns the code.
+/// Writes code and text, cut to the space there is; returns the code.
 inline microslip_code report(microslip_error* error, microslip_code code, std::string_view text) noexcept {
   if (!error) return code;
   error->code = code;

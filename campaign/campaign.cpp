@@ -54,7 +54,7 @@ void create(const fs::path& folder) {
 
 } // namespace
 
-/// Keeps other runs away from a checkpoint, until the process ends in whatever way. The first rank has byte 0 of a
+/// Keeps other runs away from a checkpoint, until the process ends, for whatever reason. The first rank has byte 0 of a
 /// file, rank r byte r: a new run needs all of it for a moment, so that it does not begin while a rank of an old one
 /// still writes. Locks by fcntl are not inherited by child processes and work over NFS; where a file system has none,
 /// nothing is locked.
@@ -227,16 +227,16 @@ void Campaign::keep(const CampaignRows& rows) {
 
 void Campaign::read(const std::function<void(const CampaignRows&)>& visit) const {
   constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
-  struct Place {
+  struct ChunkPosition {
     std::size_t journal = nowhere, offset = 0;
   };
-  std::vector<Place> places(plan_.chunks());
+  std::vector<ChunkPosition> positions(plan_.chunks());
   std::vector<std::unique_ptr<JournalReader>> readers;
   for (const auto& path : journals()) {
-    for (const auto& [number, offset] : find_chunks(path, plan_)) places[number] = {readers.size(), offset};
+    for (const auto& [number, offset] : find_chunks(path, plan_)) positions[number] = {readers.size(), offset};
     readers.push_back(std::make_unique<JournalReader>(path, plan_));
   }
-  for (const auto& [journal, offset] : places) {
+  for (const auto& [journal, offset] : positions) {
     if (journal == nowhere) throw Error(folder_.string() + ": not all cases are computed");
     visit(readers[journal]->at(offset));
   }

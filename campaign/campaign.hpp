@@ -26,9 +26,9 @@ struct CampaignOptions {
 };
 
 /// Many cases computed once: on the threads of one process or of many, with a checkpoint that outlives them. Each
-/// process adds its finished chunks to a Journal of its own in the checkpoint's folder; a campaign that is made anew
+/// process adds its finished chunks to its Journal in the checkpoint's folder; a campaign that is made anew
 /// with the same plan and folder, by any number of processes, goes on with what is missing. Chunks are handed out by a
-/// count that all share, to whoever asks next.
+/// count that all share, to the next that asks.
 class Campaign {
 public:
   /// Opens the checkpoint `folder` or creates it, on *all* ranks, and takes away chunks cut off by the death of their

@@ -9,7 +9,7 @@
 
 namespace microslip::campaign {
 
-/// What one process has computed of a campaign: a file to which chunks are added one by one, each with its checksum,
+/// Results of one process of a campaign: a file to which chunks are added one by one, each with its checksum,
 /// by one write to the system. It begins with what tells campaigns apart and the byte order. A process that is killed
 /// leaves all chunks that it has added, and at most one cut off at the end.
 class Journal {
@@ -36,7 +36,7 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Where a chunk stands in a journal.
+/// Position of a chunk in a journal.
 struct KeptChunk {
   std::size_t number = 0; ///< of the chunk
   std::size_t offset = 0; ///< [bytes]
@@ -44,10 +44,10 @@ struct KeptChunk {
 
 /// The chunks of a journal, in the order in which they were added. A chunk that is cut off at the end, as by the death
 /// of its process, is taken away from the file; nobody may be writing to it. Throws Error with the path for a file that
-/// is no journal, or of another campaign, version or byte order, or has damaged chunks, with the place of the first.
+/// is no journal, or of another campaign, version or byte order, or has damaged chunks, with the position of the first.
 std::vector<KeptChunk> find_chunks(const std::filesystem::path& path, const CampaignPlan& plan);
 
-/// Reads chunks of one journal, at any place.
+/// Reads chunks of one journal, from any position.
 class JournalReader {
 public:
   /// Throws Error with the path and the system's reason.

@@ -5,7 +5,7 @@
 
 namespace microslip::campaign {
 
-/// Whether this process is one of several that Open MPI's mpirun, another one's, or Slurm with PMI has started.
+/// Returns whether this process is one of several that Open MPI's mpirun, another one's, or Slurm with PMI has started.
 inline bool has_launcher() {
   constexpr std::array marks = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
   for (const char* mark : marks)

@@ -26,7 +26,7 @@ public:
     MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
   }
 
-  /// Ends with the others where all are known to end. Else this rank leaves the way it would without MPI, and the
+  /// Ends with the others where all are known to end. Else this rank exits as it would without MPI, and the
   /// launcher ends the others.
   ~MpiRanks() override {
     if (!is_agreed_) return;

@@ -200,7 +200,7 @@ public:
     last_.resize(rebuilds_.size());
   }
 
-  /// Whether a key has changed that needs a new solver.
+  /// Returns whether a key has changed that needs a new solver.
   bool set(std::size_t index) {
     bool is_new = std::exchange(is_first_, false);
     for (std::size_t k = 0; k < rebuilds_.size(); ++k) {

@@ -19,7 +19,7 @@ struct SweepColumn {
 /// The last part of the path of a sweep's second column.
 inline constexpr std::string_view warning_name = "warning_code";
 
-/// The cases of a specification as rows of a campaign. The first number of a row is the status, by its place in Status,
+/// The cases of a specification as rows of a campaign. The first number of a row is the status, by its index in Status,
 /// the second one the code of its Warnings.
 class Sweep {
 public:
@@ -31,7 +31,7 @@ public:
   const std::vector<SweepColumn>& columns() const { return columns_; }
   CampaignPlan plan() const;
 
-  /// A worker with solvers of its own, for one thread. A row depends on its index alone; cost beside that of the
+  /// A worker with separate solvers, for one thread. A row depends on its index alone; cost beside that of the
   /// solution: some 10 microseconds to read the case, or, if its profiles are others than the case's before, what it
   /// takes to prepare these.
   RowWorker make_worker() const { return make_worker_(); }

@@ -12,19 +12,19 @@
 
 namespace microslip::campaign {
 
-/// What a sweep's result files hold.
+/// Kind of a sweep's result files.
 inline constexpr const char* sweep_kind = "sweep";
 
-/// How the cases of a sweep ended.
+/// Outcomes of the cases of a sweep.
 struct SweepCount {
   std::size_t cases = 0, failed = 0;
   std::vector<std::string> warnings = {}; ///< what makes cases doubtful, and how many
 };
 
-/// Where a sweep that writes to `output` keeps its checkpoint: OUT.h5.checkpoint.
+/// Checkpoint folder of a sweep that writes to `output`: OUT.h5.checkpoint.
 std::filesystem::path checkpoint_of(const std::filesystem::path& output);
 
-/// How the cases ended in the file at `path`, if it is there: the complete result of this very sweep. Throws Error if
+/// Outcomes of the cases in the file at `path`, if it is there: the complete result of this very sweep. Throws Error if
 /// it is another file, which took as long to compute, perhaps.
 std::optional<SweepCount> find_sweep(const Sweep& sweep, const std::filesystem::path& path);
 

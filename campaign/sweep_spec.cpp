@@ -180,7 +180,7 @@ void SweepSpec::read_base(const io::TomlSection& root) {
   }
   for (const char* section : {"sweep", "interior"})
     if (base_.contains(section))
-      throw Error(base_name_ + ": [" + section + "]: must be left out of a case that varies in a sweep of its own");
+      throw Error(base_name_ + ": [" + section + "]: must be left out of a case that varies in another sweep");
 }
 
 /// In the order of the file. A key may be quoted, or open tables by its dots.

@@ -11,15 +11,15 @@
 
 namespace microslip::campaign {
 
-/// What a parameter is in a case: a number, or what a list in the file or a column of a table has.
+/// Value of a parameter in a case: a number, or what a list in the file or a column of a table has.
 struct CaseValue {
   double number = 0;
-  const toml::node* node = nullptr; ///< in place of the number, if there is one; of the specification
+  const toml::node* node = nullptr; ///< instead of the number, if there is one; of the specification
 
   bool operator==(const CaseValue&) const = default;
 };
 
-/// What varies from case to case.
+/// Parameters that vary from case to case.
 struct SweepParameter {
   std::string name;              ///< as the file has it: "motion.spin", or keys that take the same value: "a.x, b.x"
   std::vector<std::string> keys; ///< of the case file
@@ -27,7 +27,7 @@ struct SweepParameter {
   std::string unit = "SI";       ///< of its numbers, known after convert_units
 };
 
-/// What the file of a sweep says: a case, and how its keys vary: on a grid, by a list or in a random sample.
+/// Contents of the file of a sweep: a case, and how its keys vary: on a grid, by a list or in a random sample.
 /// docs/campaigns.md has the format.
 class SweepSpec {
 public:
@@ -37,7 +37,7 @@ public:
   const std::string& title() const { return title_; }
   const std::string& text() const { return text_; }
   const std::string& name() const { return name_; }
-  /// Whether numbers vary that are given as texts with units, such as "80 kN".
+  /// Returns whether numbers vary that are given as texts with units, such as "80 kN".
   bool has_units() const;
   /// A case with its values as they are written, texts with units among them; of a range that has such ends the first.
   toml::table case_as_written(std::size_t index) const;
@@ -54,7 +54,7 @@ public:
   /// Cases that are handed out, and kept, at a time: as given, or by their number.
   std::size_t chunk() const { return chunk_; }
   const std::vector<SweepParameter>& parameters() const { return parameters_; }
-  /// Of a grid: the number of values of each parameter; the last varies fastest. Else empty.
+  /// Shape of a grid: the number of values of each parameter; the last varies fastest. Else empty.
   const std::vector<std::size_t>& shape() const { return shape_; }
   /// Names of the quantities to keep; empty: all.
   const std::vector<std::string>& quantities() const { return quantities_; }
@@ -65,7 +65,7 @@ public:
   CaseValue value(std::size_t index, std::size_t k) const;
   /// The same as text, for a parameter that is no number.
   std::string text_of(std::size_t index, std::size_t k) const;
-  /// Where a case of a list stands, "cases.csv:2: ", for messages; else empty. Reads the list anew.
+  /// Location of a case of a list, "cases.csv:2: ", for messages; else empty. Reads the list anew.
   std::string place(std::size_t index) const;
   /// Puts it into a case.
   void set(std::size_t index, std::size_t k, toml::table& table) const;

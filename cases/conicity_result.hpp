@@ -9,7 +9,7 @@
 
 namespace microslip::cases {
 
-/// How `microslip conicity` looks at a wheelset on a track.
+/// Input of `microslip conicity`: a wheelset on a track.
 struct ConicityInput {
   Track track = {};
   Wheelset wheelset = {};
@@ -19,7 +19,7 @@ struct ConicityInput {
   std::optional<double> curve_radius = {}; ///< [m], for the radial steering index
 };
 
-/// What is found at one gauge.
+/// Results at one gauge.
 struct ConicityResult {
   double gauge = 0;
   WheelsetCurve curve;
@@ -35,11 +35,11 @@ std::vector<double> amplitude_range(const std::string& field, double from, doubl
 ConicityResult find_conicity(const ConicityInput& input, const WheelsetSearch::Side& left,
                              const WheelsetSearch::Side& right, bool sides_are_alike);
 
-/// Of the largest amplitude; empty without a curve's radius.
+/// Steering at the largest amplitude; empty without a curve's radius.
 std::optional<double> steering_index(const ConicityInput& input, const ConicityResult& result);
 
 /// The result as members of a JSON object: conicity over the amplitudes; rolling radius difference and so on in steps
-/// of 0.1 mm, with the places of contact on the profiles.
+/// of 0.1 mm, with the contact points on the profiles.
 io::Json conicity_document(const ConicityInput& input, const ConicityResult& result, const WheelsetSearch::Side& left,
                            const WheelsetSearch::Side& right);
 /// The units of these members.

@@ -9,7 +9,7 @@
 
 namespace microslip::cases {
 
-/// What `microslip profile` finds of a profile.
+/// Results of `microslip profile` for a profile.
 struct ProfileFindings {
   PreparedProfile prepared;
   std::optional<WheelDimensions> wheel;

@@ -74,7 +74,7 @@ TableResult look_up(const io::RollingCase& input, const EllipticContact& contact
   return result;
 }
 
-/// In the case's steps, with creepages in place of forces that are given.
+/// In the case's steps, with creepages instead of prescribed forces.
 CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, ExactMotion motion,
                        const Progress& progress) {
   motion.force_x = motion.force_y = std::nullopt;

@@ -13,21 +13,21 @@
 
 namespace microslip::cases {
 
-/// How far totals are from those on another grid; NaN where there is none, as for a single element.
+/// Differences of totals from those on another grid; NaN where there is none, as for a single element.
 struct DiscretisationError {
   double fx = 0, fy = 0;       ///< in units of mu Fn
   double mz = 0;               ///< in units of mu Fn sqrt(a b)
   double frictional_power = 0; ///< [W]; for a shift of the work [J]
 };
 
-/// What the simplified theory makes of a case.
+/// Results of the simplified theory for a case.
 struct SimplifiedResult {
   ContactSolution solution;
   DiscretisationError discretisation_error; ///< to the grid with twice the cells in each direction
   CreepCurve curve;
 };
 
-/// What the exact theory makes of a case.
+/// Results of the exact theory for a case.
 struct ExactResult {
   ContactSolution contact;
   DiscretisationError discretisation_error; ///< to the grid with half the elements in each direction
@@ -36,7 +36,7 @@ struct ExactResult {
   std::optional<CreepCurve> curve;          ///< if it converges for steady rolling
 };
 
-/// What a creep-force table makes of a case.
+/// Results of a creep-force table for a case.
 struct TableResult {
   ContactSolution solution; ///< without fields
   CreepCurve curve;
@@ -70,20 +70,20 @@ std::vector<StoredNumber> material_quantities(const CombinedMaterial& material);
 /// Name of the simplified theory's group in result files.
 std::string simplified_name(const io::RollingCase& input);
 
-/// Where Hertz's solution, a table's and the simplified theory's are those of simpler bodies than the case's: which.
+/// Simpler bodies that Hertz's solution, a table's and the simplified theory's take instead of the case's.
 /// Empty: of the same.
 std::string hertz_assumption(const io::RollingCase& input);
 std::string simplified_assumption(const io::RollingCase& input);
 
-/// What makes the case doubtful, by its Hertzian contact.
+/// Doubts about the case, by its Hertzian contact.
 ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& hertz);
 
-/// What such a case's result files hold.
+/// Kind of such a case's result files.
 constexpr const char* kind_of(const io::RollingCase&) {
   return "rolling_contact";
 }
 
-/// What is computed by the exact theory.
+/// Extent of the computation by the exact theory.
 enum class ExactExtent {
   full,    ///< the solution, its gap and its error on the grid, a creep curve: some ten times the work of the solution
   solution ///< the solution alone

@@ -177,7 +177,7 @@ void write_curve(io::ResultWriter& file, const std::string& group, const std::ve
 void write_profile(io::ResultWriter& file, const std::string& name, const PreparedProfile& prepared) {
   std::vector<double> y, z;
   walk(prepared.profile, [&](const CurvePoint& p) { y.push_back(p.value.y), z.push_back(p.value.z); });
-  write_curve(file, "profiles/" + name, y, z, "the profile's own axes: y to the field side, z up");
+  write_curve(file, "profiles/" + name, y, z, "the profile's axes: y to the field side, z up");
   file.attribute("profiles/" + name, "source", prepared.report.source);
 }
 

@@ -20,7 +20,7 @@ struct WheelRailResult {
   std::vector<std::string> warnings; ///< of the profiles, and of results that are not to be trusted
 };
 
-/// What such a case's result files hold.
+/// Kind of such a case's result files.
 constexpr const char* kind_of(const io::WheelRailCase&) {
   return "wheel_rail";
 }
@@ -28,7 +28,7 @@ constexpr const char* kind_of(const io::WheelRailCase&) {
 /// Solves all states. `progress` is told after each, and often within the exact theory and sums inside the bodies.
 /// Throws Stopped if it returns false.
 WheelRailResult solve_case(const io::WheelRailCase& input, const Progress& progress = {});
-/// How: the method of the case, with fields where its result has them.
+/// Method of the case, with fields where its result has them.
 WheelRailMethod solving_method(const io::WheelRailCase& input);
 /// The same by a solver with this method for the case's bodies, which may have solved other states before.
 WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, const Progress& progress = {});

@@ -1,5 +1,5 @@
 # `cpack` in a build folder of the preset `package` makes two Debian packages: microslip, and its libcontact, which
-# stands in the place of CONTACT's library and is not for everybody. tools/package makes and tries them.
+# replaces CONTACT's library and is not for everybody. tools/package makes and tries them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME microslip)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

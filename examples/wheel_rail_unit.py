@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The functional mock-up unit of a wheel on a rail, stepped as a system simulation does, with nothing but Python's own
+"""The functional mock-up unit of a wheel on a rail, stepped as a system simulation does, with nothing but Python's
 library: wheel_rail_unit.py FILE.fmu. Prints the lateral force on the wheel, its derivative, and the flange's load while the
 wheel moves towards the flange."""
 
@@ -63,7 +63,7 @@ def main(path):
         archive.extractall(name)
         unit = Unit(Path(name))
         unit.set("track.cant", 0.025)
-        unit.set("wheelset.profile", "s1002.prw")  # one of the unit's own; any path will do
+        unit.set("wheelset.profile", "s1002.prw")  # one of the unit's files; any path will do
         for name, value in (("state.forward_velocity", 20.0), ("state.pitch_velocity", 20.0 / 0.46), ("state.yaw", 2e-3)):
             unit.set(name, value)
         unit.call("fmi2EnterInitializationMode")

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What the calls of both versions of the interface do: they differ in names, types and what else they must have.
+/// Calls of both versions of the interface: they differ in names, types and what else they must have.
 namespace microslip::fmi {
 
 using Stages = std::initializer_list<Stage>;
@@ -36,7 +36,7 @@ template <class Body> bool run(Unit& unit, const char* call, Stages stages, cons
   return false;
 }
 
-/// Values of variables of a kind; `store(values, reference, k)` puts one into the caller's k-th place. In
+/// Values of variables of a kind; `store(values, reference, k)` puts one into the caller's k-th element. In
 /// initialization mode results follow the inputs; while stepping they stand from the last step.
 template <class Store>
 void get(Unit& unit, Kind kind, const ValueReference vr[], std::size_t count, const Store& store) {
@@ -91,7 +91,7 @@ inline void adjoint_derivative(Unit& unit, const ValueReference unknowns[], std:
   }
 }
 
-/// Keeps the unit's state in a new place, or in that of an older one.
+/// Keeps the unit's state in new memory, or in that of an older one.
 inline void save(Unit& unit, void** state) {
   if (*state)
     *static_cast<Unit::Saved*>(*state) = unit.save();

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+namespace microslip::fmi {
 namespace {
 
 bool write(const char* name, const std::string& text) {
@@ -15,15 +16,20 @@ bool write(const char* name, const std::string& text) {
   return file.good();
 }
 
-} // namespace
-
-int main(int count, char** arguments) try {
-  using namespace microslip::fmi;
-  if (count != 4) return 2;
+int describe(char** arguments) {
   const Version version = arguments[1] == std::string("3.0") ? Version::fmi3 : Version::fmi2;
   const ModelInfo info = model_info();
   return write(arguments[2], model_description(info, version)) && write(arguments[3], documentation(info)) ? 0 : 1;
-} catch (const std::exception& error) {
-  std::cerr << error.what() << '\n';
-  return 1;
+}
+
+} // namespace
+} // namespace microslip::fmi
+
+int main(int count, char** arguments) {
+  try {
+    return count == 4 ? microslip::fmi::describe(arguments) : 2;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
 }

@@ -6,7 +6,7 @@
 
 namespace microslip::fmi {
 
-/// Of the Functional Mock-up Interface.
+/// Version of the Functional Mock-up Interface.
 enum class Version { fmi2, fmi3 };
 
 /// modelDescription.xml (FMI 2.0, section 2.2; FMI 3.0, section 2.4) of a unit for co-simulation. With FMI 3.0 the
@@ -17,7 +17,7 @@ std::string model_description(const ModelInfo& info, Version version);
 /// documentation/index.html of a unit: what it computes, and its variables with units, starts and ranges.
 std::string documentation(const ModelInfo& info);
 
-/// What ties description and binary together, the guid or instantiation token: it changes when the description does.
+/// Key of description and binary, the guid or instantiation token: it changes when the description does.
 std::string guid(const ModelInfo& info, Version version);
 
 } // namespace microslip::fmi

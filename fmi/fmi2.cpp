@@ -193,7 +193,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component instance, const fmi2ValueRe
 }
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component instance, const fmi2ValueReference[], size_t, const fmi2Integer[],
                                         fmi2Real[]) {
-  return refuse(instance, "outputs have no derivatives to time");
+  return refuse(instance, "outputs have no derivatives with respect to time");
 }
 
 fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real time, fmi2Real step, fmi2Boolean) {

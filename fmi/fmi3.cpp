@@ -289,7 +289,7 @@ fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
 }
 fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Int32[],
                                     fmi3Float64[], size_t) {
-  return refuse(instance, "outputs have no derivatives to time");
+  return refuse(instance, "outputs have no derivatives with respect to time");
 }
 
 fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Float64[],

@@ -12,7 +12,7 @@ namespace microslip::fmi {
 enum class Kind { real, integer, text };
 enum class Causality { parameter, input, output, local };
 
-/// A variable of a unit. Its value reference is its place in the table, whatever its kind.
+/// A variable of a unit. Its value reference is its index in the table, whatever its kind.
 struct Variable {
   std::string name, description;
   Kind kind = Kind::real;
@@ -23,7 +23,7 @@ struct Variable {
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
 };
 
-/// The values of all variables by their value references; of each kind only those places count that are of it.
+/// The values of all variables by their value references; of each kind only those entries count that are of it.
 struct Values {
   std::vector<double> real;
   std::vector<int> integer;
@@ -33,13 +33,13 @@ struct Values {
   explicit Values(std::span<const Variable> variables);
 };
 
-/// What a unit says of itself.
+/// Description of a unit.
 struct ModelInfo {
   std::string name, identifier, description;
   std::vector<Variable> variables;
 };
 
-/// What joins the variables of a unit: a law without states, whose results follow from the inputs at once.
+/// Relation of the variables of a unit: a law without states, whose results follow from the inputs at once.
 class Model {
 public:
   virtual ~Model() = default;
@@ -57,7 +57,7 @@ public:
 // Each unit defines these.
 
 ModelInfo model_info();
-/// `resources` is the folder of the unit's own files, empty if the importer tells of none.
+/// `resources` is the folder of the unit's files, empty if the importer gives none.
 std::unique_ptr<Model> make_model(const std::filesystem::path& resources);
 
 } // namespace microslip::fmi

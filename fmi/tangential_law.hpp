@@ -8,7 +8,7 @@
 
 namespace microslip::fmi {
 
-/// What stays: the bodies' shape, as the ellipse that a reference load makes, and their material.
+/// Constants: the bodies' shape, as the ellipse that a reference load makes, and their material.
 struct LawParameters {
   double semi_axis_x = 6e-3;                 ///< a [m], along the rolling direction, under the reference force
   double semi_axis_y = 5e-3;                 ///< b [m]
@@ -16,7 +16,7 @@ struct LawParameters {
   double shear_modulus = 82e9;               ///< combined G [Pa]
   double poisson_ratio = 0.28;               ///< combined nu [-]
   int mx = 10, my = 10;                      ///< cells of FASTSIM2
-  std::optional<CreepForceTable> table = {}; ///< in its place
+  std::optional<CreepForceTable> table = {}; ///< instead of it
 };
 
 struct LawInput {
@@ -38,10 +38,10 @@ public:
   /// Forces on the wheel. Throws Error for an input out of range. Takes no memory if the input is valid.
   ContactForces evaluate(const LawInput& input);
 
-  /// Of fx, fy, mz (rows) to xi, eta, phi, Fn, mu. Those to Fn, with the growing ellipse, and to mu follow from the
-  /// other three and similarity: with c = sqrt(ab), f = mu Fn Phi(G c^2 xi/(mu Fn), G c^2 eta/(mu Fn), G c^3 phi/(mu
-  /// Fn)), and c more in mz. Zero without contact; without friction the limit of little friction. Throws Error as
-  /// evaluate does.
+  /// Derivatives of fx, fy, mz (rows) with respect to xi, eta, phi, Fn, mu. Those to Fn, with the growing ellipse, and
+  /// to mu follow from the other three and similarity: with c = sqrt(ab), f = mu Fn Phi(G c^2 xi/(mu Fn), G c^2 eta/(mu
+  /// Fn), G c^3 phi/(mu Fn)), and c more in mz. Zero without contact; without friction the limit of little friction.
+  /// Throws Error as evaluate does.
   std::array<std::array<double, 5>, 3> differentiate(const LawInput& input);
 
 private:

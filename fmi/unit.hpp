@@ -9,7 +9,7 @@
 
 namespace microslip::fmi {
 
-/// Where an instance stands in the standard's order of calls (FMI 2.0, section 4.2.4; FMI 3.0, section 4.2).
+/// Stage of an instance in the standard's order of calls (FMI 2.0, section 4.2.4; FMI 3.0, section 4.2).
 enum class Stage { instantiated, initialization, stepping, terminated, error };
 
 /// The folder of a URI as fmi2Instantiate gets it, file:///tmp/unit/resources; empty if there is none.
@@ -17,7 +17,7 @@ std::filesystem::path folder_of(const char* uri);
 
 using ValueReference = unsigned int;
 
-/// How a unit speaks to the importer. The categories of the descriptions' LogCategories.
+/// Messages of a unit to the importer. The categories of the descriptions' LogCategories.
 enum class Severity { warning, error };
 constexpr const char* category_of(Severity severity) {
   return severity == Severity::error ? "logStatusError" : "logStatusWarning";
@@ -29,7 +29,7 @@ class Unit {
 public:
   Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging);
 
-  /// What a saved state holds.
+  /// Contents of a saved state.
   struct Saved {
     Stage stage;
     double time;
@@ -52,7 +52,7 @@ public:
   void changed(Causality causality);
   /// Finds the results. Throws Error for a variable out of range.
   void evaluate();
-  /// Of a real output by a real input. The references must be those of such.
+  /// Derivative of a real output by a real input. The references must be those of such.
   double derivative(ValueReference of, ValueReference by) const;
   /// Finds what derivative() gives. Throws as evaluate.
   void differentiate();

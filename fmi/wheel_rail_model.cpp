@@ -42,7 +42,7 @@ struct Parameters {
   double tolerance = WheelRailMethod{}.tolerance;
 };
 
-/// Names, texts and places of the parameters: `visit(name, unit, text, member)`.
+/// Names, texts and members of the parameters: `visit(name, unit, text, member)`.
 template <class Given, class Visit> void for_each_parameter(Given& p, const Visit& visit) {
   const auto profile = [&](const std::string& section, auto& of) {
     visit(section + ".profile", "", "Profile's file: a path, from the unit's resources on if it is relative",

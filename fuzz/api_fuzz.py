@@ -4,7 +4,7 @@
 
 Every call gives finite results whose forces keep within friction, or says in its status that it does not, or raises
 microslip.Error (TypeError for an argument of a wrong kind). After numbers out of all range it may also give NaN. Calls
-run in a process of their own, so that a crash is told as well. Each has a seed of its own: `--seed S --call I` makes
+run in a separate process, so that a crash is told as well. Each has a seed: `--seed S --call I` makes
 call I again and nothing else.
 """
 
@@ -46,7 +46,7 @@ class Draw(random.Random):
         return self.odd_number() if self.is_odd() else self.uniform(low, high)
 
     def scale(self, low, high):
-        """The same with an even logarithm."""
+        """A number whose logarithm is evenly distributed."""
         return self.odd_number() if self.is_odd() else math.exp(self.uniform(math.log(low), math.log(high)))
 
     def count(self, low, high):
@@ -60,7 +60,7 @@ class Draw(random.Random):
         return {name: draw() for name, draw in arguments.items() if self.random() < 0.4}
 
     def array(self, values):
-        """An array of these values, or of some others' shape, in a kind of its own."""
+        """An array of these values, or of some others' shape, of any kind."""
         values = np.asarray(values, dtype=float)
         if self.is_odd():
             shape = self.choice([(0,), (3,), values.shape[::-1], (*values.shape, 1), ()])
@@ -114,7 +114,7 @@ def material(draw):
 
 
 def bodies(draw):
-    """What a solver of the exact theory takes for bodies: combined constants, with a layer, viscoelastic."""
+    """Bodies for a solver of the exact theory: combined constants, with a layer, viscoelastic."""
     layer = lambda: microslip.InterfaceLayer(draw.scale(1e-16, 1e-12), **draw.some(
         yield_stress=lambda: draw.scale(1e6, 1e9), hardening=lambda: draw.number(-1e12, 1e12)))
     body = lambda: microslip.Material(draw.scale(1e9, 1e11), draw.number(0, 0.5))
@@ -206,7 +206,7 @@ def accurate_contact(draw):
 
 
 def from_solution(draw):
-    """What a solution gives besides: fields on another grid, stresses inside."""
+    """Further results of a solution: fields on another grid, stresses inside."""
     solver = draw.choice((microslip.Fastsim2(6, 5).fields, microslip.EllipticContactSolver(draw.randint(1, 8), draw.randint(1, 8)).solve))
     solution = solver(contact(draw))
     if draw.random() < 0.5:
@@ -338,7 +338,7 @@ def wheelset_geometry(draw):
 
 
 def wheelset_on_track(draw):
-    """Both wheels of S1002 on 60E1, in equilibrium or in a place."""
+    """Both wheels of S1002 on 60E1, in equilibrium or at a position."""
     rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
     pair = microslip.WheelsetOnTrack(
         track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,
@@ -411,7 +411,7 @@ def end_call(*_):
 
 
 def run(seed, calls, seconds, said):
-    """Makes calls, as many as these seconds have room for; `said` tells before each one which it is, in case that it
+    """Makes calls, as many as these seconds allow; `said` tells before each one which it is, in case that it
     never comes back."""
     signal.signal(signal.SIGALRM, end_call)
     end = time.monotonic() + seconds

@@ -5,7 +5,7 @@
 //
 // After every call its code is one of the header's, a text stands beside a refusal, what was refused changed nothing,
 // and else all results are written: finite with MICROSLIP_OK, NaN where the header says so. Each call has a seed of its
-// own: --call I makes that one again and nothing else. Calls run in a process of their own, so that a crash is told as
+// own: --call I makes that one again and nothing else. Calls run in a separate process, so that a crash is told as
 // well.
 
 #include "microslip.h"
@@ -312,7 +312,7 @@ void creep_table(Draw& draw) {
   microslip_creep_table_destroy(table);
 }
 
-/// Ends solves that take long, at the same place in every run.
+/// Ends solves that take long, at the same point in every run.
 int end_after_many(double, void* calls) {
   return ++*static_cast<int*>(calls) > 300 ? 1 : 0;
 }

@@ -221,7 +221,7 @@ void read_solution(const TomlSection& solution, const CreepTables& tables, Rolli
 
 bool needs_classical(const RollingCase& input) {
   RollingProblem problem = rolling_problem(input);
-  problem.motion.kind = ContactMotion::steady; // of shifts and transient rolling it goes without saying
+  problem.motion.kind = ContactMotion::steady; // implied by shifts and transient rolling
   return needs_classical(problem);
 }
 
@@ -235,8 +235,8 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   const TomlSection root = file.described_by(description::rolling_inputs(), &input.inputs);
   if (root.has("sweep"))
     root.at("sweep", [] {
-      throw Error("sweep: two bodies have none in their case file; `microslip sweep SPEC.toml` varies what such a file "
-                  "has, examples/creep_sweep.toml shows how");
+      throw Error("sweep: not allowed for two-body cases; use `microslip sweep SPEC.toml` to vary such a case, "
+                  "as examples/creep_sweep.toml shows");
     });
   for (const std::string_view of_rails : {"track", "rail", "wheel"})
     if (root.has(of_rails))

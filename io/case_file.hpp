@@ -29,7 +29,7 @@ struct BodyInput {
   std::optional<ThermalBody> thermal = {};
 };
 
-/// What a case file says, in SI units; the annotated example in examples/ shows every key.
+/// Contents of a case file, in SI units; the annotated example in examples/ shows every key.
 struct RollingCase {
   std::string title = {};
   BodyInput body1 = {}; ///< the body that the forces act on, e.g. the wheel
@@ -72,7 +72,7 @@ InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 /// The case as a problem and as a method, for Solver.
 RollingProblem rolling_problem(const RollingCase& input);
 Method method_of(const RollingCase& input);
-/// The method of a case that has been checked, without what the other theory has and without what goes without saying.
+/// The method of a case that has been checked, without what the other theory has and without what is implied.
 Method solver_method(const RollingCase& input);
 
 /// The Hertzian contact of a case, the case for either theory, and the options of the exact one. They do not throw for
@@ -81,7 +81,7 @@ HertzContact hertz_contact(const RollingCase& input);
 PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);
 EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz);
 ExactOptions exact_options(const RollingCase& input);
-/// Whether the exact theory can solve the case with the classical discretisation only.
+/// Returns whether the exact theory can solve the case with the classical discretisation only.
 bool needs_classical(const RollingCase& input);
 
 /// The text of a case file. Error if it cannot be read or is longer than 1 MiB.

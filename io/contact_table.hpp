@@ -70,7 +70,7 @@ public:
   std::string message(const BadRow& row) const { return name_ + ":" + std::to_string(row.line) + ": " + row.reason; }
 
 private:
-  /// What becomes of a column.
+  /// Use of a column.
   struct Use {
     std::size_t known = 0; ///< which of the known ones it is; else one behind the last
     bool is_kept = true;
@@ -93,7 +93,7 @@ private:
   std::size_t bytes_read_ = 0;
 };
 
-/// How the exact theory's iteration ended for a contact.
+/// Outcome of the exact theory's iteration for a contact.
 struct Iteration {
   double residual = 0; ///< relative
   int steps = 0;       ///< of Newton's method

@@ -13,13 +13,13 @@ class OutputFile;
 /// or byte order, cut short or corrupted.
 CreepTableNodes read_creep_table(const std::filesystem::path& path);
 
-/// Where the table that microslip has is: beside the Python module that asks, in the Python package that was installed
-/// with the library that asks, or with the program.
+/// Path of the table that comes with microslip: beside the Python module that asks, in the Python package that was
+/// installed with the library that asks, or with the program.
 std::filesystem::path shipped_creep_table();
 
-/// What tables are made from, of the table in a file. Throws Error as read_creep_table. That of the table that
-/// microslip has is one for the whole process, which reads it when it is first asked for: whoever makes tables from it
-/// shares their numbers. From any thread.
+/// Nodes of the table in a file, to make tables from. Throws Error as read_creep_table. That of the table that
+/// microslip has is one for the whole process, which reads it when it is first asked for: tables that are made from it
+/// share its numbers. From any thread.
 CreepTableSource creep_table_source(const std::filesystem::path& path);
 
 /// The file that was asked for, or the table that microslip has if none was.

@@ -12,7 +12,7 @@ namespace microslip::io {
 
 class TomlSection;
 
-/// Creep-force tables by the files they come from, each file read once, for whoever reads many cases. It keeps the last
+/// Creep-force tables by the files they come from, each file read once, for readers of many cases. It keeps the last
 /// few. From any thread.
 class CreepTables {
 public:

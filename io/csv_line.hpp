@@ -34,7 +34,7 @@ std::string_view csv_start(std::string_view text, const std::string& name);
 /// A column's name and, in brackets behind it, its unit.
 std::pair<std::string_view, std::string_view> name_and_unit(std::string_view heading);
 
-/// What separates the fields of a table with this first line: the most frequent of comma, semicolon and tab outside
+/// Separator of the fields of a table with this first line: the most frequent of comma, semicolon and tab outside
 /// quotes.
 char csv_separator(std::string_view header);
 

@@ -30,8 +30,8 @@ std::filesystem::path follow_links(std::filesystem::path path) {
   return path;
 }
 
-/// The descriptor that a name such as /dev/stdout stands for, or -1. To open the name again would lose the place where
-/// others write.
+/// The descriptor that a name such as /dev/stdout stands for, or -1. To open the name again would lose the position
+/// where others write.
 int named_descriptor(const std::string& name) {
   constexpr std::string_view numbered = "/dev/fd/";
   if (name == "/dev/stdout") return STDOUT_FILENO;
@@ -55,7 +55,7 @@ struct TemporaryName {
 std::array<TemporaryName, 8> temporary_names; // a command writes two files at a time
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
-/// With more files at a time than there is room for, or a longer name, a signal handler leaves the file to the next
+/// With more files at a time than the list can hold, or a longer name, a signal handler leaves the file to the next
 /// run.
 void register_temporary(const std::string& name) {
   if (name.size() >= PATH_MAX) return;

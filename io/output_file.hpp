@@ -19,7 +19,7 @@ public:
   ~OutputFile();
 
   void write(std::string_view bytes);
-  /// Where others may write the file until commit(); empty if it is written directly.
+  /// Path where others may write the file until commit(); empty if it is written directly.
   const std::filesystem::path& temporary() const { return temporary_; }
   void commit();
 

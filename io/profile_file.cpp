@@ -160,7 +160,7 @@ private:
     const int sense = sense_of_shape(role, file_.points).y; // z is up by now
     if (sense != 0) {
       assume(std::string("y runs to the ") + (sense > 0 ? "field" : "gauge") + " side, by " +
-             (role == ProfileRole::wheel ? "the place of the flange" : "the side that reaches further down"));
+             (role == ProfileRole::wheel ? "the position of the flange" : "the side that reaches further down"));
       return sense > 0 ? LateralSense::field : LateralSense::gauge;
     }
     const bool to_gauge = format_ == ProfileFormat::miniprof;

@@ -12,12 +12,12 @@ namespace microslip::io {
 
 /// The grammars of profile files; docs/profiles.md has them.
 enum class ProfileFormat { simpack, miniprof, columns };
-/// Which way a file's y axis runs.
+/// Direction of a file's y axis.
 enum class LateralSense { field, gauge };
-/// Which way a file's z axis runs.
+/// Direction of a file's z axis.
 enum class VerticalSense { up, down };
 
-/// What a profile's file may leave open. What is not given here is taken from the file, else from the format's
+/// Data that a profile's file may leave open. What is not given here is taken from the file, else from the format's
 /// convention, else from the name or the shape; the report says which.
 struct ProfileFileOptions {
   std::optional<ProfileFormat> format = {};

@@ -9,7 +9,7 @@
 
 namespace microslip::io {
 
-/// What a file says: points in its own axes and unit, after what the file itself asks for, and what it tells of them.
+/// Contents of a file: points in its axes and unit, after what the file itself asks for, and what it says about them.
 struct ProfileFile {
   std::string comment = {};
   std::optional<ProfileRole> role = {};

@@ -8,7 +8,7 @@
 namespace microslip::io {
 
 /// The points of a profile as the text of a file, in mm: Simpack with z down, MiniProf with x to the gauge side for
-/// rails, to the field side for wheels and y down, columns in the profile's own axes. Numbers read back to 1e-16 m.
+/// rails, to the field side for wheels and y down, columns in the profile's axes. Numbers read back to 1e-16 m.
 /// Line ends in the comment of its report, and quotes where the format has them, become blanks.
 std::string profile_text(const PreparedProfile& profile, ProfileFormat format);
 

@@ -13,7 +13,7 @@ namespace microslip::io {
 /// names, shapes or meanings change so that readers of the one before would be wrong; not by what is added.
 inline constexpr int result_format = 2;
 
-/// Where a result comes from: root attributes of every result file, beside `format`, those the build knows itself
+/// Origin of a result: root attributes of every result file, beside `format`, those the build knows itself
 /// (`version`, `commit`, `compiler`, `build_type`) and `created` (ISO 8601, UTC).
 struct Provenance {
   std::string kind = {}; ///< what the file holds, e.g. "rolling_contact" or a study's name
@@ -26,7 +26,7 @@ struct Provenance {
 /// These attributes and those the build knows, with the time of now.
 std::vector<std::pair<std::string, std::string>> provenance_attributes(const Provenance& provenance);
 
-/// What a result is written to: numbers, texts and arrays by paths such as "creep_curve/fx", where each stroke opens a
+/// Destination of a result: numbers, texts and arrays by paths such as "creep_curve/fx", where each stroke opens a
 /// group.
 class ResultWriter {
 public:

@@ -31,11 +31,11 @@ struct SlicesFile {
   std::size_t features() const { return slices.front().features.size(); }
 };
 
-/// Whether a name ends in .slcs or .slcw.
+/// Returns whether a name ends in .slcs or .slcw.
 bool names_slices(const std::filesystem::path& path);
 
-/// Reads the text of a slices file; `path` is its own, for the role, the folder of the slices and messages. Throws
-/// Error with file, line, field, value and range.
+/// Reads the text of a slices file; `path` is that of the file, for the role, the folder of the slices and messages.
+/// Throws Error with file, line, field, value and range.
 SlicesFile parse_slices(std::string_view text, const std::filesystem::path& path);
 
 /// The same of a file of at most 16 MiB. The profiles that it names are not opened.

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-/// What the readers and writers of files ask of the system where POSIX and Windows differ. A call that fails returns -1
-/// and leaves the reason in errno.
+/// Calls of the system by the readers and writers of files, where POSIX and Windows differ. A call that fails returns
+/// -1 and leaves the reason in errno.
 namespace microslip::io::system_calls {
 
 /// Opens a file for bytes as they are, which child processes do not inherit; flags of <fcntl.h>. Permissions of a new

@@ -4,7 +4,7 @@
 
 namespace microslip::io::detail {
 
-/// toml++ met an assertion of its own.
+/// An assertion of toml++ failed.
 class TomlAssertion : public std::logic_error {
   using std::logic_error::logic_error;
 };

@@ -26,7 +26,7 @@ class TomlSection {
 public:
   using Words = std::vector<std::string_view>;
   using ReadKeys = ReadInputs;
-  /// Which unit a number of the file is read in, by the full names of keys.
+  /// Units in which numbers of the file are read, by the full names of keys.
   using KeyUnits = std::map<std::string, std::string, std::less<>>;
   static KeyUnits units_of(const ReadKeys& keys);
 
@@ -48,7 +48,7 @@ public:
   /// The same for any key but those that the table has for this section, and `more`, such as sections within it.
   void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// Which one of two keys is there; Error if it is none or both.
+  /// Returns which of two keys is there; Error if it is none or both.
   std::string_view one_of(std::string_view first, std::string_view second) const;
 
   double number(std::string_view key) const;
@@ -91,7 +91,7 @@ public:
   /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.
   void at(std::string_view key, const std::function<void()>& check) const;
 
-  /// What stands before a message about a key: file and line, of the key, if it is there, or of the table.
+  /// Prefix of a message about a key: file and line, of the key, if it is there, or of the table.
   std::string line_of(std::string_view key) const;
 
 private:

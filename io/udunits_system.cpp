@@ -40,7 +40,7 @@ bool are_alike(const ut_unit* given, const ut_unit* wanted) {
 
 } // namespace
 
-/// UDUNITS' own database would be a file to be found at run time.
+/// UDUNITS' database would be a file to be found at run time.
 struct UnitSystem::Kept {
   Kept() : system(ut_new_system()) {
     for (const auto& [symbol, factor] : unit_prefixes()) ut_add_symbol_prefix(system.get(), symbol, factor);

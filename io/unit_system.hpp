@@ -21,7 +21,7 @@ struct UnitPrefix {
 std::span<const UnitDefinition> unit_definitions();
 std::span<const UnitPrefix> unit_prefixes();
 
-/// These units with the algebra of products, quotients and whole powers: UDUNITS', or our own where that is missing.
+/// These units with the algebra of products, quotients and whole powers: UDUNITS', or ours where that is missing.
 class UnitSystem {
 public:
   UnitSystem();
@@ -29,7 +29,7 @@ public:
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
-  /// Whether it is a unit's symbol, with prefixes or without.
+  /// Returns whether it is a unit's symbol, with prefixes or without.
   bool knows(const std::string& symbol) const;
 
   /// A number in one unit as such in another, whose symbols are known. Empty for units of different dimensions.

@@ -22,7 +22,7 @@ constexpr UnitDefinition definitions[] = {
     {"kg", nullptr},
     {"s", nullptr},
     {"K", nullptr},
-    {"rad", nullptr}, // with a dimension of its own, so that 10 Hz are not 10 rad/s
+    {"rad", nullptr}, // with a separate dimension, so that 10 Hz are not 10 rad/s
     {"g", "0.001 kg"},
     {"t", "1000 kg"},
     {"lb", "0.45359237 kg"},

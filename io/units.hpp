@@ -17,7 +17,7 @@ struct UnitScale {
 // UDUNITS needs to know of them is made once, with the first text, since UDUNITS does not free all of it; no more than
 // one thread at a time is in UDUNITS, whose parser has global state.
 
-/// What `text` is in `unit`: 80e3 for "80 kN" in "N". A temperature in "deg C" may be given in K or degF, a difference
+/// Converts `text` to `unit`: 80e3 for "80 kN" in "N". A temperature in "deg C" may be given in K or degF, a difference
 /// in "K" in nothing else; spin and curvature in "1/m" as an angle by a length, too. Error for text without a number or
 /// without a unit, an unknown unit, and one of another kind: `FIELD = "80 mm" [N]: must be in N, kN, MN, kgf or lbf,
 /// e.g. "80 kN"`. Cost: about a microsecond.

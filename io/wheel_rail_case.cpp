@@ -333,7 +333,7 @@ void add_varied(WheelRailSetting& input, const std::vector<Sweep>& sweeps) {
   for (const Sweep& sweep : sweeps) input.varied.push_back(sweep.name);
 }
 
-/// Whether profiles fit the track and the wheelset.
+/// Returns whether profiles fit the track and the wheelset.
 void check_places(const TomlSection& root, const WheelRailSetting& input, const PlacedProfile& rail,
                   const PlacedProfile& wheel) {
   root.required_section("track").at("gauge", [&] { place_rail(input.track, rail.profile); });
@@ -344,7 +344,7 @@ void check_places(const TomlSection& root, const WheelRailSetting& input, const 
   });
 }
 
-/// Whether a place is among the rail's slices, beyond which nothing is known of it.
+/// Returns whether a position is among the rail's slices, beyond which nothing is known of it.
 void check_place_along_track(const TomlSection& root, const PlacedProfile& rail, const WheelState<double>& state) {
   if (!rail.surface) return;
   const bool is_swept = root.optional_section("sweep").has("longitudinal");

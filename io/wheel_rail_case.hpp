@@ -29,7 +29,7 @@ struct LoadedWheelsetState {
   WheelsetLoad load;
 };
 
-/// What a case file says of wheels, rails and track, in SI units; examples/wheel_on_rail.toml shows every key.
+/// Contents of a case file of wheels, rails and track, in SI units; examples/wheel_on_rail.toml shows every key.
 struct WheelRailSetting {
   std::string title;
   Track track;
@@ -61,7 +61,7 @@ struct WheelsetCase : WheelRailSetting {
 bool is_wheel_rail_case(std::string_view text, const std::string& name);
 bool is_wheel_rail_case(const TomlSection& root);
 
-/// Whether it is about both wheels of a wheelset.
+/// Returns whether it is about both wheels of a wheelset.
 bool is_wheelset_case(std::string_view text, const std::string& name);
 bool is_wheelset_case(const TomlSection& root);
 
@@ -79,9 +79,9 @@ WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tabl
 std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of);
 std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of);
 
-/// What the solver needs of it.
+/// Data of it for the solver.
 WheelRailBodies bodies_of(const WheelRailCase& input);
-/// Of one side of a wheelset.
+/// Data of one side of a wheelset.
 WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side);
 /// The solver itself.
 WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method);

@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// How a calculation ended. It is part of every result; anything but `ok` comes with a reason a user can act on.
+/// Outcome of a calculation. It is part of every result; anything but `ok` comes with a reason a user can act on.
 enum class Status {
   ok,            ///< the result satisfies the equations to the tolerance it states
   invalid_input, ///< an input is not a number or outside its range; the result's numbers are NaN
@@ -39,7 +39,7 @@ constexpr std::string_view to_string(Status status) {
 constexpr const char* status_codes =
     "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution, 5 out_of_range, 6 implausible";
 
-/// Whether the equations are satisfied, whatever else is to be said of the result.
+/// Returns whether the equations are satisfied, whatever else is to be said of the result.
 constexpr bool is_solved(Status status) {
   return status == Status::ok || status == Status::implausible;
 }

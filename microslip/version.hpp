@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What this library was built from: for results that can be traced.
+/// Source of this build of the library: for results that can be traced.
 struct BuildInfo {
   std::string_view version;    ///< e.g. "1.0.0-rc1"
   std::string_view commit;     ///< short hash, with "-dirty" if there were changes; "unknown" outside a repository

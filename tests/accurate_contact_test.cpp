@@ -37,7 +37,7 @@ TEST(AccurateContact, EstimateIsNotBelowAThirdOfTheError) {
       const double error = error_of(contact, result.forces, exact);
       EXPECT_EQ(result.forces.status, Status::ok);
       EXPECT_LE(result.error, solver == &coarse ? 0.03 : 0.01);
-      EXPECT_GE(result.error, error / 3 - 3e-4) << number; // 3e-4: more than the reference's own error
+      EXPECT_GE(result.error, error / 3 - 3e-4) << number; // 3e-4: more than the error of the reference
       EXPECT_GE(result.elements, 16);
     }
   }

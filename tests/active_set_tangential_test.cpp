@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-/// Another algorithm, other sums, another way to the forces: the same solution.
+/// Another algorithm, other sums, another treatment of forces: the same solution.
 TEST(ActiveSetTangential, FindsWhatNewtonFinds) {
   for (const FrictionCase& c : friction_cases(9)) {
     SCOPED_TRACE(c.name);

@@ -24,7 +24,7 @@ constexpr double approach = 50e-6;
 
 const auto methods = {kik_piotrowski_pressure, analyn_pressure};
 
-/// 1.3 times as large as Hertz's ellipse of curvatures A, B, around a place.
+/// 1.3 times as large as Hertz's ellipse of curvatures A, B, around a point.
 ElementGrid grid_of(double a, double b, int count, double x = 0, double y = 0) {
   ElementGrid grid{count, count, x, y, 2.6 * a / count, 2.6 * b / count};
   grid.x0 -= 1.3 * a - grid.dx / 2;
@@ -81,7 +81,7 @@ TEST(ApproximatePressure, IsNearTheExactOneBesideHertz) {
   }
 }
 
-/// Kik and Piotrowski's pressure presses the half-space in by the approach at the deepest place.
+/// Kik and Piotrowski's pressure presses the half-space in by the approach at the deepest point.
 TEST(ApproximatePressure, KikAndPiotrowskisReachesTheApproach) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 41);
   const Field gap = gap_of(grid, head), p = kik_piotrowski_pressure(steel, grid, gap, approach);

@@ -22,7 +22,7 @@
 namespace microslip {
 namespace {
 
-/// A worker without memory of its own.
+/// A worker without memory.
 std::function<BatchWorker()> always(const BatchWorker& worker) {
   return [worker] { return worker; };
 }

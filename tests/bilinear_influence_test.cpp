@@ -190,7 +190,7 @@ TEST(BilinearInfluence, FarAwayItIsAConstantElementOfTheSameForce) {
   }
 }
 
-/// Mirrored in x: xy and xz change sign; in y: xy and yz. Turned by a right angle: x and y change places.
+/// Mirrored in x: xy and xz change sign; in y: xy and yz. Turned by a right angle: x and y are exchanged.
 TEST(BilinearInfluence, Symmetries) {
   for (const Point p : near_points()) {
     SCOPED_TRACE(text(p));

@@ -21,7 +21,7 @@ std::vector<char> all(char value) {
   return std::vector<char>(contact().elements.size(), value);
 }
 
-/// Mean of x^n over an element's way.
+/// Mean of x^n over an element's path.
 double mean_of_power(const FittedElement& e, int n) {
   return (std::pow(e.end, n + 1) - std::pow(e.centre(), n + 1)) / ((n + 1) * (e.end - e.centre()));
 }
@@ -86,7 +86,7 @@ TEST(CentredSlip, StaysWithinARow) {
   }
 }
 
-/// Slip that changes its sign from way to way, the roughest there is, keeps two thirds of its size.
+/// Slip that changes its sign from path to path, the roughest there is, keeps two thirds of its size.
 TEST(CentredSlip, LeavesNothingOut) {
   const auto& elements = contact().elements;
   Field s(elements.size());

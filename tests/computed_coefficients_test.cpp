@@ -29,7 +29,7 @@ TEST(ComputedCoefficients, AreThoseOfTheSeries) {
     }
 }
 
-/// Its three digits have errors of their own.
+/// Its three digits have errors.
 TEST(ComputedCoefficients, AreCloseToKalkersTable) {
   for (int k = 1; k <= 19; ++k)
     for (const double nu : {0.0, 0.25, 0.5}) {

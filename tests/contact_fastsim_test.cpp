@@ -16,7 +16,7 @@
 namespace microslip::contact_program {
 namespace {
 
-/// A Hertzian ellipse of 2 x 3 mm under 5 kN, mu = .3, with what M adds to the material.
+/// A Hertzian ellipse of 2 x 3 mm under 5 kN, mu = 0.3, with what M adds to the material.
 struct Digits {
   std::string bound = "2", friction = "0", material = "3", variable = "0";
 };
@@ -101,7 +101,7 @@ TEST(ContactFastsim, TheSlopeIsReduced) {
   EXPECT_NEAR(solve(simplified({}, "1e-7 0 0", ".4 .5 1e6")).totals.fx / full, 0.2, 0.02);
 }
 
-/// All slides at V |w| = 20 m/s times .05: mu = .1 + .2 2^(-1/.5).
+/// All slides at V |w| = 20 m/s times 0.05: mu = 0.1 + 0.2 2^(-1/0.5).
 TEST(ContactFastsim, FrictionFallsWithTheVelocityOfTheCreepage) {
   const std::string law = ".1 .2 500. 0 0\n .003 1.";
   const Outcome o = solve(simplified({"3", "4"}, ".03 .04 0", "1. 1. 1.", "0", law));
@@ -136,7 +136,7 @@ TEST(ContactFastsim, RollingBackwardsIsTheMirror) {
   }
 }
 
-/// A sphere that touches beside the origin, with the spin about that place, is the same contact as one at the origin.
+/// A sphere that touches beside the origin, with the spin about that point, is the same contact as one at the origin.
 TEST(ContactFastsim, AContactBesideTheOriginIsTheSame) {
   const auto sphere = [](const std::string& kinematics, const std::string& corner, const std::string& gap) {
     return solve(" 3 MODULE\n 203100\n 022520\n 0000331\n 100 100 30 1 1e-7\n 5000. " + kinematics +
@@ -179,7 +179,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// Forces as they are printed, over .3 times 5000 N.
+/// Forces as they are printed, over 0.3 times 5000 N.
 std::string given_forces(const PrintedTotals& t, const char* phi) {
   char text[120];
   std::snprintf(text, sizeof text, "%.14g %.14g %s", t.fx / 1500, t.fy / 1500, phi);

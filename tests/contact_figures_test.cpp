@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-/// CONTACT's example of a sphere under .657 mu Fn, from the shift over the first step to steady rolling (User guide,
+/// CONTACT's example of a sphere under 0.657 mu Fn, from the shift over the first step to steady rolling (User guide,
 /// section 5.5; Kalker 1990, figure 5.25).
 TEST(ContactFigures, FromCattaneoToCarterAsContactPrintsIt) {
   const ElementGrid grid{.mx = 33, .my = 33, .x0 = -4e-3, .y0 = -4e-3, .dx = 2.5e-4, .dy = 2.5e-4, .line = false};

@@ -254,8 +254,8 @@ TEST(ContactSubPatches, FactorsOfFourPatches) {
             (std::vector<double>{1, .12, .13, .14, .12, 1, .23, .24, .13, .23, 1, .34, .14, .24, .34, 1}));
   ASSERT_EQ(patches.patch_of_row.size(), 24u);
   EXPECT_EQ(patches.patch_of_row[6], 0);  // y = -1.1
-  EXPECT_EQ(patches.patch_of_row[7], 1);  // -.9
-  EXPECT_EQ(patches.patch_of_row[12], 2); // .1
+  EXPECT_EQ(patches.patch_of_row[7], 1);  // -0.9
+  EXPECT_EQ(patches.patch_of_row[12], 2); // 0.1
   EXPECT_EQ(patches.patch_of_row[23], 3);
   EXPECT_EQ(cases[0].outcome.kind, Kind::solved);
   expect_message([] { run_cases(with_patches(" 3\n 0. 0.\n .1 .2 .3\n")); }, "YSEP(2) = 0: must be above YSEP(1)");

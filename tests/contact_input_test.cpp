@@ -311,7 +311,7 @@ TEST(SolveParallel, RefusesNumbersOfThreadsOutOfRange) {
     expect_error([&] { solve_parallel(solver, {}, {}, bad); }, "threads", "must be in [1, 1024]");
 }
 
-/// A copy has memory of its own; an assigned solver is the one it was assigned from.
+/// A copy has separate memory; an assigned solver is the one it was assigned from.
 TEST(RowSolver, CopiesAreIndependent) {
   Fastsim2 solver({.mx = 4, .my = 3});
   const double expected = solver.solve(good_contact()).fy;

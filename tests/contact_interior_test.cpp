@@ -154,7 +154,7 @@ TEST(ContactInterior, SubsFileHasTheColumnsAskedFor) {
   }
 }
 
-/// The whole of CONTACT's own table: displacements to half a unit of the sixth digit, stresses to 1e-5 of the traction.
+/// The whole of CONTACT's table: displacements to half a unit of the sixth digit, stresses to 1e-5 of the traction.
 TEST(ContactInterior, ContactsOwnTable) {
   std::ifstream input(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.inp");
   std::ifstream printed(MICROSLIP_SOURCE_DIR "/../shared/contact-cases/subsurf.ref_subs");

@@ -37,7 +37,7 @@ TEST(ContactOut, NumbersAreFortrans) {
   EXPECT_EQ(general(-0.0106, 11, 3), " -0.106E-01");
   EXPECT_EQ(general(102.4, 11, 3), "   102.    ");
   EXPECT_EQ(general(1e-120, 12, 4), " 0.1000E-119");
-  // Four significant digits, with an exponent where there is no room or below .1.
+  // Four significant digits, with an exponent where digits do not fit or below 0.1.
   EXPECT_EQ(significant(9999.4), "       9999.");
   EXPECT_EQ(significant(10000), "   1.000E+04");
   EXPECT_EQ(significant(0.0999), "   9.990E-02");

@@ -35,7 +35,7 @@ protected:
     return read_profile_curve(record, role);
   }
 
-  /// Whether the sign of z is changed.
+  /// Returns whether the sign of z is changed.
   bool is_turned(const std::vector<ProfilePoint>& points, ProfileRole role) const {
     const auto found = read(points, role)->points(), turned = read(points, role, 1)->points();
     const auto same = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z == b.z; };
@@ -91,7 +91,7 @@ TEST_F(ContactProfileReading, WheelsWithZUpwardsAreTurned) {
   EXPECT_TRUE(is_turned(over_y([&](double y) { return -hollow(y); }), ProfileRole::wheel));
 }
 
-/// A measured rail of CONTACT's test bank, whose field end falls by .1 mm from point to point.
+/// A measured rail of CONTACT's test bank, whose field end falls by 0.1 mm from point to point.
 TEST_F(ContactProfileReading, AMeasuredRailIsTurned) {
   const fs::path path = MICROSLIP_SOURCE_DIR "/../shared/contact-cases/wheel-rail/profiles/avg_HR.BAN";
   if (!fs::exists(path)) GTEST_SKIP() << "no file " << path;

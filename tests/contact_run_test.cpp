@@ -25,7 +25,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 TEST(ContactRun, TotalsAreInContactsUnits) {
   const auto cases = run_cases(first_shift);
   const PrintedTotals& t = cases.at(0).outcome.totals;
-  // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - .5)^(2/3)), c/a = (1 - .5)^(1/3).
+  // Cattaneo and Mindlin: a = 1 mm, Wx = 3 mu Fn (2 - nu)/(8 G a) (1 - (1 - 0.5)^(2/3)), c/a = (1 - 0.5)^(1/3).
   EXPECT_NEAR(t.fn, 9.1954, 1e-9);
   EXPECT_NEAR(t.fx, -0.5 * 0.4 * 9.1954, 1e-6);
   EXPECT_EQ(t.x_name, "SHIFT X");
@@ -321,7 +321,7 @@ TEST(ContactRun, SurfaceTemperatures) {
   EXPECT_EQ(o.temperature->body2[15], 120);
 }
 
-/// A wheel that slides at 6 m/s, mu = .3 cold and .05 from 200 degrees on; with memory if wanted.
+/// A wheel that slides at 6 m/s, mu = 0.3 cold and 0.05 from 200 degrees on; with memory if wanted.
 std::string heated_sliding(const std::string& law = ".3 50. -.25 150.", const std::string& memory = "0 0") {
   std::string text = with(steady_rolling("1000. 2d-1 0 0"), " .3 .3\n", " " + law + "\n " + memory + "\n");
   text = with(with(text, "022020", "622020"), "0000331", "3000331");
@@ -392,9 +392,9 @@ TEST(ContactRun, AForceThatIsNotReachedIsNotOk) {
     check_prescribed_forces(input, missed);
     EXPECT_TRUE(missed.misses_force);
     EXPECT_EQ(missed.solution.status, Status::not_converged);
-    EXPECT_EQ(missed.notes.back(), normal ? "the force that is prescribed is not reached: FN is 9.2046 N in place of "
+    EXPECT_EQ(missed.notes.back(), normal ? "the force that is prescribed is not reached: FN is 9.2046 N instead of "
                                             "9.1954 N"
-                                          : "the force that is prescribed is not reached: FX is -1.84092 N in place of "
+                                          : "the force that is prescribed is not reached: FX is -1.84092 N instead of "
                                             "-1.83908 N");
   }
 }

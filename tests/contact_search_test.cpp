@@ -14,7 +14,7 @@ namespace {
 
 using Point = Vec3<double>;
 
-/// A wheel and a rail in frames of their own: the wheel's origin, roll and yaw, the rail's origin and cant.
+/// A wheel and a rail in separate frames: the wheel's origin, roll and yaw, the rail's origin and cant.
 WheelPlacement<double> placed(double radius, Point wheel, double roll, double yaw, Point rail = {}, double cant = 0) {
   WheelPlacement<double> p;
   p.radius = radius;

@@ -88,7 +88,7 @@ TEST(ContactSequence, RollingAtAnAngleIsRollingAlongXTurned) {
   }
 }
 
-/// A way of two elements obliquely: previous displacements are those of the elements that lie there.
+/// A step of two elements obliquely: previous displacements are those of the elements that lie there.
 TEST(ContactSequence, RollingAtAnAngleTakesDisplacementsFromWhereParticlesWere) {
   const ElementGrid grid = grid_of(18, -1.7e-3);
   ContactStep step = sphere(grid);

@@ -166,12 +166,12 @@ TEST(ContactSetUp, GivenPressuresAreEllipticOrParabolic) {
 }
 
 TEST(ContactSetUp, ASheetIsABedOfSprings) {
-  // p = (delta - h)/FLXZ where positive; a cylinder with h = .01 x^2 [mm] and FLXZ = .002 mm3/N on rows of 2 mm.
+  // p = (delta - h)/FLXZ where positive; a cylinder with h = 0.01 x^2 [mm] and FLXZ = 0.002 mm3/N on rows of 2 mm.
   const std::string text = " 3 MODULE\n 210100\n 022020\n 0000331\n 9 9 9 1 1e-7\n 10. 0 0 0\n .3 .3\n"
                            " .28 .28 82000. 82000.\n .002\n 1\n 400 1 -2. -1. .01 2.\n 1 1\n .01 0 0 0 0 0\n";
   const ContactStep step = contact_step(first_case(text));
   ASSERT_TRUE(step.given);
-  const double delta = std::pow(10. * .002 / 2 * .75 * .1, 2 / 3.); // F = 4/3 delta^(3/2) 2 mm/(sqrt(.01) FLXZ)
+  const double delta = std::pow(10. * .002 / 2 * .75 * .1, 2 / 3.); // F = 4/3 delta^(3/2) 2 mm/(sqrt(0.01) FLXZ)
   EXPECT_NEAR(step.given->approach * 1e3 / delta, 1, 1e-4);
   EXPECT_NEAR(step.given->normal_force, 10, 1e-9);
   EXPECT_NEAR(step.given->pressure[199] / (delta / .002 * 1e6), 1, 1e-3);

@@ -112,7 +112,7 @@ RollingProblem steel() {
   return p;
 }
 
-/// Numbers so large or small that something overflows on the way, by every theory.
+/// Numbers so large or small that something overflows in between, by every theory.
 TEST(ContactSolution, OfExtremeInputIsNotOkWithoutNumbers) {
   std::vector<Method> methods;
   for (const Theory theory : {Theory::exact, Theory::fastsim, Theory::fastsim2, Theory::fastrip})

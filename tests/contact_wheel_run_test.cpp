@@ -101,7 +101,8 @@ protected:
     return outcome.wheel.value_or(WheelOutcome{});
   }
 
-  /// So many numbers by our own geometry, those of one patch among them, are within 3 %, the frictional power within 5
+  /// So many numbers by the library's geometry, those of one patch among them, are within 3 %, the frictional power
+  /// within 5
   /// %.
   void expect_own_alike(const std::string& text, std::size_t numbers) const {
     Case c;
@@ -354,7 +355,7 @@ TEST(CarriedTractions, SumsReachAsFarAsTheirParts) {
   EXPECT_NEAR(moved.tractions.grid.y0, -7e-3, 1e-15);
 }
 
-/// By our own geometry and elements; off the middle with the signs that CONTACT has on either side.
+/// By the library's geometry and elements; off the middle with the signs that CONTACT has on either side.
 TEST_F(WheelOnPlane, OwnGeometryHasHertzsForce) {
   std::istringstream stream(first_wheel);
   InputReader reader(stream, (folder_.path() / "a.inp").string());
@@ -544,7 +545,7 @@ TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
   }
 }
 
-/// A wheel that rolls by .002 s to a deeper place, with C dF/dt of CDAMPN = 1 ms and CDAMPT = 2 ms.
+/// A wheel that rolls by 0.002 s to a deeper position, with C dF/dt of CDAMPN = 1 ms and CDAMPT = 2 ms.
 class DampedWheel : public WheelOnPlane {
 protected:
   /// DQ/VELOC [s]
@@ -720,7 +721,7 @@ TEST_F(WornProfiles, ARailOnSpringsIsWhereContactFindsIt) {
     EXPECT_NEAR(w.dy_rail, p.dy, 1e-4);
     EXPECT_NEAR(w.dz_rail, p.dz, 1e-4);
     EXPECT_NEAR(w.track.force.x, p.fx, 5);
-    EXPECT_NEAR(w.track.force.y, p.fy, 20); // the place across the track is printed to 5 um
+    EXPECT_NEAR(w.track.force.y, p.fy, 20); // the position across the track is printed to 5 um
     EXPECT_NEAR(w.track.force.z, p.fz, 10);
     const PrintedTotals& t = w.patches[0].solution->totals;
     EXPECT_NEAR(t.fn, p.fn, 20);
@@ -730,7 +731,7 @@ TEST_F(WornProfiles, ARailOnSpringsIsWhereContactFindsIt) {
   }
 }
 
-/// Places, angles and creepages of the Manchester benchmark, A-2.2, as CONTACT prints them, right wheel at 6 mm.
+/// Positions, angles and creepages of the Manchester benchmark, A-2.2, as CONTACT prints them, right wheel at 6 mm.
 TEST(ContactWheelRun, PlacesAndCreepagesAreContactsToTheDigit) {
   const fs::path path = MICROSLIP_SOURCE_DIR "/../shared/contact-cases/mbench_a22_right.inp";
   std::ifstream file(path);

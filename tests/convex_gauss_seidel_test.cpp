@@ -22,7 +22,7 @@ GaussSeidelSolution sweep(const FrictionCase& c, const GaussSeidelOptions& optio
   return solve_convex_gauss_seidel(c.problem(response, free), kernel, options);
 }
 
-/// The other algorithm, other sums, another way to the forces: the same solution.
+/// The other algorithm, other sums, another treatment of forces: the same solution.
 TEST(ConvexGaussSeidel, FindsWhatNewtonFinds) {
   for (const FrictionCase& c : friction_cases(9)) {
     SCOPED_TRACE(c.name);
@@ -119,7 +119,7 @@ TEST(ConvexGaussSeidel, ASolutionTakesOneSweep) {
   EXPECT_EQ(solve_convex_gauss_seidel(problem, kernel, {.tolerance = 1e-8}, s.px, s.py).sweeps, 1);
 }
 
-/// The way depends on the relaxation, the solution does not.
+/// The iterates depend on the relaxation, the solution does not.
 TEST(ConvexGaussSeidel, AnyRelaxationThatConvergesFindsTheSame) {
   const FrictionCase c = elliptic_case("", 8, 1, rolling(6e-4, 5e-4, 0.2));
   const GaussSeidelSolution s = sweep(c, {.tolerance = 1e-9});

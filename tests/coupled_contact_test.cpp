@@ -155,7 +155,7 @@ TEST_P(UnlikeBodies, DependOnEachOtherByTheirDifferenceOnly) {
 
 TEST_P(UnlikeBodies, ChangePlaces) {
   // Seen from the other body everything is the same with x turned round: u, p and the creepage keep their signs in the
-  // mirror of the contact plane, K changes its own, and so do the tractions that it makes.
+  // mirror of the contact plane, K changes sign, and so do the tractions that it makes.
   ContactStep step = ball(combine(soft, steel), GetParam());
   step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, 0, 0} : Creepage{4e-4, 0, 0};
   const ContactStepSolution one = ContactSequence().solve(step);

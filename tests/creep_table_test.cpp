@@ -199,7 +199,7 @@ TEST(CreepTable, DerivativesAreThoseOfTheForces) {
   }
 }
 
-/// On both sides of a place the derivatives are the same.
+/// On both sides of a point the derivatives are the same.
 void expect_smooth_across(double x, double y, double z, double dx, double dy, double dz) {
   const double h = 1e-7;
   const auto before = small_table().differentiate(contact_at(x - h * dx, y - h * dy, z - h * dz));
@@ -274,7 +274,7 @@ TEST(CreepTable, TablesOfOneSourceShareTheirNumbers) {
     EXPECT_EQ(CreepForceTable(source, 0.33).solve(between).fx, expected.fx);
     EXPECT_EQ(CreepForceTable(source).solve(at_node).fx, expected_at_node.fx);
   }
-  // What is of the nodes' own Poisson's ratios stays, other things are made again.
+  // What belongs to Poisson's ratios of the nodes stays, other things are made again.
   EXPECT_EQ(CreepForceTable(source, 0.28, RollingDirection::backward).solve(at_node).fy,
             CreepForceTable(small_nodes(), 0.28, RollingDirection::backward).solve(at_node).fy);
   EXPECT_NE(CreepForceTable(source, 0.33).solve(between).fx, expected.fx);

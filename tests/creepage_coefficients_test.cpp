@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array materials = {0.0, 0.25, 0.5};
 
-/// A printed row: one coefficient after the other, each for nu = 0, .25, .5.
+/// A printed row: one coefficient after the other, each for nu = 0, 0.25, 0.5.
 struct PrintedRow {
   double a_over_b;
   std::array<std::array<double, 3>, 4> c; ///< C11, C22, C23, C33

@@ -141,7 +141,7 @@ TEST(EdgeElement, CarterIsOfSecondOrderWithFittedOnes) {
   EXPECT_GT(std::log2(coarse / fine) / 6, 1.8);
 }
 
-/// For alpha = 1/2 the edge of slip, at x = 0, lies at the same place within its element on all these grids.
+/// For alpha = 1/2 the edge of slip, at x = 0, lies at the same point within its element on all these grids.
 TEST(EdgeElement, CarterIsOfSecondOrderForEachPlaceOfTheEdge) {
   for (const double distance : edge_distances)
     EXPECT_GT(carter_error(32, 0.5, distance, true) / carter_error(128, 0.5, distance, true), 15) << distance;

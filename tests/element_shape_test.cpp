@@ -42,9 +42,9 @@ TEST(ElementShape, TransformsSumTentsPairByPair) {
 }
 
 /// CONTACT's figures for a ball of steel, pressed by an approach and shifted: constant elements 821.0 N/mm2; bilinear
-/// ones 821.8 N/mm2, FN = 1722 N, FX = -451.9 N. With that FN given and FX = -.875 mu FN, constant ones: approach
-/// .01132 mm, shift 3.042e-3 mm. The radius 88.4 mm, the approach .01131 mm and the shift 3.04e-3 mm are those that go
-/// with all six.
+/// ones 821.8 N/mm2, FN = 1722 N, FX = -451.9 N. With that FN given and FX = -0.875 mu FN, constant ones: approach
+/// 0.01132 mm, shift 3.042e-3 mm. The radius 88.4 mm, the approach 0.01131 mm and the shift 3.04e-3 mm are those that
+/// go with all six.
 TEST(ElementShape, FiguresOfContact) {
   const double radius = 88.4e-3, friction = 0.3;
   const GapCurvatures gap = {0.5 / radius, 0.5 / radius};
@@ -74,7 +74,7 @@ TEST(ElementShape, FiguresOfContact) {
               5e-7);
 }
 
-/// CONTACT's figure for a single bilinear element of 1 mm under 1 N/mm2, G = 200 and 1 N/mm2: .342408 mm.
+/// CONTACT's figure for a single bilinear element of 1 mm under 1 N/mm2, G = 200 and 1 N/mm2: 0.342408 mm.
 TEST(ElementShape, ASingleElementOfDissimilarBodies) {
   const CombinedMaterial pair = combine({200e6, 0.28}, {1e6, 0.28});
   const ElementGrid grid = bilinear({.mx = 1, .my = 1, .x0 = 0, .y0 = 0, .dx = 1e-3, .dy = 1e-3});
@@ -157,7 +157,7 @@ TEST(ElementShape, TheLeadingEdgesCorrection) {
   EXPECT_NEAR(s.forces.fx / p.capacity, constant, 0.01);
 }
 
-/// Dissimilar bodies: both ways to solve give the same, near that of constant elements.
+/// Dissimilar bodies: both solvers give the same, near that of constant elements.
 TEST(ElementShape, DissimilarBodies) {
   ContactStep step;
   step.bodies = combine({1e6, 0.3}, {80e9, 0.28});
@@ -198,7 +198,7 @@ TEST(ElementShape, ASequenceMayChangeIt) {
   EXPECT_EQ(ContactSequence().solve(step).tangential.forces.fx, tents);
 }
 
-/// Deformation that comes late, for rolling along +x: l du/dx = u - f u_elastic.
+/// Retarded deformation, for rolling along +x: l du/dx = u - f u_elastic.
 TEST(ElementShape, DelayedDeformationOfTents) {
   const ElementGrid grid = bilinear({.mx = 5, .my = 3, .x0 = 0, .y0 = 0, .dx = 1, .dy = 1.3});
   const CombinedMaterial material{1, 0.3, 0.2};

@@ -97,7 +97,7 @@ TEST(EllipseGrid, SumsAreThoseOfTheCells) {
   }
 }
 
-/// Why forces are divided by the discrete normal force: the sum over 5 x 5 cells is 2.9 % too large, over 10 x 10 .65
+/// Why forces are divided by the discrete normal force: the sum over 5 x 5 cells is 2.9 % too large, over 10 x 10 0.65
 /// %.
 TEST(EllipseGrid, MidpointRuleOverestimatesTheLoad) {
   const auto excess = [](int n) {

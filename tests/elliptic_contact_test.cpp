@@ -221,7 +221,7 @@ double power_at_centres(const ContactSolution& s) {
   return power;
 }
 
-/// Frictional power in two ways: their difference vanishes with the grid.
+/// Frictional power by two formulas: their difference vanishes with the grid.
 TEST(EllipticContact, PowersAgreeInTheLimit) {
   const EllipticContact contact = mixed();
   double last = 1;

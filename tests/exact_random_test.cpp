@@ -110,7 +110,7 @@ TEST(ExactRandom, MirrorInY) {
   });
 }
 
-/// Elements in reverse order along x: rolling the other way.
+/// Elements in reverse order along x: rolling in the opposite direction.
 TEST(ExactRandom, MirrorInX) {
   for_random_cases(4, 20, [](const FrictionCase& c, const TangentialSolution& s) {
     const auto to = [&](int i, int j) { return static_cast<std::size_t>(j) * c.grid.mx + (c.grid.mx - 1 - i); };

@@ -69,7 +69,7 @@ TEST(FallingFriction, FullSlidingWithoutSpinGivesTheCoefficientOfItsVelocity) {
   }
 }
 
-/// FASTSIM as one would write it down first, (F16), with the bound at each point's own friction.
+/// FASTSIM as one would write it down first, (F16), with the bound at each point's friction.
 struct PlainForces {
   double fx = 0, fy = 0, mz = 0;
 };

@@ -94,7 +94,7 @@ TEST(FittedContact, ElementsThatAreNotFittedAreTheGrids) {
   });
 }
 
-/// The edge lies omega + beta element lengths ahead of the leading element's rear side; omega is from .6 to 1.57.
+/// The edge lies omega + beta element lengths ahead of the leading element's rear side; omega is from 0.6 to 1.57.
 TEST(FittedContact, LeadingElementsAreFittedToTheEdge) {
   for_rows([](const Ellipse& ellipse, const FittedContact& contact, const std::vector<FittedElement>& row) {
     const FittedElement& e = row.back();
@@ -123,7 +123,7 @@ TEST(FittedContact, RowsShorterThanAnElementHaveOneOfTheirLength) {
   EXPECT_GT(tips, 10);
 }
 
-/// Slip is that of the way to the next centre; of the leading element to h/2 beyond it.
+/// Slip is that of the path to the next centre; of the leading element to h/2 beyond it.
 TEST(FittedContact, WaysOfSlipEndAtTheNextCentre) {
   for_rows([](const Ellipse&, const FittedContact& contact, const std::vector<FittedElement>& row) {
     const double h = contact.grid.dx;

@@ -124,8 +124,8 @@ TEST(FittedOperator, IsTheDenseProductOnTinyGrids) {
       }
 }
 
-/// About 1e-4 in displacements, at worst 1.11e-4 (21 x 9 elements, dx/dy = .2). Slip is a difference of two of them:
-/// where elements are short against their width its own value is less, and the error relative to it more.
+/// About 1e-4 in displacements, at worst 1.11e-4 (21 x 9 elements, dx/dy = 0.2). Slip is a difference of two of them:
+/// where elements are short against their width its value is less, and the error relative to it more.
 TEST(FittedOperator, IsTheDenseProductToItsAccuracy) {
   for (const auto& [n, m] : {Shape{1, 7}, {7, 1}, {3, 3}, {4, 5}, {8, 8}, {13, 12}, {21, 9}, {9, 20}})
     for (const double ratio : ratios) {
@@ -152,7 +152,7 @@ TEST(FittedOperator, ElementsOfSteps) {
     }
 }
 
-/// Rows may have several runs of elements, each with an edge of its own.
+/// Rows may have several runs of elements, each with an edge.
 TEST(FittedOperator, TwoPatchesInTheSameRows) {
   const FittedContact one = contact_of(7, 6, 1);
   constexpr int apart = 9;

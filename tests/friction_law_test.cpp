@@ -83,7 +83,7 @@ TEST(FrictionLaw, NeverRises) {
 }
 
 TEST(FrictionLaw, HalfOfATermIsLeftAtItsHalfVelocity) {
-  // The other term is switched off, so that each is seen on its own.
+  // The other term is switched off, so that each is seen alone.
   const FrictionTerm none, term{.drop = 0.2, .half_velocity = 0.7};
   for (const auto make : falling) {
     EXPECT_DOUBLE_EQ(make(0.1, term, none).coefficient(0.7), 0.2);

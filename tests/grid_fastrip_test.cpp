@@ -1,4 +1,4 @@
-// FaStrip on the rows of a grid, against linear theory, full sliding and FaStrip on an ellipse's own rows.
+// FaStrip on the rows of a grid, against linear theory, full sliding and FaStrip on the rows of an ellipse.
 
 #include "microslip/simplified/grid_fastrip.hpp"
 
@@ -59,7 +59,7 @@ TEST(GridFastrip, LinearTheory) {
   EXPECT_NEAR(solve(contact, FastripForm::modified, 200).forces.fx / linear, 1, 0.035); // first order in the elements
 }
 
-/// Rolling the other way is the mirror: xi and phi turn, and so do Fx and Mz.
+/// Rolling in the opposite direction is the mirror image: xi and phi turn, and so do Fx and Mz.
 TEST(GridFastrip, RollingBackwardsIsTheMirror) {
   for (const auto form : {FastripForm::modified, FastripForm::first, FastripForm::first_bounded}) {
     const GridSolution s = solve(steel(4e-3, 6e-3, {6e-4, -8e-4, 0.2}), form, 20);

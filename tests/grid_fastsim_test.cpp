@@ -1,4 +1,4 @@
-// FASTSIM on the rows of a grid: closed forms for a row, and FASTSIM on an ellipse's own rows.
+// FASTSIM on the rows of a grid: closed forms for a row, and FASTSIM on the rows of an ellipse.
 
 #include "microslip/simplified/grid_fastsim.hpp"
 
@@ -85,7 +85,7 @@ TEST(GridFastsim, RunsAreIndependent) {
   EXPECT_DOUBLE_EQ(fastsim.solve(one, by_row, {}).bound[10], 0.1 * 1e9);
 }
 
-/// The sums tend to those of FASTSIM on the ellipse's own rows, for spin and all three flexibilities as well.
+/// The sums tend to those of FASTSIM on the rows of the ellipse, for spin and all three flexibilities as well.
 TEST(GridFastsim, TendsToFastsimOnAnEllipse) {
   const EllipticContact contact = {.a = 6e-3,
                                    .b = 4e-3,

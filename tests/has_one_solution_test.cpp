@@ -9,7 +9,7 @@
 namespace microslip {
 namespace {
 
-/// Whether the symmetric part of the steady D on all elements of a grid has a Cholesky decomposition.
+/// Returns whether the symmetric part of the steady D on all elements of a grid has a Cholesky decomposition.
 bool is_positive_definite(const CombinedMaterial& material, const ElementGrid& grid, double step) {
   const std::size_t n = grid.count();
   std::vector<Field> d(2 * n, Field(2 * n, 0.0));

@@ -25,7 +25,7 @@ public:
     return read;
   }
 
-  /// Whether there is such a group or dataset; the groups above it must be there.
+  /// Returns whether there is such a group or dataset; the groups above it must be there.
   bool has(const std::string& path) const { return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0; }
   bool has_attribute(const std::string& path, const char* name) const {
     return H5Aexists_by_name(file_, path.c_str(), name, H5P_DEFAULT) > 0;

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
 
-/// What a misfit may be; leaves room for machines whose long double is no better than double.
+/// The largest misfit; allows for machines whose long double is no better than double.
 constexpr double fit = 1e-13;
 
 /// a/b from needle to needle, with the circle and its close neighbours.
@@ -63,7 +63,7 @@ long double displacement(const HertzContact& contact, double modulus, long doubl
 }
 
 /// Largest relative misfit of u = delta - A x^2 - B y^2 in the centre, at the ends of both axes and between them, each
-/// coefficient on its own.
+/// coefficient alone.
 double misfit(const HertzContact& contact, double modulus) {
   const double a = contact.a, b = contact.b;
   const long double centre = displacement(contact, modulus, 0, 0);

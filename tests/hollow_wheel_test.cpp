@@ -50,14 +50,14 @@ public:
     }
   }
 
-  /// The wheel's height above the profile's zero where it touches first, or nothing where another place is as near
+  /// The wheel's height above the profile's zero where it touches first, or nothing where another point is as near
   /// within a micrometre and a millimetre away.
   std::optional<double> touched_height(double lateral) const {
-    struct Place {
+    struct GapPoint {
       double gap, y, z;
     };
-    std::vector<Place> places;
-    Place least{1, 0, 0};
+    std::vector<GapPoint> points;
+    GapPoint least{1, 0, 0};
     const int count = static_cast<int>(wheel_.length() / 1e-5);
     for (int k = 0; k <= count; ++k) {
       const ProfilePoint p = wheel_.at(wheel_.length() * k / count).value;
@@ -66,10 +66,10 @@ public:
       if (after == y_.begin() || after == y_.end()) continue;
       const auto i = static_cast<std::size_t>(after - y_.begin());
       const double t = (y - y_[i - 1]) / (y_[i] - y_[i - 1]);
-      places.push_back({p.z - (1 - t) * z_[i - 1] - t * z_[i], y, p.z});
-      if (places.back().gap < least.gap) least = places.back();
+      points.push_back({p.z - (1 - t) * z_[i - 1] - t * z_[i], y, p.z});
+      if (points.back().gap < least.gap) least = points.back();
     }
-    for (const Place& other : places)
+    for (const GapPoint& other : points)
       if (std::abs(other.y - least.y) > 1e-3 && other.gap < least.gap + 1e-6) return std::nullopt;
     return least.z;
   }

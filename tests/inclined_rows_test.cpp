@@ -149,7 +149,7 @@ TEST(InclinedRows, InOnePlaneAreAHalfSpaces) {
 }
 
 /// Only where traction and displacement are turned by half each is the work of one load on the other's displacements
-/// the same both ways.
+/// the same in both directions.
 TEST(InclinedRows, HalvesAreReciprocal) {
   const Fields p = random_fields(4), q = random_fields(5);
   const auto mismatch = [&](double share) {

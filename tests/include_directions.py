@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that folders include one another only as the table says, and that the table has no circles."""
+"""Checks that folders include one another only as the table says, and that the table has no cycles."""
 import pathlib
 import re
 import sys
@@ -39,26 +39,26 @@ ALLOWED = {
 }
 
 
-def room(path):
+def layer(path):
     """The table's folder of a file."""
     return path.parent.as_posix().removesuffix("/kernel")  # the part that is compiled for several instruction sets
 
 
-def arrows(source):
+def dependencies(source):
     """(folder, included folder) -> the includes, as text."""
     found = {}
     for file in sorted((source / "microslip").rglob("*.[hc]pp")):
         here = file.relative_to(source)
         for line, text in enumerate(file.read_text().splitlines(), 1):
             include = re.match(r'\s*#include "(.*)"', text)
-            if include and "/" in include[1] and room(here) != room(pathlib.PurePosixPath(include[1])):
-                pair = room(here), room(pathlib.PurePosixPath(include[1]))
+            if include and "/" in include[1] and layer(here) != layer(pathlib.PurePosixPath(include[1])):
+                pair = layer(here), layer(pathlib.PurePosixPath(include[1]))
                 found.setdefault(pair, []).append(f"{here}:{line}: includes {include[1]}")
     return found
 
 
-def circle(allowed):
-    """Folders that the table lets include one another in a circle, or nothing."""
+def cycle(allowed):
+    """Folders that the table lets include one another in a cycle, or nothing."""
     left = {folder: set(lower) for folder, lower in allowed.items()}
     while left:
         lowest = [folder for folder, lower in left.items() if not lower & left.keys()]
@@ -71,7 +71,7 @@ def circle(allowed):
 
 def complaints(found, allowed):
     """What is wrong, one line each."""
-    lines = [f"the table has a circle among {', '.join(circle(allowed))}"] if circle(allowed) else []
+    lines = [f"the table has a cycle among {', '.join(cycle(allowed))}"] if cycle(allowed) else []
     for (folder, other), includes in sorted(found.items()):
         if folder not in allowed:
             lines.append(f"{folder}: not in the table")
@@ -81,14 +81,14 @@ def complaints(found, allowed):
 
 
 def main():
-    found = arrows(pathlib.Path(sys.argv[1]))
-    between_rooms = sum(other != EVERYWHERE for _, other in found)
+    found = dependencies(pathlib.Path(sys.argv[1]))
+    between_layers = sum(other != EVERYWHERE for _, other in found)
     wrong = complaints(found, ALLOWED)
-    print("\n".join(wrong) or f"{between_rooms} arrows between folders, no circles")
-    # The check itself: an upward include, an unknown folder and a circle are found.
+    print("\n".join(wrong) or f"{between_layers} dependencies between folders, no cycles")
+    # The check itself: an upward include, an unknown folder and a cycle are found.
     assert complaints({("microslip/numerics", "microslip/rolling"): ["x"]}, ALLOWED)
     assert complaints({("microslip/unknown", "microslip/numerics"): ["x"]}, ALLOWED)
-    assert circle({"a": ["b"], "b": ["a"]}) and not circle({"a": ["b"], "b": []})
+    assert cycle({"a": ["b"], "b": ["a"]}) and not cycle({"a": ["b"], "b": []})
     return 1 if wrong else 0
 
 

@@ -141,7 +141,7 @@ TEST(Influence, EvenAndOdd) {
   }
 }
 
-/// x and y change places.
+/// x and y are exchanged.
 TEST(Influence, TurnedByARightAngle) {
   for (const Point p : near_points()) {
     const double x = p.x * dx, y = p.y * dy;

@@ -237,7 +237,7 @@ TEST(InteriorField, BilinearElements) {
   }
 }
 
-// --- bodies whose deformation comes late
+// --- bodies with retarded deformation
 
 /// The elastic displacements at a point, and the integral of those of its past by the midpoint rule in t = 1 -
 /// exp(-q/l).

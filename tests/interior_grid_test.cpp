@@ -133,8 +133,8 @@ EllipticContact rolling() {
           .creepage = {1e-3, -5e-4, 0.2}};
 }
 
-/// Below a contact the classical and the second order's elements, rolling either way, give the same stresses but for
-/// their discretisation; the mirror of rolling along -x exactly.
+/// Below a contact the classical and the second order's elements, rolling in either direction, give the same stresses
+/// but for their discretisation; the mirror of rolling along -x exactly.
 TEST(InteriorGrid, OfARollingContact) {
   const EllipticContact contact = rolling();
   const int n = 24;
@@ -165,7 +165,7 @@ TEST(InteriorGrid, OfARollingContact) {
   }
 }
 
-/// On the axis of Hertz's circle, nu = .28: the largest von Mises stress is .62 p0 at .48 a.
+/// On the axis of Hertz's circle, nu = 0.28: the largest von Mises stress is 0.62 p0 at 0.48 a.
 TEST(InteriorGrid, ExtremesBelowAHertzianContact) {
   EllipticContact contact = rolling();
   contact.b = contact.a;

@@ -138,7 +138,7 @@ TEST(InteriorInfluence, IsTheIntegralOfPointForcesBesideTheRectangle) {
     }
 }
 
-/// Relative to the field's own size, which falls like 1/R and 1/R^2, errors grow like R/dx.
+/// Relative to the size of the field, which falls like 1/R and 1/R^2, errors grow like R/dx.
 TEST(InteriorInfluence, FarAwayIsAPointForce) {
   const double area = dx * dy;
   for (const double distance : {30.0, 1e3, 1e5, 1e7})

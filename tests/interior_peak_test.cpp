@@ -29,8 +29,8 @@ std::vector<double> depths(double first, double last, int count) {
   return all;
 }
 
-/// Johnson 1985, section 4.2 and 3.4: .31 p0 at .48 a below a sphere with nu = .3, .30 p0 at .786 a below a cylinder.
-/// Elements that do not lie symmetrically, so that no point of the planes is the right one.
+/// Johnson 1985, section 4.2 and 3.4: 0.31 p0 at 0.48 a below a sphere with nu = 0.3, 0.30 p0 at 0.786 a below a
+/// cylinder. Elements that do not lie symmetrically, so that no point of the planes is the right one.
 TEST(InteriorPeak, LargestShearBelowHertzsContacts) {
   const Material body{82e9, 0.3};
   auto grid = ElementGrid::across_ellipse(a, a, 40, 1);

@@ -25,7 +25,7 @@ template <class Vector> Numbers<Vector> stored(const Vector& vector) {
   return values;
 }
 
-/// By the registers of the standard library and by our own.
+/// By the registers of the standard library and by those of lane_vector.hpp.
 template <class Register> class LanesTest : public testing::Test {};
 using Registers = testing::Types<simd::native_simd<double>, vector_simd::native_simd<double>,
                                  vector_simd::fixed_size_simd<double, 16>>;

@@ -1,5 +1,5 @@
 // Vanishing creepages: the simplified theory becomes linear and, with the flexibilities (F17), gives Kalker's C11, C22
-// and C23. For Mz it has coefficients of its own.
+// and C23. For Mz it has other coefficients.
 
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/test_cases.hpp"
@@ -24,7 +24,7 @@ struct Linear {
 /// -(eta/L2) (h - x) - phi/L3 (h^2 - x^2)/2 along y. Integrated over the ellipse, for rolling forward:
 /// Fx = -G c^2 C11 xi, Fy = -G c^2 (C22 eta + c C23 phi),
 /// Mz = pi a^3 b eta/(4 L2) - 8 a^2 b^3 phi/(15 L3).
-/// Rolling backward phi drives Fy, and eta Mz, the other way.
+/// Rolling backward phi drives Fy, and eta Mz, in the opposite direction.
 Linear linear_theory(const EllipticContact& contact, const Creepage& creepage, const Flexibilities& l,
                      RollingDirection direction) {
   const double a = contact.a, b = contact.b, sign = direction == RollingDirection::forward ? 1 : -1;
@@ -61,7 +61,7 @@ Creepage vanishing(const EllipticContact& contact, const Creepage& shares) {
 
 constexpr Creepage mixtures[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -0.7, 0.4}, {-0.3, -1, -0.8}};
 
-/// Largest error over shapes and mixtures of creepages, relative to the creepages' own size.
+/// Largest error over shapes and mixtures of creepages, relative to the size of the creepages.
 double linear_error(MarchingScheme scheme, TractionBound bound, RollingDirection direction, int n) {
   RowSolver solver(scheme, {.mx = n, .my = n, .bound = bound, .direction = direction});
   double worst = 0;

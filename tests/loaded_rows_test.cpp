@@ -89,7 +89,7 @@ TEST(LoadedRows, CarryNothingWithoutLoad) {
   EXPECT_EQ(total(rows).fy, 0);
 }
 
-// What the cells have adds up to what the rows have, wherever the contact is and whichever way it rolls.
+// What the cells have adds up to what the rows have, wherever the contact is and in whichever direction it rolls.
 TEST(LoadedRows, HaveFieldsThatAddUp) {
   for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward})
     for (const Creepage w : {Creepage{5e-4, 0, 0}, Creepage{3e-4, -4e-4, 0}, Creepage{2e-4, 1e-4, 0.2}}) {

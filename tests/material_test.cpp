@@ -84,7 +84,7 @@ TEST(CombinedMaterial, SwappingTheBodiesTurnsTheSignOfK) {
 }
 
 TEST(CombinedMaterial, BentallAndJohnsonsRollers) {
-  // Published as K = .1002: G = 23,000 and 82,000 N/mm2, nu = .31 and .28.
+  // Published as K = 0.1002: G = 23,000 and 82,000 N/mm2, nu = 0.31 and 0.28.
   const CombinedMaterial combined =
       combine({.shear_modulus = 23e9, .poisson_ratio = 0.31}, {.shear_modulus = 82e9, .poisson_ratio = 0.28});
   EXPECT_NEAR(combined.dissimilarity, 0.1002, 0.5e-4);

@@ -89,7 +89,7 @@ TEST(ModelProblem, ExactSolutionsHaveThePublishedTransitions) {
   EXPECT_NEAR(cases[1].slip(0.9), 22 * 0.9 - 10, 1e-13);
 }
 
-// The paper prints -.3203 and .9011 for the last two numbers of (F27). They do not satisfy (F20): u would jump.
+// The paper prints -0.3203 and 0.9011 for the last two numbers of (F27). They do not satisfy (F20): u would jump.
 TEST(ModelProblem, ExactSolutionsSatisfyTheProblem) {
   for (const ModelCase& model : model_cases()) {
     const ModelProblem& problem = model.problem();

@@ -137,7 +137,7 @@ TEST(NormalContact, NoContactIsAStatus) {
   EXPECT_EQ(c.grid.count(), 25U);
 }
 
-/// A ball's gap is not a number beyond its radius; the place is named, also when growth leads there.
+/// A ball's gap is not a number beyond its radius; the point is named, also when growth leads there.
 TEST(NormalContact, GapWithoutANumber) {
   const double radius = 1e-3;
   const GapFunction ball = [=](double x, double y) { return radius - std::sqrt(radius * radius - x * x - y * y); };

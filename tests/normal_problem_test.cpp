@@ -277,7 +277,7 @@ TEST(NormalProblem, TiltedPunch) {
   }
 }
 
-/// A plane tilted over the whole grid: contact along the grid's own border, and the flag for it.
+/// A plane tilted over the whole grid: contact along the grid's border, and the flag for it.
 TEST(NormalProblem, TiltedPlaneReachesTheBorder) {
   const ElementGrid grid = ElementGrid::across_ellipse(5e-3, 5e-3, 14);
   for (const double slope : {1e-4, -1e-4}) {

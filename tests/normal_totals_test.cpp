@@ -77,7 +77,7 @@ TEST(NormalTotals, ElasticEnergyAsContactPrintsIt) {
   EXPECT_NEAR(s.elastic_energy, 7.350e-5, 0.001e-5);
 }
 
-/// The force does work on its way: dU/d(delta) = Fn, exact for the discrete problem.
+/// The force does work: dU/d(delta) = Fn, exact for the discrete problem.
 TEST(NormalTotals, EnergyIsTheWorkOfTheForce) {
   const ElementGrid grid = ElementGrid::across_ellipse(5e-3, 4e-3, 14, 3);
   const Field h = paraboloid(grid, {0.4, 0.6});

@@ -96,7 +96,7 @@ TEST(ParityToeplitz, IsTheSumOfTheKernelsProducts) {
       }
 }
 
-/// A few rows are summed in another way than all; in any order, and more than once.
+/// A few rows are summed otherwise than all; in any order, and more than once.
 TEST(ParityToeplitz, RowsThatAreChosenAreThoseOfAll) {
   const Product product(11, 23, 2);
   const Field all = product.by_transforms(all_rows(23));

@@ -12,7 +12,7 @@
 namespace microslip {
 namespace {
 
-/// A round wheel in a rail's groove whose bottom is a little rounder, .1 mm deep in it: one wide region.
+/// A round wheel in a rail's groove whose bottom is a little rounder, 0.1 mm deep in it: one wide region.
 struct Groove {
   Profile rail = profile_of(ProfileRole::rail, -0.03, 0.03, 601, [](double y) { return 8 * y * y * y * y; });
   Profile wheel = profile_of(ProfileRole::wheel, -0.03, 0.03, 601, [](double y) { return 2 * y * y + 0.02 * y; });
@@ -31,7 +31,7 @@ struct Groove {
     return find_outline(placement, rail, wheel, region, surface);
   }
 
-  /// The place of the region's border at a share of the wheel's parameter between its ends.
+  /// The position of the region's border at a share of the wheel's parameter between its ends.
   ContactRegion::End between(double share) const {
     ContactRegion::End end;
     end.s_wheel = whole.inner.s_wheel + share * (whole.outer.s_wheel - whole.inner.s_wheel);

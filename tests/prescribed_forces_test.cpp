@@ -51,7 +51,7 @@ TEST(PrescribedForces, Fastsim) {
   expect_back(Fastsim(options(), FirstStep::half));
 }
 
-/// Fx = -G ab C11 xi without slip; the lateral creepage is the contact's own, as is the longitudinal one with Fy.
+/// Fx = -G ab C11 xi without slip; the lateral creepage is that of the contact, as is the longitudinal one with Fy.
 TEST(PrescribedForces, OneForceLeavesTheOtherCreepage) {
   Fastsim2 solver(options());
   const EllipticContact contact = steel({2e-4, -3e-4, 0});

@@ -124,7 +124,7 @@ TEST(ProfileDimensions, CrossingsAreThoseOfASampledCurve) {
   }
 }
 
-/// The Manchester benchmark's S1002 has the same formulas; near its first point our natural spline is .4 um off. Its
+/// The Manchester benchmark's S1002 has the same formulas; near its first point our natural spline is 0.4 um off. Its
 /// UIC60 is canted 1:40 and was smoothed by a spline.
 TEST(ProfileDimensions, ExamplesAgreeWithTheManchesterBenchmark) {
   const auto cases = source / "../shared/contact-cases";
@@ -139,7 +139,7 @@ TEST(ProfileDimensions, ExamplesAgreeWithTheManchesterBenchmark) {
   EXPECT_LT(distance(rail, example("60e1.prr"), -14e-3, angle, shift), 3e-5);
 }
 
-/// The instrument printed its own Sd, Sh and qR in the file, from curves that it had
+/// The instrument printed Sd, Sh and qR in the file, from curves that it had
 /// smoothed: 36.1416, 27.8749 and 9.0991 mm.
 TEST(ProfileDimensions, AgreeWithAMiniprofInstrument) {
   const auto file = source / "../shared/contact-cases/wheel-rail/profiles/left-wheel-v1-pre-dry.whl";

@@ -267,7 +267,7 @@ TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
   EXPECT_EQ(error_of(simpack("", "1 2 3 4\n")), "a.prr:8: 4 fields, not y, z and perhaps a weight");
   EXPECT_EQ(error_of(simpack("units.len.f = 1000", "1 2\n1 2\n1 2\n1 2\n1 2\n")), // one point, again and again
             "a.prr: 1 point left: a profile needs at least 4");
-  // Metres where the file says mm, and the other way round.
+  // Metres where the file says mm, and vice versa.
   EXPECT_NE(error_of(simpack("units.len.f = 1000", rows(head(), 1e-3, -1e-3))).find("is the unit of length right?"),
             std::string::npos);
   EXPECT_NE(error_of(simpack("units.len.f = 1", rows(head(), 1, -1))).find("is the unit of length right?"),

@@ -32,7 +32,7 @@ using Names = std::vector<std::string>;
 constexpr auto apart = std::chrono::milliseconds(1); ///< of looks at what others do
 constexpr int patience = 60000;                      ///< looks
 
-/// Whether a process handles SIGINT by itself.
+/// Returns whether a process handles SIGINT by itself.
 bool handles_interrupt(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);)
@@ -40,7 +40,7 @@ bool handles_interrupt(pid_t process) {
   return false;
 }
 
-/// Whether a process has computed for a while: it has read its input and is at work.
+/// Returns whether a process has computed for a while: it has read its input and is at work.
 bool is_at_work(pid_t process) {
   constexpr long enough = 30; // hundredths of a second
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
@@ -51,7 +51,7 @@ bool is_at_work(pid_t process) {
   return all.size() > 12 && std::stol(all[11]) + std::stol(all[12]) > enough; // utime and stime
 }
 
-/// Whether a process group has ended, or does so soon.
+/// Returns whether a process group has ended, or does so soon.
 bool ends(pid_t group) {
   for (int k = 0; k < patience; ++k, std::this_thread::sleep_for(apart))
     if (kill(-group, 0) != 0) return true;
@@ -103,7 +103,7 @@ bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
   return false;
 }
 
-/// The example of two bodies with other lines in the place of some.
+/// The example of two bodies with some lines replaced.
 std::string case_with(const std::vector<std::pair<std::string, std::string>>& changes) {
   auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
   for (const auto& [from, to] : changes) text.replace(text.find(from), from.size(), to);

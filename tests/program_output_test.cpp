@@ -66,7 +66,7 @@ TEST(ProgramOutput, OfStudiesIsTriedFirst) {
   EXPECT_NE(outcome.errors.find("file: cannot be made a folder"), std::string::npos) << outcome.errors;
 }
 
-/// A result file that is in the way, as a folder of that name.
+/// An obstacle to a result file, as a folder of that name.
 TEST(ProgramOutput, AFolderInTheWayIsFoundFirst) {
   const TemporaryFolder folder;
   fs::create_directories(folder / "out/result.h5");

@@ -1,4 +1,4 @@
-// `microslip sweep`: one result file of many cases, whatever happens on the way there.
+// `microslip sweep`: one result file of many cases, whatever happens in between.
 
 #include "paths.hpp"
 #include "tests/hdf5_reader.hpp"

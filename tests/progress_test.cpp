@@ -113,7 +113,7 @@ TEST(Progress, OfDerivatives) {
 }
 
 /// `solve(progress)` is work that begins with a new grid. It must tell of its progress at least `often`, and end with
-/// not_converged wherever the progress function returns false: at once while it prepares, in the midst, at its end.
+/// not_converged wherever the progress function returns false: at once while it prepares, in between, at its end.
 template <class Solve> void expect_ended_anywhere(std::size_t often, const Solve& solve) {
   Listener patient;
   EXPECT_EQ(solve(patient.progress()), Status::ok);

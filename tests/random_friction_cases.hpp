@@ -29,8 +29,8 @@ inline Field random_bound(RandomContacts& random, const FrictionCase& c, double 
   return bound;
 }
 
-/// A problem of this motion, of 1 x 1 to 13 x 13 elements: a/b .1 to 10, nu 0 to .5, creepages from nearly full
-/// adhesion to full sliding, spin up to 4 times that of saturation, steps of .55 to 8 elements, either direction, from
+/// A problem of this motion, of 1 x 1 to 13 x 13 elements: a/b 0.1 to 10, nu 0 to 0.5, creepages from nearly full
+/// adhesion to full sliding, spin up to 4 times that of saturation, steps of 0.55 to 8 elements, either direction, from
 /// a state before or from none, creepages given or one or both forces.
 inline FrictionCase random_friction_case(RandomContacts& random, ContactMotion motion) {
   FrictionCase c;

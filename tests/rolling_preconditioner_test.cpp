@@ -27,7 +27,7 @@ double some_traction(std::size_t k) {
 
 using Complex = std::complex<double>;
 
-/// The coefficients of size c (1 - .75 z/c)/(1 - .25 z/c) as a power series in z.
+/// The coefficients of size c (1 - 0.75 z/c)/(1 - 0.25 z/c) as a power series in z.
 Field series(double size, double c, int count) {
   Field out;
   for (int n = 0; n < count; ++n) out.push_back(size * c * (n == 0 ? 1 : -0.5 / c * std::pow(0.25 / c, n - 1)));
@@ -216,7 +216,7 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
   EXPECT_LT(double(fast_products), 0.5 * double(plain_products));
 }
 
-/// On a regular grid: the operator's own map and M^-1 of the elements in contact.
+/// On a regular grid: the operator's map and M^-1 of the elements in contact.
 TEST(RollingOperator, IsTheMapWithItsPreconditioner) {
   const ElementGrid grid = ElementGrid::across_ellipse(6e-3, 4e-3, 12, 10, 1);
   const std::size_t count = grid.count();

@@ -178,7 +178,7 @@ double power_unit(const EllipticContact& contact) {
          (std::hypot(xi, eta) + std::abs(phi) * std::max(contact.a, contact.b));
 }
 
-/// s = w + du/dq along the way q of a particle, so integral p.s = integral p.w + [L p^2/2], and p is zero where
+/// s = w + du/dq along the path q of a particle, so integral p.s = integral p.w + [L p^2/2], and p is zero where
 /// particles enter and leave. With one flexibility integral p.w is xi Fx + eta Fy + phi Mz: what friction takes is what
 /// drives the bodies. With three it is integral (L1 px w~x + L2 py w~y) with the effective rigid slip w~ of (F18).
 double driving_power(const ContactSolution& f, const EllipticContact& contact, const Flexibilities& l) {

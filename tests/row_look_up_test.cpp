@@ -244,7 +244,7 @@ TEST(RowLookUp, SmallCreepagesOfALopsidedPatchHaveTheForcesOfLinearTheory) {
     const ContactSolution s = exact.solve({.friction = mu, .creepage = w});
     const Sum found = shape.by_table(w);
     const double unit = steel.shear_modulus * a * b * small;
-    EXPECT_NEAR(found.fx, s.totals.fx, 0.15 * unit); // of some 4: on these elements linear theory itself is by .1 off
+    EXPECT_NEAR(found.fx, s.totals.fx, 0.15 * unit); // of some 4: on these elements linear theory itself is by 0.1 off
     EXPECT_NEAR(found.fy, s.totals.fy, 0.15 * unit);
     EXPECT_NEAR(found.mz, s.totals.mz, 0.15 * unit * c);
   }

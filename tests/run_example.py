@@ -41,7 +41,7 @@ SWEEPS = ("[grid]", "[list]", "[sample]")
 BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f90": "libcontact_{stem}_fortran",
          "libcontact/*.c": "libcontact_{stem}_c", "wheelset/main.cpp": "wheelset", "wheelset/*.cpp": "{stem}"}
 
-# What a test of its own runs, in a script that names the file; and what takes minutes, which the figures of a page run.
+# What a separate test runs, in a script that names the file; and what takes minutes, which the figures of a page run.
 ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
              "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md"}
 
@@ -176,9 +176,9 @@ class Runner:
         """Runs one example."""
         if name in BEFORE:
             self.run(*self.filled(BEFORE[name]))
-        for pattern, way in KINDS.items():
+        for pattern, method in KINDS.items():
             if fnmatch.fnmatch(name, pattern):
-                return way(self, name)
+                return method(self, name)
         raise Failed(f"examples/{name}: no line in the table of kinds says how it is run")
 
 

@@ -108,7 +108,7 @@ TEST(SecondOrderRolling, IsOfSecondOrder) {
   EXPECT_GT(mean_order, 1.8);
 }
 
-/// The limit is .7126; without the three measures these grids give .7294 and .7190.
+/// The limit is 0.7126; without the three measures these grids give 0.7294 and 0.7190.
 TEST(SecondOrderRolling, ForceOfTheRefinementPapersTest) {
   const double on_12 = roll(paper_test(), 12).forces().fx, on_24 = roll(paper_test(), 24).forces().fx;
   EXPECT_NEAR(on_12, -0.7126, 3e-3);
@@ -252,8 +252,8 @@ TEST(SecondOrderRolling, ForcesBeyondFrictionHaveNoSolution) {
   }
 }
 
-/// The tractions to begin with change the way, not the end, where they do not change which elements slide in the rough
-/// first solution.
+/// The tractions to begin with change the iterates, not the solution, where they do not change which elements slide in
+/// the rough first solution.
 TEST(SecondOrderRolling, StartDoesNotMatter) {
   for (const EllipticContact& contact : partial_slip_cases()) {
     const Rolled from_zero = roll(contact, 12);

@@ -163,7 +163,7 @@ TEST(YieldingLayer, HasTheLimitsOfAnElasticOne) {
   expect_equal(elastic, rigid, 1e-6);
 }
 
-/// Without hardening the yield stress is a bound of its own: friction without end gives tau_c over all the contact.
+/// Without hardening the yield stress is a bound by itself: friction without end gives tau_c over all the contact.
 TEST(YieldingLayer, SlidesWithTheYieldStress) {
   const double stress = 5e7;
   ContactStep step = sphere(12, {.flexibility = 0, .yield_stress = stress}, 10);
@@ -175,7 +175,7 @@ TEST(YieldingLayer, SlidesWithTheYieldStress) {
   EXPECT_NEAR(s.tangential.forces.fx, -stress * s.contact_elements * step.grid.element_area(), 1e-6 * s.normal_force);
 }
 
-/// Tractions, slip and deformation go together, element by element along the particles' way.
+/// Tractions, slip and deformation are consistent, element by element along the particles' path.
 TEST(YieldingLayer, HardensWithTheDeformationOfItsParticles) {
   for (const double hardening : {2e12, 2e13, -2e11}) {
     const InterfaceLayer layer = {.flexibility = 1e-14, .yield_stress = 1e8, .hardening = hardening};
@@ -223,7 +223,7 @@ TEST(YieldingLayer, TransientRollingEndsInTheSteadyState) {
   expect_equal(steady, s, 2e-5);
 }
 
-/// A cylinder's tractions by projected iteration with dense sums, each element on the bound that its own slip gives it.
+/// A cylinder's tractions by projected iteration with dense sums, each element on the bound that its slip gives it.
 TEST(YieldingLayer, OfACylinderIsThatOfANaiveIteration) {
   const CombinedMaterial steel = {82e9, 0.28, 0};
   const double a = 4e-3, curvature = 1 / 0.92;

@@ -78,7 +78,7 @@ ContactStep cylinder(double creepage, const FrictionLaw& friction) {
   return step;
 }
 
-/// mu pn of every element goes with the slip that it has.
+/// mu pn of every element belongs to its slip.
 void expect_consistent(const ContactStep& step, const ContactStepSolution& s) {
   ASSERT_EQ(s.status, Status::ok);
   for (std::size_t k = 0; k < step.grid.count(); ++k) {

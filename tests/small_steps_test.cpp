@@ -1,4 +1,4 @@
-// A step that changes less than the tolerance of the whole is done to its own scale: nothing is lost step by step.
+// A step that changes less than the tolerance of the whole is solved to its scale: nothing is lost step by step.
 
 #include "tangential_cases.hpp"
 
@@ -45,7 +45,7 @@ TangentialSolution after_steps(TangentialProblem& problem, const Problem& p, Tan
   return s;
 }
 
-/// Each step moves tractions by .001 of the bound or less, a third of the tolerance.
+/// Each step moves tractions by 0.001 of the bound or less, a third of the tolerance.
 TEST(SmallSteps, AThousandShiftsAreAWholeOne) {
   const Sphere sphere(15);
   const Problem& p = sphere.problem;
@@ -57,7 +57,7 @@ TEST(SmallSteps, AThousandShiftsAreAWholeOne) {
   EXPECT_NEAR(-s.forces.fx / p.capacity, 1 - std::pow(0.25, 1.5), 3e-3);
 }
 
-/// Steps of 1e-9 of the way at the default tolerance of 1e-6; the slope dF/dd = 3/2 mu Fn/d0 (1 - d/d0)^(1/2).
+/// Steps of 1e-9 of the distance at the default tolerance of 1e-6; the slope dF/dd = 3/2 mu Fn/d0 (1 - d/d0)^(1/2).
 TEST(SmallSteps, TinyShiftsFollowMindlinsStiffness) {
   const Sphere sphere(15);
   const Problem& p = sphere.problem;

@@ -55,7 +55,7 @@ double dot(const Field& a, const Field& b) {
   return sum;
 }
 
-/// Rounding, of products and of influences far away, is measured by the element's own displacement.
+/// Rounding, of products and of influences far away, is measured by the displacement of the element itself.
 void expect_same(const Field& value, const Field& exact, double scale) {
   ASSERT_EQ(value.size(), exact.size());
   for (std::size_t k = 0; k < value.size(); ++k) ASSERT_NEAR(value[k], exact[k], 1e-13 * scale);
@@ -67,7 +67,7 @@ PlaneFields apply(TangentialOperator response, const Field& px, const Field& py)
   return u;
 }
 
-/// The size of u for tractions p, of the order of the element's own part times the square root of their number.
+/// The size of u for tractions p, of the order of the part of the element itself times the square root of their number.
 double scale_of(const ElementGrid& grid, const Field& p) {
   const double self = element_influence(steel, grid, 0, 0).yy;
   return std::abs(self) * largest(p) * std::sqrt(double(grid.count()));

@@ -61,7 +61,7 @@ TEST(SurfaceTemperature, ConstantHeatInAStrip) {
 }
 
 /// Hertz's pressure sliding as a whole: the highest temperature is 2.188307 q0 sqrt(a)/((beta1 + beta2) sqrt(pi V))
-/// above the bulk, .652 a behind the middle (the integral by a fine quadrature).
+/// above the bulk, 0.652 a behind the middle (the integral by a fine quadrature).
 TEST(SurfaceTemperature, HeatLikeHertzsPressure) {
   const double a = 5.88e-3, q0 = 2.3e8;
   const double peak = 2.188307 * q0 * std::sqrt(a) / (2 * steel.effusivity() * std::sqrt(pi * speed));

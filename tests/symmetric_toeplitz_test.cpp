@@ -147,7 +147,7 @@ TEST(SymmetricToeplitz, UnitsGiveTheKernelsBack) {
   }
 }
 
-/// Threads share out rows and columns, which are transformed alike whoever does it.
+/// Threads share out rows and columns, which are transformed alike by any thread.
 TEST(SymmetricToeplitz, NumberOfThreadsDoesNotMatterToTheLastBit) {
   const RandomKernels kernels(large, 21);
   const Pair p = random_pair(large, 22);

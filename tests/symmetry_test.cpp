@@ -1,4 +1,4 @@
-// What must not change, or change in a known way, when a contact is mirrored, reversed or measured in other units.
+// What must not change, or change predictably, when a contact is mirrored, reversed or measured in other units.
 
 #include "microslip/simplified/row_solver.hpp"
 #include "tests/test_cases.hpp"

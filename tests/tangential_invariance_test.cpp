@@ -80,7 +80,7 @@ TEST(TangentialInvariance, RollingBackwardIsTheMirrorImage) {
   }
 }
 
-/// A shift knows no direction: x and y may change places.
+/// A shift knows no direction: x and y may be exchanged.
 TEST(TangentialInvariance, ShiftTurnedByARightAngle) {
   EllipticContact contact = steel_contact(2), turned = contact;
   std::swap(turned.a, turned.b);

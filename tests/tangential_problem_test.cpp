@@ -30,7 +30,7 @@ TEST(TangentialProblem, NoCreepageNoTraction) {
   }
 }
 
-/// A step of an element's length onto an edge at the next centre is in contact all the way: nothing to correct,
+/// A step of an element's length onto an edge at the next centre is in contact all along: nothing to correct,
 /// whatever lies between the bodies.
 TEST(TangentialProblem, TheLeadingEdgesCorrectionKnowsTheLayer) {
   const EllipticContact contact = steel_contact(1);
@@ -180,7 +180,7 @@ TEST(TangentialProblem, ToleranceOnRequest) {
   }
 }
 
-/// Whatever way is rolled in a step: a solution, and with finer grids the same one.
+/// Whatever distance is rolled in a step: a solution, and with finer grids the same one.
 TEST(TangentialProblem, AnyStep) {
   EllipticContact contact = steel_contact(1);
   contact.creepage = scaled_creepage(contact, 0.5, 0, 0);
@@ -247,7 +247,7 @@ TEST(TangentialProblem, SpinOffset) {
     }
 }
 
-/// A transient step from no tractions is a shift by the creepages times the way.
+/// A transient step from no tractions is a shift by the creepages times the distance.
 TEST(TangentialProblem, FirstStepIsAShift) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 11, 11);

@@ -31,7 +31,7 @@ struct Cattaneo {
         3 * problem.capacity * (2 - poisson_ratio) / (8 * radius * material.shear_modulus); // shift at full sliding
     const double rest = 1 - share, fraction = 1 - std::pow(rest, 2.0 / 3);
     shift = whole * fraction;
-    // Work done by the force on its way, the integral of F over the shift
+    // Work done by the force, the integral of F over the shift
     const double by_force = problem.capacity * whole * (fraction - 0.4 * (1 - std::pow(rest, 5.0 / 3)));
     const double product = share * problem.capacity * shift;
     energy = product - by_force;
@@ -86,7 +86,7 @@ TEST(TangentialShift, CattaneoTractions) {
     }
 }
 
-/// For nu = .42 Mindlin's shift is an approximation; CONTACT's printed figures for the same 15 elements (User guide,
+/// For nu = 0.42 Mindlin's shift is an approximation; CONTACT's printed figures for the same 15 elements (User guide,
 /// section 5.1): approach, shift, work, energy less that of the normal problem, elements.
 TEST(TangentialShift, CattaneoAsContactPrintsIt) {
   const Cattaneo c(0.42, 15);
@@ -150,7 +150,7 @@ TEST(TangentialShift, EnergyBalanceOfAShift) {
 }
 
 /// By the near inverse of the displacements: without it products grow with the grid, and steps where adhesion is told
-/// from slip by an element's own displacement.
+/// from slip by an element's displacement.
 TEST(TangentialShift, StepsAndProductsHardlyGrowWithTheGrid) {
   for (const bool by_force : {false, true})
     for (const int n : {16, 32, 64, 128}) {

@@ -21,7 +21,7 @@ TEST(TemperatureEffect, GrowsFromNothingToTheWholeChange) {
   EXPECT_DOUBLE_EQ(effect.at(1e6), -0.2);
 }
 
-/// mu = base + share at(ahead + own mu), and no smaller mu on the way from cold friction to this one does it.
+/// mu = base + share at(ahead + own mu), and no smaller mu between cold friction and this one does it.
 TEST(TemperatureEffect, FrictionThatHeatsItselfSolvesItsEquation) {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> any(0, 1);

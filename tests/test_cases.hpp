@@ -75,7 +75,7 @@ inline Creepage saturating_creepage(const EllipticContact& contact) {
 }
 
 /// Contacts of all shapes, materials and loads, from nearly full adhesion to nearly full sliding; the same sequence
-/// everywhere, because only the engine's own numbers are used.
+/// everywhere, because only the numbers of the engine are used.
 class RandomContacts {
 public:
   explicit RandomContacts(unsigned seed) : engine_(seed) {}

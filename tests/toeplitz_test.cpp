@@ -118,7 +118,7 @@ TEST(Toeplitz, RectangularBlocks) {
   }
 }
 
-/// A unit at one place gives the kernel around it: nothing wraps around the padded grid.
+/// A unit at one point gives the kernel around it: nothing wraps around the padded grid.
 TEST(Toeplitz, UnitsGiveTheKernelBack) {
   for (const Shape& s : shapes) {
     const Field kernel = random_kernel(s, 3);

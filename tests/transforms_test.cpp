@@ -48,7 +48,7 @@ std::vector<Complex> sums(const std::vector<Complex>& z, int sign) {
   return out;
 }
 
-/// All lengths with small factors, and some longer ones, with every way to begin and to end.
+/// All lengths with small factors, and some longer ones, with every beginning and end.
 std::vector<int> lengths() {
   std::vector<int> all;
   for (int n = 1; n <= 130; ++n) {

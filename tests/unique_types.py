@@ -76,21 +76,21 @@ def definitions(root):
     """Qualified name -> {file: line} of its definitions."""
     found = {}
     for file in sources(root):
-        place = file.relative_to(root).as_posix()
+        path = file.relative_to(root).as_posix()
         for name, line in types(file.read_text()):
-            found.setdefault(name, []).append((place, line))
+            found.setdefault(name, []).append((path, line))
     return found
 
 
-def are_alternatives(places):
-    """Whether a program has but one of these files."""
-    return frozenset(file for file, _ in places) in ALTERNATIVES
+def are_alternatives(sites):
+    """Returns whether a program has but one of these files."""
+    return frozenset(file for file, _ in sites) in ALTERNATIVES
 
 
 def complaints(found):
     """What is wrong, one line each."""
-    return [f"{name}: defined in {' and '.join(f'{file}:{line}' for file, line in places)}"
-            for name, places in sorted(found.items()) if len(places) > 1 and not are_alternatives(places)]
+    return [f"{name}: defined in {' and '.join(f'{file}:{line}' for file, line in sites)}"
+            for name, sites in sorted(found.items()) if len(sites) > 1 and not are_alternatives(sites)]
 
 
 def check_itself():

@@ -26,7 +26,7 @@ protected:
     // 60E1 from 0 to 3 m, and S1002 all around
     write("same.slcs", "0 1\n4\n0\n1\n0 '60e1.prr'\n1000 '60e1.prr'\n2000 '60e1.prr'\n3000 '60e1.prr'\n");
     write("round.slcw", "0 1\n4\n0\n1\n-2 's1002.prw'\n-1 's1002.prw'\n1 's1002.prw'\n2 's1002.prw'\n");
-    // A wave of .1 mm and 2 m along the track, crests of z (down) at .5 m and 2.5 m
+    // A wave of 0.1 mm and 2 m along the track, crests of z (down) at 0.5 m and 2.5 m
     write("wave.slcs", "0 1\n2\n0\n1 1\n0 '60e1.prr'\n3000 '60e1.prr'\n1\n0.1 2000 0\n");
   }
 
@@ -130,7 +130,7 @@ TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
       cases::solve_case(io::parse_wheelset_case(both + "[right_wheel]\nprofile = \"s1002.prw\"\n", name()), {});
   const auto plain = cases::solve_case(io::parse_wheelset_case(both, name()), {});
   EXPECT_EQ(alike.solutions[0].force.y, plain.solutions[0].force.y);
-  // A right rail that is .1 mm lower lets the wheelset lean.
+  // A right rail that is 0.1 mm lower lets the wheelset lean.
   const std::string there = with_part(both, "lateral", "longitudinal = 0.5\nlateral");
   const auto other =
       cases::solve_case(io::parse_wheelset_case(there + "[right_rail]\nprofile = \"wave.slcs\"\n", name()), {});

@@ -107,7 +107,7 @@ TEST(WheelRailBadInput, NumbersOfTheBodiesThatAreNoneAreNamed) {
     }
 }
 
-/// The message for a case file with this line in a section, in the place of what the key had.
+/// The message for a case file with this line in a section, instead of the value of the key.
 std::string message_with(std::string_view section, std::string_view key, const std::string& value) {
   std::string text = wheel_rail_text;
   const auto section_at = text.find("[" + std::string(section) + "]\n");
@@ -164,7 +164,7 @@ TEST(WheelRailBadInput, AWheelBesideItsRailTouchesNothing) {
 }
 
 TEST(WheelRailBadInput, AWheelOnTheEndOfARailSaysSo) {
-  // The rail ends in the midst of the contact, the rest of it where it was.
+  // The rail ends in the middle of the contact, the rest of it where it was.
   WheelRailBodies bodies = pair();
   const Vec3<double> origin = place_rail(bodies.track, bodies.rail).origin;
   bodies.track.rail_origin = ProfilePoint{origin.y, origin.z};
@@ -219,7 +219,7 @@ TEST(WheelRailBadInput, AtRestNothingIsTangential) {
     const auto s = contact.solve(state, 50e3);
     ASSERT_EQ(s.status, Status::ok);
     for (const WheelRailPatch& patch : s.patches) {
-      // Rows on the true surfaces have planes of their own, whose normal forces do not quite add up along the frame's.
+      // Rows on the true surfaces have separate planes, whose normal forces do not quite add up along the frame's.
       EXPECT_NEAR(std::hypot(patch.fx, patch.fs), 0, method.surface() == PatchShape::flat ? 1e-9 : 2e-3 * 50e3);
       EXPECT_NEAR(patch.frictional_power, 0, 1e-9);
       EXPECT_EQ(patch.rolling_speed, 0);

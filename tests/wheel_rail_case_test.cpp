@@ -75,7 +75,7 @@ TEST(WheelRailCase, ReadsStrengthsAndPointsInsideWhereTheyAreGiven) {
 
 TEST(WheelRailCase, ReadsEveryNumberOfTheStateInItsSection) {
   for (const StateQuantity& q : state_quantities()) {
-    if (q.name == "vertical") continue; // in the place of the force
+    if (q.name == "vertical") continue; // instead of the force
     const std::string name(q.name), head = "[" + std::string(q.section) + "]\n";
     std::string text = wheel_rail_text;
     if (const auto given = text.find("\n" + name + " ="); given != std::string::npos)

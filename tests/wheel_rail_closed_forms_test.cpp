@@ -1,4 +1,4 @@
-// Loads and places of ellipsoidal wheels in closed form, under yaw and roll.
+// Loads and contact points of ellipsoidal wheels in closed form, under yaw and roll.
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/railway/wheel_rail.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr CombinedMaterial steel{82e9, 0.28, 0};
 
-/// A crowned right wheel on a rail at y = .2 m, which is plane or a cylinder along the track.
+/// A crowned right wheel on a rail at y = 0.2 m, which is plane or a cylinder along the track.
 WheelRailBodies bodies(double crown, double radius, double rail_curvature) {
   WheelRailBodies all{rail_curvature > 0 ? round_head(1 / rail_curvature)
                                          : profile_of(ProfileRole::rail, -0.06, 0.06, 1201, [](double) { return 0.0; }),
@@ -36,7 +36,7 @@ TEST(WheelRailClosedForms, AYawedSphereTouchesThePlaneWhereItsCentreIs) {
   for (const double yaw : {0.0, 0.3, -0.1}) {
     WheelState<double> state;
     state.yaw = yaw, state.vertical = -0.16e-3;
-    // Rolls along its own plane: no creepage.
+    // Rolls along its plane: no creepage.
     state.pitch_velocity = 1, state.forward_velocity = 0.1 * std::cos(yaw),
     state.lateral_velocity = 0.1 * std::sin(yaw);
     const auto s = contact.solve(state);

@@ -145,7 +145,7 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
     }
 }
 
-/// A sphere of .1 m on a rail that is a cylinder of .1 m along the track, and its state with a contact angle [rad].
+/// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track, and its state with a contact angle [rad].
 WheelRail sphere_on_cylinder(WheelRailLevel level) {
   WheelRailBodies bodies{.rail = round_head(0.1),
                          .wheel = spherical_wheel(0.1, 0.03),

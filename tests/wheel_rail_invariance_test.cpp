@@ -104,7 +104,7 @@ TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
       state.vertical = contact.solve(state, 60e3).vertical;
       const auto a = contact.solve(state), b = contact.solve(moved(state, 0, {0, 3e-3, -2e-3}));
       ASSERT_EQ(b.status, Status::ok);
-      // Places of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps. At the exact level rounding may
+      // Positions of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps. At the exact level rounding may
       // decide whether there is one element more.
       const double tolerance = method.level == WheelRailLevel::exact ? 1e-3 : 1e-9;
       EXPECT_LT(size(b.force - a.force), tolerance * size(a.force));
@@ -183,7 +183,7 @@ TEST(WheelRailInvariance, FrictionTakesWhatCreepagesPutIn) {
       for (const WheelRailPatch& p : s.patches) {
         const double put_in = -p.rolling_speed *
                               (p.creepage.longitudinal * p.fx + p.creepage.lateral * p.fs + p.creepage.spin * p.moment);
-        // Rows on the true surfaces have creepages of their own.
+        // Rows on the true surfaces have different creepages.
         const double share = method.surface() == PatchShape::flat ? 0.03 : 0.06;
         EXPECT_NEAR(p.frictional_power, put_in, share * friction * p.normal_force * 20 * 1e-3);
         EXPECT_GE(p.frictional_power, 0);

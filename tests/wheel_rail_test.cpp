@@ -39,7 +39,7 @@ WheelState<double> running(double lateral, double yaw, double creepage = 0) {
   return s;
 }
 
-/// A sphere of .1 m on a rail that is a cylinder of .1 m along the track.
+/// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track.
 WheelRail sphere_on_cylinder(WheelRailLevel level, int elements = 24) {
   WheelRailBodies bodies{round_head(0.1), spherical_wheel(0.1, 0.03), {}, {}, TrackSide::left, steel, {{0, friction}}};
   bodies.track.rail_origin = ProfilePoint{0.7, 0};
@@ -54,7 +54,7 @@ TEST(WheelRail, HasHertzsForcesOnAnyInclination) {
     WheelRail contact = sphere_on_cylinder(level);
     const double fine = level == WheelRailLevel::exact ? 1 : 8;
     for (const double lateral : {0.0, 0.02, -0.04}) {
-      // Centres .2 m apart: the normal leans by asin(lateral/.2). At rest, so that there is no friction.
+      // Centres 0.2 m apart: the normal leans by asin(lateral/0.2). At rest, so that there is no friction.
       WheelState<double> state;
       state.lateral = lateral;
       const double angle = -std::asin(lateral / 0.2);
@@ -156,7 +156,7 @@ TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
   }
 }
 
-/// On the true surfaces each row has creepages of its own; what the whole wheel puts in is lost all the same.
+/// On the true surfaces creepages differ from row to row; what the whole wheel puts in is lost all the same.
 TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
   WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
@@ -171,7 +171,7 @@ TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
 }
 
 TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
-  // At 4.948 mm two regions touch whose frames are 2 mm and .03 rad apart; at 3 mm one patch stays one.
+  // At 4.948 mm two regions touch whose frames are 2 mm and 0.03 rad apart; at 3 mm one patch stays one.
   WheelRail contact(pair(), {.level = WheelRailLevel::exact});
   for (const double middle : {4.9484e-3, 3e-3}) {
     Vec3<double> before;
@@ -245,7 +245,7 @@ WheelState<double> in_a_curve(double lateral) {
   return s;
 }
 
-/// Half a step of a difference by a number with this unit: as the derivatives' own but for yaw.
+/// Half a step of a difference by a number with this unit: as that of the derivatives except for yaw.
 double half_step(const StateQuantity& q) {
   if (q.name == "deflection_longitudinal") return 1e-6;
   if (q.name == "yaw" || q.name == "deflection_yaw") return 2e-7;
@@ -300,7 +300,7 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
           const double errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
           off += size(d.force[k] - wanted.force) > 1e-4 * size(wanted.force) + errors ||
                  size(d.moment[k] - wanted.moment) > 1e-4 * size(wanted.moment) + errors;
-          // A roll's is a sum over arms of .75 m, along which differences over 1e-10 m err by some 5e-7.
+          // A roll's is a sum over arms of 0.75 m, along which differences over 1e-10 m err by some 5e-7.
           EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 4e-7);
         }
         EXPECT_LE(off, 1) << y; // forces have kinks, where a row comes into contact or a cell begins to slide
@@ -417,7 +417,7 @@ TEST(WheelRail, StandsAndRollsBackward) {
   const auto s = contact.solve(still, 10e3);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_NEAR(s.force.x, 0, 1e-9);
-  // Backward with the opposite turning: the same creepages along the track, forces the other way round.
+  // Backward with the opposite turning: the same creepages along the track, forces reversed.
   WheelState<double> back = running(0, 0, 1e-3);
   back.forward_velocity *= -1, back.pitch_velocity *= -1;
   const auto b = contact.solve(back, 10e3), f = contact.solve(running(0, 0, 1e-3), 10e3);

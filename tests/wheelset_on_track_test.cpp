@@ -27,7 +27,7 @@ WheelRailBodies pair() {
   return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, TrackSide::left, steel, {{0, 0.3}}};
 }
 
-/// Cones on round heads of .3 m whose tops are .75 m from the track's centre.
+/// Cones on round heads of 0.3 m whose tops are 0.75 m from the track's centre.
 WheelRailBodies cones(double conicity, double friction = 0.3) {
   const Profile cone(ProfileRole::wheel, std::vector<ProfilePoint>{{-0.06, -0.06 * conicity}, {0.06, 0.06 * conicity}});
   WheelRailBodies bodies{round_head(0.3, 0.06), cone, {}, {}, TrackSide::left, steel, {{0, friction}}};
@@ -81,7 +81,7 @@ TEST(WheelsetOnTrack, BalancesTheForcesThatItIsGiven) {
     const double cy = std::cos(state.left.yaw), sy = std::sin(state.left.yaw), cr = std::cos(s.roll),
                  sr = std::sin(s.roll);
     EXPECT_NEAR(-sy * s.moment.x + cy * cr * s.moment.y + cy * sr * s.moment.z, -torque, 1e-9 * load);
-    // Summed over patches: each force in its place.
+    // Summed over patches: each force at its point.
     double force_z = 0, moment_x = 0;
     for (const WheelRailSolution* wheel : {&s.left, &s.right})
       for (const WheelRailPatch& p : wheel->patches) {
@@ -134,7 +134,7 @@ TEST(WheelsetOnTrack, IsTheSameInAMirror) {
 }
 
 TEST(WheelsetOnTrack, IsTheRigidOneAsLoadsGoToZero) {
-  // Contacts give way as the 2/3rd power of the load.
+  // Contacts yield as the 2/3rd power of the load.
   WheelsetOnTrack wheelset(cones(0.05, 0), accurate);
   WheelRailBodies bodies = cones(0.05);
   WheelsetSearch rigid(bodies.track, bodies.wheelset, {bodies.rail, bodies.wheel}, {bodies.rail, bodies.wheel});

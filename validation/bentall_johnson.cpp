@@ -25,13 +25,13 @@ struct Case {
   int adhesion;
 };
 constexpr std::array cases = {
-    Case{"mu = .0001, free rolling", 1e-4, 0, 5.260e-4, 103.1, 1},
+    Case{"mu = 0.0001, free rolling", 1e-4, 0, 5.260e-4, 103.1, 1},
     Case{"mu = 10, free rolling", 10, 0, 3.591e-4, 103.8, 200},
-    Case{"mu = .05, free rolling", 0.05, 0, 4.294e-4, 103.6, 125},
-    Case{"mu = .05, Fx = .75 mu Fn", 0.05, 0.75, 2.108e-4, 103.2, 36},
-    Case{"mu = .05, Fx = -.75 mu Fn", 0.05, -0.75, 5.392e-4, 103.3, 106},
+    Case{"mu = 0.05, free rolling", 0.05, 0, 4.294e-4, 103.6, 125},
+    Case{"mu = 0.05, Fx = 0.75 mu Fn", 0.05, 0.75, 2.108e-4, 103.2, 36},
+    Case{"mu = 0.05, Fx = -0.75 mu Fn", 0.05, -0.75, 5.392e-4, 103.3, 106},
 };
-/// Free rolling with very little friction: .457 kappa a/R, kappa = 2 K/(1 - nu) (Bentall and Johnson 1967).
+/// Free rolling with very little friction: 0.457 kappa a/R, kappa = 2 K/(1 - nu) (Bentall and Johnson 1967).
 constexpr double free_rolling = 5.259e-4;
 
 ContactStep rolling(const ElementGrid& grid, const Case& c) {
@@ -89,7 +89,7 @@ bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
   report.line(fmt::format("products in all: {} with one Newton system, {} in turn", newton, alternating));
   if (options.progress && !options.progress(0.3)) return false;
 
-  report.heading("Plane strain, free rolling with mu = .0001: elements across, creepage");
+  report.heading("Plane strain, free rolling with mu = 0.0001: elements across, creepage");
   constexpr std::array grids = {50, 100, 200, 400};
   std::array<double, grids.size()> creepage{};
   for (std::size_t g = 0; g < grids.size(); ++g) {

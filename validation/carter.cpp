@@ -75,7 +75,7 @@ void report_second_order(Report& report) {
 bool run_carter(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report.line(
-      fmt::format("a = 1 mm, R = 500 mm, mu = .3, xi = -.00024: Fx = {:.2f} mu Fn, adhesion half-width {:.1f} a",
+      fmt::format("a = 1 mm, R = 500 mm, mu = 0.3, xi = -0.00024: Fx = {:.2f} mu Fn, adhesion half-width {:.1f} a",
                   exact_force, adhesion_share));
   report.heading("Elements across, Fx, its error, ratio, adhesion half-width");
   std::array<double, grids.size()> error{}, force{};
@@ -98,7 +98,7 @@ bool run_carter(const StudyOptions& options, std::ostream& out) {
   report.figure("mean order", fmt::format("{:.3f}", order), "1", std::abs(order - 1) <= 0.1);
   report.figure("Fx extrapolated from the last two", fmt::format("{:.6f}", extrapolated),
                 fmt::format("{:.2f}", exact_force), std::abs(extrapolated - exact_force) <= 1e-4);
-  report.figure("adhesion half-width, on all grids", adhesion_fits ? "fits" : "does not fit", ".6 a +- dx",
+  report.figure("adhesion half-width, on all grids", adhesion_fits ? "fits" : "does not fit", "0.6 a +- dx",
                 adhesion_fits);
   report.figure("rolling along -x: largest difference of Fx", fmt::format("{:.1e}", worst_mirror), "<= 1e-8",
                 worst_mirror <= 1e-8);
@@ -108,8 +108,8 @@ bool run_carter(const StudyOptions& options, std::ostream& out) {
   // The leading element's outer edge lies dx/4 beyond the true one there, which makes the error larger.
   const ElementGrid as_contact{55, 1, -1.05e-3, 0, 0.04e-3, 0.2, true};
   const Outcome same = roll(as_contact, RollingDirection::forward);
-  report.heading("On the grid of CONTACT's example: 50 elements of .04 mm, shifted by .01 mm; computed, CONTACT");
-  report.figure("Fx", fmt::format("{:.4f}", same.force), ".6480", std::abs(same.force - 0.6480) <= 2e-4);
+  report.heading("On the grid of CONTACT's example: 50 elements of 0.04 mm, shifted by 0.01 mm; computed, CONTACT");
+  report.figure("Fx", fmt::format("{:.4f}", same.force), "0.6480", std::abs(same.force - 0.6480) <= 2e-4);
   report.figure("elements in adhesion", std::to_string(same.adhering), "30", same.adhering == 30);
   report.figure("elements in slip", std::to_string(same.sliding), "20", same.sliding == 20);
   return report.all_met();

@@ -110,7 +110,7 @@ void report_first_grid(Report& report, const Outcome& o) {
   report.figure("elements in contact", std::to_string(contact), "177", contact == 177);
   report.figure("elements in adhesion", std::to_string(adhering), "45", adhering == 45);
   report.figure("peak pressure [N/mm2]", fmt::format("{:.4f}", peak), "4.393", std::abs(peak - 4.393) <= 5e-4);
-  report.figure("approach [mm]", fmt::format("{:.5f}", o.normal.approach * 1e3), ".01998",
+  report.figure("approach [mm]", fmt::format("{:.5f}", o.normal.approach * 1e3), "0.01998",
                 std::abs(o.normal.approach * 1e3 - 0.01998) <= 5e-6);
   report.figure("shift [mm]", fmt::format("{:.4e}", shift_mm), "8.155e-3", std::abs(shift_mm - 8.155e-3) <= 5e-7);
   const double work = o.shifted.frictional_power;
@@ -132,9 +132,9 @@ void report_closed_form(Report& report, const std::array<Outcome, grids.size()>&
   report.figure("approach [mm], closed form", fmt::format("{:.6f}", fine.normal.approach * 1e3),
                 fmt::format("{:.6f}", hertz.approach * 1e3),
                 std::abs(fine.normal.approach / hertz.approach - 1) <= 1e-4);
-  report.figure("adhesion radius over a, nu = 0, closed form", fmt::format("{:.4f}", isotropic.adhesion), ".5",
+  report.figure("adhesion radius over a, nu = 0, closed form", fmt::format("{:.4f}", isotropic.adhesion), "0.5",
                 std::abs(isotropic.adhesion - 0.5) <= 0.002);
-  report.remark("the same, nu = .42", fmt::format("{:.4f}", fine.adhesion), ".5", "the closed form is not exact");
+  report.remark("the same, nu = 0.42", fmt::format("{:.4f}", fine.adhesion), "0.5", "the closed form is not exact");
 }
 
 double shift_limit(const Outcome& coarse, const Outcome& fine) {
@@ -147,10 +147,10 @@ void report_shift(Report& report, double computed, double isotropic, double in_s
   const double without = mindlin_shift(0), with = mindlin_shift(poisson_ratio);
   report.figure("nu = 0, where the closed form is exact", millimetres(isotropic), millimetres(without),
                 std::abs(isotropic / without - 1) <= 2e-4);
-  report.remark("nu = .42", millimetres(computed), millimetres(with),
+  report.remark("nu = 0.42", millimetres(computed), millimetres(with),
                 fmt::format("{:+.2f} %, not exact there", 100 * (computed / with - 1)));
   const ClosedFormCheck check = check_closed_form(grids.back());
-  report.line("Cattaneo's tractions, applied as they are with nu = .42:");
+  report.line("Cattaneo's tractions, applied as they are with nu = 0.42:");
   report.figure("  shift in their adhesion area", millimetres(check.shift), millimetres(with),
                 std::abs(check.shift / with - 1) <= 1e-3);
   report.figure("  largest deviation from it there, relative", fmt::format("{:.1e}", check.spread), "0",

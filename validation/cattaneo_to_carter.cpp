@@ -117,7 +117,8 @@ bool run_cattaneo_to_carter(const StudyOptions& options, std::ostream& out) {
   HertzianSolve contact(material, grid, gap, normal_force);
   const double energy = normal_energy(contact);
   Report report(out, options.figures);
-  report.line("a = 3.5 mm, Fx = -.657 mu Fn, G = 1 N/mm2, nu = .28, mu = .4013; dq = dx = .25 mm, 28 elements across");
+  report.line(
+      "a = 3.5 mm, Fx = -0.657 mu Fn, G = 1 N/mm2, nu = 0.28, mu = 0.4013; dq = dx = 0.25 mm, 28 elements across");
 
   TangentialSolution s = contact.solve(friction, input_of(ContactMotion::shift));
   report_case(report, 1, s, energy, {1.774e-2, 1.470e-5, 1.261e-7, 305, 316});

@@ -78,7 +78,7 @@ struct Row {
   double amplitude, conicity, narrow_high, narrow_low, wide_high, wide_low;
 };
 
-/// CPU time [us] of a search on one side, and how many places it finds, over 401 lateral displacements and three yaw
+/// CPU time [us] of a search on one side, and how many points it finds, over 401 lateral displacements and three yaw
 /// angles.
 void report_search(Report& report, const Profile& rail, const Profile& wheel, const Track& track) {
   ContactSearch search(rail, wheel);
@@ -96,7 +96,7 @@ void report_search(Report& report, const Profile& rail, const Profile& wheel, co
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   report.remark("contact search, CPU time of a state [us]",
                 fmt::format("{:.1f}", 1e6 * seconds / static_cast<double>(states)), "-",
-                fmt::format("{:.2f} places within 0.3 mm", static_cast<double>(places) / static_cast<double>(states)));
+                fmt::format("{:.2f} points within 0.3 mm", static_cast<double>(places) / static_cast<double>(states)));
 }
 
 std::vector<Row> rows(char wheel) {

@@ -38,7 +38,7 @@ constexpr const char* input_files[] = {"bentall",          "carter2d",    "catt_
 /// What CONTACT printed for a case, by the names of the columns.
 using Printed = std::map<std::string, PrintedNumber>;
 
-/// Columns by the names that CONTACT's own output has.
+/// Columns by the names that CONTACT's output has.
 constexpr std::pair<const char*, const char*> columns[] = {{"fn", "FN"},
                                                            {"fx", "FX"},
                                                            {"fy_or_fs", "FY"},
@@ -340,7 +340,7 @@ bool run_contact_cases(const StudyOptions& options, std::ostream& out) {
     return true;
   }
   const auto printed = read_printed();
-  report.line("Classical elements, CONTACT's grids; differences over the value, or over .4 of the friction limit");
+  report.line("Classical elements, CONTACT's grids; differences over the value, or over 0.4 of the friction limit");
   std::vector<SteadyCase> rolling;
   double done = 0;
   for (const char* name : input_files) {

@@ -20,7 +20,7 @@ std::optional<PrintedNumber> printed_number(const std::string& text);
 /// Numbers by the names that stand above them.
 using PrintedNumbers = std::map<std::string, PrintedNumber>;
 
-/// What CONTACT's output file has of a case.
+/// Contents of CONTACT's output file for a case.
 struct PrintedCase {
   PrintedNumbers totals; ///< of module 3, or of all of a wheel's patches
   std::vector<PrintedNumbers> patches;

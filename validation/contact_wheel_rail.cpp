@@ -65,7 +65,7 @@ struct Excuse {
   const char* reason;
 };
 constexpr Excuse excuses[] = {
-    {"mbench_a22_kpec", 1, "KPEC's pressure jumps with the height: CONTACT ends with FZ = 9982 N in place of 10000 N"}};
+    {"mbench_a22_kpec", 1, "KPEC's pressure jumps with the height: CONTACT ends with FZ = 9982 N instead of 10000 N"}};
 
 std::vector<OwnNumber> totals_of(const contact_program::WheelOutcome& w) {
   const auto& track = w.track.force;

@@ -4,7 +4,7 @@
 
 namespace microslip::validation {
 
-/// Runs CONTACT's own input files of module 1, and puts every quantity that CONTACT printed beside ours. What is not
+/// Runs CONTACT's input files of module 1, and puts every quantity that CONTACT printed beside ours. What is not
 /// supported is named and not judged. Needs the folders of published results; without them it says so.
 bool run_contact_wheel_rail(const StudyOptions& options, std::ostream& out);
 

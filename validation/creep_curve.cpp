@@ -63,13 +63,13 @@ Curve forces(HertzianSolve& contact) {
 bool run_creep_curve(const StudyOptions& options, std::ostream& out) {
   const HertzContact hertz = ellipse();
   Report report(out, options.figures);
-  report.line(fmt::format("a = {:.4f} mm, b = {:.4f} mm, mu = .33; -Fx/(mu Fn)", hertz.a * 1e3, hertz.b * 1e3));
+  report.line(fmt::format("a = {:.4f} mm, b = {:.4f} mm, mu = 0.33; -Fx/(mu Fn)", hertz.a * 1e3, hertz.b * 1e3));
   HertzianSolve coarse = contact_on(hertz, 1), fine = contact_on(hertz, 2);
   const int elements = coarse.normal().contact_elements;
   report.figure("elements in contact", std::to_string(elements), "1384", elements == 1384);
   const double peak = coarse.normal().peak_pressure * 1e-6, approach = coarse.normal().approach * 1e3;
   report.figure("peak pressure [N/mm2]", fmt::format("{:.2f}", peak), "640.7", std::abs(peak - 640.7) <= 0.1);
-  report.figure("approach [mm]", fmt::format("{:.5f}", approach), ".07651", std::abs(approach - 0.07651) <= 1e-5);
+  report.figure("approach [mm]", fmt::format("{:.5f}", approach), "0.07651", std::abs(approach - 0.07651) <= 1e-5);
   const Curve f = forces(coarse);
   if (options.progress && !options.progress(0.15)) return false;
   const Curve f2 = forces(fine);

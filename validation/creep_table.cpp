@@ -81,7 +81,7 @@ RelativeForces limit_of(const RelativeForces& from, const RelativeForces& to) {
           limit_of_second_order(from.mz, to.mz)};
 }
 
-/// By exact theory, and the limit from these elements and half of them; where the two differ by more than .002, from
+/// By exact theory, and the limit from these elements and half of them; where the two differ by more than 0.002, from
 /// these elements and twice as many, as at the nodes of a table.
 struct Exact {
   Results finest, limit;
@@ -169,7 +169,7 @@ bool compare(Report& report, std::string_view heading, const Contacts& contacts,
   return true;
 }
 
-/// A line through the creepages: the contact at a place from -1 to 1.
+/// A line through the creepages: the contact at a position from -1 to 1.
 EllipticContact on_line(const EllipticContact& from, const EllipticContact& to, double place) {
   EllipticContact contact = from;
   contact.creepage.longitudinal += place * to.creepage.longitudinal;
@@ -310,9 +310,9 @@ bool run_creep_table(const StudyOptions& options, std::ostream& out) {
     Goal goal;
   };
   const Set sets[] = {
-      {"a/b from .1 to 10, nu = .28", random_contacts(2500, 0.1, 10, true), {0.0004, 0.0006, 0.006}},
-      {"a/b from .05 to 20, nu = .28", random_contacts(2500, 0.05, 20, true), {0.0004, 0.0006, 0.02}},
-      {"a/b from .05 to 20, nu from 0 to .5", random_contacts(1000, 0.05, 20, false), {0.0004, 0.0006, 0.02}},
+      {"a/b from 0.1 to 10, nu = 0.28", random_contacts(2500, 0.1, 10, true), {0.0004, 0.0006, 0.006}},
+      {"a/b from 0.05 to 20, nu = 0.28", random_contacts(2500, 0.05, 20, true), {0.0004, 0.0006, 0.02}},
+      {"a/b from 0.05 to 20, nu from 0 to 0.5", random_contacts(1000, 0.05, 20, false), {0.0004, 0.0006, 0.02}},
       {"the 3,220 cases", test_set_contacts(), {0.0004, 0.0006, 0.006}}};
   double begin = 0;
   for (const Set& set : sets) {

@@ -170,7 +170,7 @@ private:
   PatchRolling rolling_;
 };
 
-/// Random creepages as of the table's own study: the direction and t, from no slip to nearly full sliding, uniform.
+/// Random creepages as of the study of the table: the direction and t, from no slip to nearly full sliding, uniform.
 Creepage random_creepage(const Patch& patch, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::normal_distribution<double> normal;
@@ -183,7 +183,7 @@ Creepage random_creepage(const Patch& patch, std::mt19937_64& random) {
   return {x * r / (g * linear.x), y * r / (g * linear.y), z * r / (g * linear.z * patch.c())};
 }
 
-/// Sums of squares and extremes of the errors of one way to find forces.
+/// Sums of squares and extremes of the errors of one method for the forces.
 struct Errors {
   const char* name;
   Forces squares = {}, worst = {};
@@ -272,7 +272,7 @@ void Comparison::print(Report& report, const std::string& heading) const {
   if (unsolved > 0) report.line(fmt::format("  {} creepages were not solved", unsolved));
 }
 
-/// States of a right wheel: place, yaw, load.
+/// States of a right wheel: position, yaw, load.
 struct State {
   double lateral, yaw, load;
 };

@@ -212,8 +212,7 @@ bool run_edge_constants(const StudyOptions& options, std::ostream& out) {
   report.heading("Computed, expected");
   report.line(fmt::format("beta(1) = {:.15f}", fine.full_width_inset()));
   const double identity = std::abs(fine.distance(1) - 1 - fine.full_width_inset());
-  report.figure("beta(1) as of any omega, and by its own integral", scientific(identity), "<= 1e-13",
-                identity <= 1e-13);
+  report.figure("beta(1) as of any omega, and by its integral", scientific(identity), "<= 1e-13", identity <= 1e-13);
   report.figure("estimated error of the quadratures", scientific(quadrature), "<= 1e-12", quadrature <= 1e-12);
   report.figure("largest difference to finite systems", scientific(finite), "<= 1e-9", finite <= 1e-9);
   const double polynomial = error_of_polynomial(fine);

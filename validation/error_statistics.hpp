@@ -9,7 +9,7 @@ struct ErrorStatistics {
   double p80, p95, rms, largest; ///< 80 % and 95 % of the errors are at most this large; root mean square; the largest
 };
 
-/// Of errors >= 0; sorts them.
+/// Statistics of errors >= 0; sorts them.
 ErrorStatistics statistics(std::vector<double>& errors);
 
 } // namespace microslip::validation

@@ -16,13 +16,13 @@ struct ExactCase {
   long products = 0;
 };
 
-/// Where the solver begins.
+/// Start of the solver.
 enum class Start {
   fastsim2,     ///< from FASTSIM2's tractions, as EllipticContactSolver does
   no_tractions, ///< from nothing
 };
 
-/// How contacts are solved.
+/// Method for the contacts.
 struct ExactMethod {
   int n; ///< elements across the ellipse in each direction
   Discretisation discretisation = Discretisation::classical;

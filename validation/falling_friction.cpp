@@ -48,7 +48,7 @@ void report_branch(Report& report, const char* name, const ContactStepSolution& 
 }
 
 void report_cylinder(Report& report) {
-  report.heading("A wheel of 460 mm on a plane, 92 x 1 elements, mu = .18 + .12 2^(-s/(.1 m/s)): computed, CONTACT");
+  report.heading("A wheel of 460 mm on a plane, 92 x 1 elements, mu = 0.18 + 0.12 2^(-s/(0.1 m/s)): computed, CONTACT");
   ContactSequence sequence;
   ContactStep step = cylinder();
   report_branch(report, "steady", sequence.solve(step), 0.5941, 45);
@@ -88,7 +88,7 @@ HertzContact ellipse() {
 
 bool report_layer(Report& report, const Progress& progress) {
   report.heading(
-      "A locomotive's wheel by exact theory, 48 x 44 elements, with a layer of G/h = 6.56 N/mm3 and mu = .14 + .19 "
+      "A locomotive's wheel by exact theory, 48 x 44 elements, with a layer of G/h = 6.56 N/mm3 and mu = 0.14 + 0.19 "
       "2^(-s/(1.25 m/s)): computed, CONTACT");
   const HertzContact hertz = ellipse();
   ContactStep step;
@@ -122,9 +122,9 @@ constexpr std::array modified = {Point{0.001, .2721}, Point{0.002, .4388}, Point
                                  Point{0.010, .7979}, Point{0.022, .8451}, Point{0.05, .7999},  Point{0.25, .4877}};
 
 void report_modified_fastsim(Report& report) {
-  report.heading(
-      "The same by modified FASTSIM: k0 = .54, alpha = .02, beta = .62, mu = .1368 + .2232 2^(-s/(.99 m/s)), 40 x 40 "
-      "cells: computed, CONTACT");
+  report.heading("The same by modified FASTSIM: k0 = 0.54, alpha = 0.02, beta = 0.62, mu = 0.1368 + 0.2232 2^(-s/(0.99 "
+                 "m/s)), 40 x 40 "
+                 "cells: computed, CONTACT");
   const HertzContact hertz = ellipse();
   Fastsim solver({.mx = 40,
                   .my = 40,

@@ -196,7 +196,7 @@ bool run_fastsim2_table1(const StudyOptions& options, std::ostream& out) {
   report.line(fmt::format("{} cases; errors over mu Fn of FASTSIM2 on {} x {} cells", contacts.size(), cells, cells));
   report.figure("cases of exact theory that do not converge", std::to_string(exact.failures), "0", exact.failures == 0);
   report.heading(fmt::format("Against exact theory, extrapolated from {} and {} elements across: computed, published "
-                             "(met within .003)",
+                             "(met within 0.003)",
                              coarse, fine));
   for (std::size_t k = 0; k < variants.size(); ++k)
     if (variants[k].published.fx.rms > 0) report_published(report, variants[k], errors[k]);

@@ -91,7 +91,7 @@ HalfLine::HalfLine(double spacing) {
 }
 
 /// Displacement at y, 0 at all centres and at y = 1/2: that of p ~ n^(1/2) with the linear function that it lacks. The
-/// element n = 0 is apart, for its own displacement is no such integral.
+/// element n = 0 is apart, for its displacement by itself is no such integral.
 double HalfLine::growing(double y) const {
   const double up = y + 0.5;
   double sum = first_ * (regular(up) - regular_centre - up * (regular(1) - regular_centre));

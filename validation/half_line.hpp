@@ -9,9 +9,9 @@ namespace microslip::validation {
 ///
 /// Regular elements n = 0, 1, ... of width 1 have the centres -(n + 1/2) and constant tractions p_n; the leading
 /// element covers 0 < x < omega. The displacement, for the kernel -ln|x|/pi, is the same at all centres and at omega +
-/// 1/2. Far away p ~ (d - x)^(1/2) (1 + 0/x + ...): d is the place of the edge, and beta = d - omega.
+/// 1/2. Far away p ~ (d - x)^(1/2) (1 + 0/x + ...): d is the position of the edge, and beta = d - omega.
 ///
-/// The displacements of regular elements at their own centres have the symbol K = M/(2 |sin(theta/2)|), K(z) = K+(z)
+/// The displacements of regular elements at their centres have the symbol K = M/(2 |sin(theta/2)|), K(z) = K+(z)
 /// K+(1/z). With G = (1 - z)^(-1/2)/K+ the sequences p_n with generating functions G (1 - z)^(-1/2) and G (1 -
 /// z)^(-3/2) are the homogeneous solutions that grow like n^(-1/2) and n^(1/2); kappa = -G'(1)/G(1) sets their far
 /// fields. Displacements ahead of the half-line are integrals over s > 0 of generating functions at z = exp(-s).
@@ -26,7 +26,7 @@ public:
   double full_width_inset() const { return 0.25 + kappa_; }
   /// d(omega) = omega + beta(omega), omega > 0.
   double distance(double omega) const;
-  /// The same where the displacement is that of the centres at these two points in place of omega/2 and omega + 1/2.
+  /// The same where the displacement is that of the centres at these two points instead of omega/2 and omega + 1/2.
   double distance(double omega, const std::array<double, 2>& points) const;
 
 private:

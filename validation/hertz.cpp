@@ -82,7 +82,7 @@ bool report_products(Report& report, const Progress& progress) {
   constexpr std::array sizes = {12, 17, 24, 33, 48, 67, 95, 131, 137, 201, 401};
   constexpr std::array ratios = {0.1, 0.2, 0.33, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0};
   constexpr long wanted = 40;
-  report.heading("products with the matrix and its near inverse, ellipses of a/b = .1 to 10, load or approach given");
+  report.heading("products with the matrix and its near inverse, ellipses of a/b = 0.1 to 10, load or approach given");
   long most = 0;
   int done = 0;
   for (const int n : sizes) {

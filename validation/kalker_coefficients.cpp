@@ -226,7 +226,7 @@ bool write_table(Report& report, const StudyOptions& options, const Progress& pr
   io::OutputFile file(options.output / "computed_coefficients.inc");
   file.write(text + "// the comment.\n" + rows);
   file.commit();
-  report.heading(fmt::format("The computed table: {} ratios a/b from .05 to 20, {} values of nu; series of degree {}",
+  report.heading(fmt::format("The computed table: {} ratios a/b from 0.05 to 20, {} values of nu; series of degree {}",
                              ratios, materials, degree));
   report.figure(fmt::format("largest relative difference to degree {}", lower_degree), fmt::format("{:.1e}", error),
                 "<= 1e-5", error <= 1e-5);

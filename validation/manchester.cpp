@@ -49,7 +49,7 @@ std::vector<State> read_states(const std::filesystem::path& file) {
   for (std::string line; std::getline(in, line);) {
     if (line.find("S, Y, FZ, ROLL, YAW, PITCH") != std::string::npos) {
       const auto v = numbers(line);
-      if (v.size() < 6) throw Error(file.string() + ": a line of a wheelset's place has not six numbers");
+      if (v.size() < 6) throw Error(file.string() + ": a line of a wheelset's position does not have six numbers");
       State s;
       s.state.lateral = -1e-3 * v[1], s.force = v[2], s.state.roll = v[3], s.state.yaw = -v[4];
       states.push_back(s);
@@ -140,7 +140,7 @@ Compared compare(WheelRail& contact, TrackSide side, int number, const State& st
 struct Compliance {
   const char* title;
   WheelRailMethod method;
-  /// Cases within the tolerances that are wanted of it: height, place, inclination, creepages, forces, pressure; 0
+  /// Cases within the tolerances that are wanted of it: height, position, inclination, creepages, forces, pressure; 0
   /// where CONTACT's planes are no measure.
   std::array<std::size_t, 6> wanted;
   double pressure_tolerance;
@@ -163,8 +163,8 @@ Profile cut(const Profile& rail, double y, bool beyond) {
   return Profile(ProfileRole::rail, points);
 }
 
-/// Patches that do not act upon each other, as those that CONTACT keeps apart: each on its own part of the rail, both
-/// parts below the same wheel, whose height is sought.
+/// Patches that do not act upon each other, as those that CONTACT keeps apart: each on a separate part of the rail,
+/// both parts below the same wheel, whose height is sought.
 std::vector<WheelRailPatch> independent_patches(WheelRailBodies bodies, const WheelRailMethod& method,
                                                 const State& state, double between) {
   const Profile whole = bodies.rail;
@@ -197,8 +197,9 @@ std::vector<WheelRailPatch> independent_patches(WheelRailBodies bodies, const Wh
 }
 
 /// A state with two patches that CONTACT keeps apart, its third one of these: 5 mm to the right, with friction that
-/// falls from .3 where the rail is inclined by 10 degrees to .2 at 20 degrees. CONTACT turns the planes of near patches
-/// towards each other, and its coefficients with them: .258 and .232, where those of the surfaces are .3 and .228.
+/// falls from 0.3 where the rail is inclined by 10 degrees to 0.2 at 20 degrees. CONTACT turns the planes of near
+/// patches towards each other, and its coefficients with them: 0.258 and 0.232, where those of the surfaces are 0.3 and
+/// 0.228.
 void report_two_patches(Report& report, const Profile& rail, const Profile& wheel) {
   const auto states = read_states(cases_folder / "mbench_a22_varfric.inp");
   constexpr std::size_t number = 3;
@@ -253,11 +254,11 @@ void count(Report& report, const char* name, const std::vector<Compared>& cases,
 void print(Report& report, const Compliance& one) {
   report.heading(one.title);
   const auto& [height, place, angle, creepage, force, pressure] = one.wanted;
-  // On fine elements one of the exact level's heights is .00030 mm from CONTACT's.
+  // On fine elements one of the exact level's heights is 0.00030 mm from CONTACT's.
   count(
       report, "height [mm]", one.cases, [](const Compared& c) { return c.height; }, 3e-4, height);
   count(
-      report, "place on the rail [mm]", one.cases, [](const Compared& c) { return c.place; }, 0.005, place);
+      report, "position on the rail [mm]", one.cases, [](const Compared& c) { return c.place; }, 0.005, place);
   count(
       report, "inclination [rad]", one.cases, [](const Compared& c) { return c.angle; }, 2e-4, angle);
   count(

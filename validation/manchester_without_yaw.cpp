@@ -19,7 +19,7 @@ constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double vertical_force = 10e3;
 
 /// Rigid contact of S1002 on UIC 60 with the roll angle in equilibrium, computed independently (numpy) in CONTACT's
-/// axes, in mm and rad: displacement and yaw to the right, and for each wheel the place on the rail, the radius, the
+/// axes, in mm and rad: displacement and yaw to the right, and for each wheel the position on the rail, the radius, the
 /// inclination.
 struct Known {
   double y, yaw, roll, height;
@@ -65,14 +65,14 @@ void report_places(Report& report, const Profile& rail, WheelsetSearch& search) 
     side(c.left, k.left, -1);
     side(c.right, k.right, 1);
   }
-  report.heading("A-1, and three states with yaw: rigid contact of both wheels, largest differences from known places");
+  report.heading("A-1, and three states with yaw: rigid contact of both wheels, largest differences from known points");
   const auto figure = [&](const char* name, const Largest& largest, double trusted) {
     report.figure(name, fmt::format("{:.1e} at {:g} mm", largest.difference, largest.at),
                   fmt::format("<= {:g}", trusted), largest.difference <= trusted);
   };
   figure("height of the wheelset [mm]", height, 1.5e-4);
   figure("roll angle [rad]", roll, 1e-6);
-  figure("place on the rail [mm]", place, 1.5e-3);
+  figure("position on the rail [mm]", place, 1.5e-3);
   figure("rolling radius [mm]", radius, 2e-4);
   figure("inclination [rad]", angle, 1e-4);
 }

@@ -125,7 +125,7 @@ template <ContactMotion motion> Result plain(Draw& draw, const Progress& progres
   return solve(draw, draw_contact(draw), motion, progress);
 }
 
-/// The forces of a problem with creepages, less some of them, given in its place.
+/// The forces of a problem with creepages, less some of them, prescribed instead.
 Result forces_given(Draw& draw, const Progress& progress) {
   Contact c = draw_contact(draw);
   c.step.motion.progress = progress;

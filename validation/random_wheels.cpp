@@ -34,7 +34,7 @@ double thread_time() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// One pair of profiles, a level, a coefficient of friction and a side, with states of their own.
+/// One pair of profiles, a level, a coefficient of friction and a side, with separate states.
 struct Group {
   std::size_t pair, level;
   double friction;

@@ -15,11 +15,11 @@ struct LoadedState {
   double force = 0; ///< [N]
 };
 
-/// Of a wheel that runs forwards or backwards at 20 m/s: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, creepages to 2 %,
+/// State of a wheel forwards or backwards at 20 m/s: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, creepages to 2 %,
 /// 1 to 200 kN. The same with every standard library.
 LoadedState random_state(std::uint64_t seed);
 
-/// How status and numbers of a solution for a vertical force [N] contradict each other, or nothing.
+/// Contradiction between status and numbers of a solution for a vertical force [N], or nothing.
 std::string contradiction(const WheelRailSolution& solution, double force);
 
 /// The study `random-wheels`: 100,000 random states of wheels on new, hollow, worn and measured profiles at all levels

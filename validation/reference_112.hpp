@@ -17,7 +17,7 @@ struct Reference112 {
 /// there. Throws Error for a line that cannot be read, and unless the creepages are those of our test set.
 std::vector<Reference112> read_reference_112();
 
-/// What a study says that has no file to read.
+/// Text of a study that has no file to read.
 inline constexpr const char* reference_112_skipped =
     "SKIPPED: the file exact_theory_112.csv is not in the folder MICROSLIP_REFERENCE_DATA of the build";
 

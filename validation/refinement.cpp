@@ -22,7 +22,7 @@ namespace {
 constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 constexpr double a = 5e-3, b = 25e-3, normal_force = 1.3e-6 * steel.shear_modulus, friction = 0.3;
 constexpr double creepage = 0.000857;
-constexpr double scaled_per_creepage = 0.7 / creepage; ///< the paper's scaled creepage V_p of this one is .7
+constexpr double scaled_per_creepage = 0.7 / creepage; ///< the paper's scaled creepage V_p of this one is 0.7
 constexpr int margin = 3;
 
 using Edge = std::optional<LeadingEdge>;
@@ -91,7 +91,7 @@ bool measure_times(Report& report, Times& times, const Progress& progress) {
   }
   const Values& f = times.force;
   times.limit = limit(f[2], table_grids[2], f[3], table_grids[3]);
-  report.figure("-Fx/(mu Fn) on the first grid", fmt::format("{:.4f}", f[0]), ".71 to .725",
+  report.figure("-Fx/(mu Fn) on the first grid", fmt::format("{:.4f}", f[0]), "0.71 to 0.725",
                 f[0] >= 0.71 && f[0] <= 0.725);
   const double ratio = (f[0] - f[1]) / (f[1] - f[2]);
   report.figure("change from 51 to 101 over that from 101 to 201", fmt::format("{:.2f}", ratio), "2, order 1",
@@ -128,7 +128,7 @@ bool find_curve(Report& report, Curve& curve, const Progress& progress) {
   }
   const double printed = force_of(roll(contact, 10 * creepage, 1, {}));
   report.heading("Figure 1: creep curve on 51 elements across");
-  report.figure("-Fx/(mu Fn) at the printed creepage .00857", fmt::format("{:.4f}", printed), "1: misprint",
+  report.figure("-Fx/(mu Fn) at the printed creepage 0.00857", fmt::format("{:.4f}", printed), "1: misprint",
                 printed > 0.9999);
   return true;
 }
@@ -162,7 +162,7 @@ double spread(const std::array<double, steps.size()>& row, std::size_t first) {
 void report_steps(Report& report, const StepTable& plain, const StepTable& corrected, double exact) {
   for (const StepTable* table : {&plain, &corrected}) {
     report.heading(table == &plain ? "Figure 2: -Fx/(mu Fn) over dq/dx, without the leading edge's correction"
-                                   : "Figure 6: the same with it, theta = .5");
+                                   : "Figure 6: the same with it, theta = 0.5");
     std::string head = "across";
     for (const double step : steps) head += fmt::format("  {:>6}", step);
     report.line(head);
@@ -176,10 +176,10 @@ void report_steps(Report& report, const StepTable& plain, const StepTable& corre
   for (std::size_t k = 0; k < limits.size(); ++k)
     limits[k] = limit(plain[2][k], step_grids[2], plain[3][k], step_grids[3]);
   const auto [least, most] = std::minmax_element(limits.begin(), limits.end());
-  report.figure("without: limits of dx = 0, dq = .5 to 2 dx, differ by", fmt::format("{:.4f}", *most - *least),
-                "<= .001", *most - *least <= 0.001);
+  report.figure("without: limits of dx = 0, dq = 0.5 to 2 dx, differ by", fmt::format("{:.4f}", *most - *least),
+                "<= 0.001", *most - *least <= 0.001);
   const double without = spread(plain[2], one_element), with = spread(corrected[2], one_element);
-  report.figure("spread over dq = 1 to 5 dx on 101, with over without", fmt::format("{:.3f}", with / without), "<= .1",
+  report.figure("spread over dq = 1 to 5 dx on 101, with over without", fmt::format("{:.3f}", with / without), "<= 0.1",
                 with <= 0.1 * without);
   const double less = 1 - std::abs((corrected[2][one_element] - exact) / (plain[2][one_element] - exact));
   report.figure("error less by the correction, dq = dx, on 101", fmt::format("{:.0f} %", 100 * less), "about 30 %",
@@ -418,7 +418,7 @@ void write(const StudyOptions& options, const Times& times, const Curve& curve, 
   counts("times/grids", table_grids);
   numbers("times/force", times.force, force);
   file.array("times/seconds", times.seconds, "s", "wall time");
-  numbers("creep_curve/scaled", curve.scaled, "scaled creepage, .7 at xi = .000857");
+  numbers("creep_curve/scaled", curve.scaled, "scaled creepage, 0.7 at xi = 0.000857");
   numbers("creep_curve/plain", curve.exact, force);
   numbers("creep_curve/corrected", curve.corrected, force + " with the leading edge's correction");
   numbers("creep_curve/fastsim2", curve.fastsim2, force + " by FASTSIM2");
@@ -454,7 +454,7 @@ void write(const StudyOptions& options, const Times& times, const Curve& curve, 
 bool run_refinement(const StudyOptions& options, std::ostream& out) {
   io::require_writable_folder(options.output);
   Report report(out, options.figures);
-  report.line("a = 5 mm, a/b = .2, Fn/G = 1.3 mm2, mu = .3, nu = .28, longitudinal creepage .000857");
+  report.line("a = 5 mm, a/b = 0.2, Fn/G = 1.3 mm2, mu = 0.3, nu = 0.28, longitudinal creepage 0.000857");
   const auto part = [&](double begin, double end) { return part_of(options.progress, begin, end); };
   Times times;
   Curve curve;

@@ -167,7 +167,7 @@ void report_steady(Report& report, const std::vector<EllipticContact>& contacts,
   std::vector<EllipticContact> dissimilar = contacts;
   for (EllipticContact& c : dissimilar) c.dissimilarity = 0.2;
   report_order(report,
-               elliptic("different materials, K = .2 (classical)", dissimilar, limits_of(dissimilar, 48, 96, 1)), 0.8);
+               elliptic("different materials, K = 0.2 (classical)", dissimilar, limits_of(dissimilar, 48, 96, 1)), 0.8);
 }
 
 /// Up to 48 elements, for a step is one of them.

@@ -38,7 +38,7 @@ void solve_in_place(std::vector<std::vector<Number>>& a, std::vector<std::vector
 class Kernel {
 public:
   Kernel(double a, double b, double nu, int harmonics) : xx_(harmonics + 1), xy_(harmonics + 1), yy_(harmonics + 1) {
-    const int samples = 4 * harmonics + 2048; // the slenderest ellipse's series falls as .98^harmonic
+    const int samples = 4 * harmonics + 2048; // the slenderest ellipse's series falls as 0.98^harmonic
     for (int s = 0; s < samples; ++s) {
       const double w = 2 * pi * s / samples, c = std::cos(w), d = std::sin(w);
       // A line with the normal w on the disk has the direction (-a d, b c) on the ellipse.

@@ -165,7 +165,7 @@ void report_orders(Report& report) {
   for (const int n : order_grids) heads += fmt::format("{:>10}", n);
   report.heading("Order: errors of Fx over mu Fn, elements across");
   report.line(fmt::format("{:<18}{}", "", heads));
-  report_order(report, "Carter, alpha .5", mean_errors(std::array{0.5}, carter_error));
+  report_order(report, "Carter, alpha 0.5", mean_errors(std::array{0.5}, carter_error));
   report_order(report, "Carter, rms of 9",
                mean_errors(std::array{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, carter_error));
   const auto error = [](int n, const PaperCase& c) { return paper_force(n, c.creepage) - c.force; };
@@ -173,7 +173,7 @@ void report_orders(Report& report) {
   report_order(report, "paper's test", mean_errors(std::array{printed}, error));
   report_order(report, "same, rms of 4",
                mean_errors(std::array{paper_case(0.0003), paper_case(0.0006), printed, paper_case(0.0012)}, error));
-  report.figure("-Fx/(mu Fn), extrapolated from 96 and 192", fmt::format("{:.5f}", printed.force), ".7128",
+  report.figure("-Fx/(mu Fn), extrapolated from 96 and 192", fmt::format("{:.5f}", printed.force), "0.7128",
                 std::abs(printed.force - 0.7128) <= 5e-4);
 }
 
@@ -302,7 +302,7 @@ void report_estimates(Report& report, double accuracy, const Solved& solved, con
   std::sort(ratios.begin(), ratios.end());
   report.figure(fmt::format("accuracy {}: {:.0f} elements across on average, estimate over error: median {:.1f}, least",
                             accuracy, elements, ratios[ratios.size() / 2]),
-                fmt::format("{:.2f}", least), ">= .33", least >= 1.0 / 3);
+                fmt::format("{:.2f}", least), ">= 0.33", least >= 1.0 / 3);
   report.figure(fmt::format("accuracy {}: cases with a larger error", accuracy), std::to_string(above), "0",
                 above == 0);
 }

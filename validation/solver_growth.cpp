@@ -114,7 +114,7 @@ double exponent(const Cost& coarse, const Cost& fine, double coarse_cost, double
 void print_growth(Report& report, const std::array<Cost, count_of_grids>& costs) {
   const Cost &first = costs[1], &fifty = costs[3], &last = costs.back();
   const double sweeps = exponent(first, last, first.sweeps, last.sweeps);
-  report.figure("ConvexGS, sweeps from 21 to 201", fmt::format("{:.2f}", sweeps), ".3 +- .2",
+  report.figure("ConvexGS, sweeps from 21 to 201", fmt::format("{:.2f}", sweeps), "0.3 +- 0.2",
                 std::abs(sweeps - 0.3) <= 0.2);
   const auto times = [&](double Cost::*time) {
     return fmt::format("{:.2f}", exponent(fifty, last, fifty.*time, last.*time));
@@ -140,7 +140,7 @@ void print_threads(Report& report, const std::array<Cost, count_of_grids>& costs
 
 bool run_solver_growth(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line("a = 5 mm, a/b = .2, Fn/G = 1.3 mm2, mu = .3, nu = .28, xi = .000857, steady rolling with dq = dx");
+  report.line("a = 5 mm, a/b = 0.2, Fn/G = 1.3 mm2, mu = 0.3, nu = 0.28, xi = 0.000857, steady rolling with dq = dx");
   std::array<Cost, count_of_grids> costs;
   double work = 0, done = 0;
   const auto work_of = [](int across) { return std::pow(across, 4.6); };

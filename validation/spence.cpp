@@ -62,11 +62,11 @@ Outcome compress(int stages, int stages_of_full_load, double dx, double shift, C
 bool run_spence(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report.line(
-      fmt::format("nu = 0, G = .5 on a rigid plane, K = {:.4f}, mu = .2986, Fn = (k/45)^3 after stage k; one Newton "
+      fmt::format("nu = 0, G = 0.5 on a rigid plane, K = {:.4f}, mu = 0.2986, Fn = (k/45)^3 after stage k; one Newton "
                   "system in each stage",
                   on_rigid.material.dissimilarity));
   const Outcome whole = compress(35, 45, element, contact_shift, Coupling::newton, part_of(options.progress, 0, 0.1));
-  report.heading("35 stages, elements of .2 mm: computed, CONTACT");
+  report.heading("35 stages, elements of 0.2 mm: computed, CONTACT");
   const auto figure = [&](const char* name, double value, double published, double half_digit, const char* format) {
     report.figure(name, fmt::format(fmt::runtime(format), value), fmt::format(fmt::runtime(format), published),
                   whole.ok && std::abs(value - published) <= half_digit);
@@ -96,7 +96,7 @@ bool run_spence(const StudyOptions& options, std::ostream& out) {
   const double adhesion = limit(series[1].adhesion, stages[1], series[2].adhesion, stages[2]);
   report.figure("centre pressure over Hertz's, extrapolated", fmt::format("{:.3f}", centre), "1.31",
                 std::abs(centre - 1.31) <= 0.01);
-  report.figure("adhesion radius over the contact's, extrapolated", fmt::format("{:.3f}", adhesion), ".5",
+  report.figure("adhesion radius over the contact's, extrapolated", fmt::format("{:.3f}", adhesion), "0.5",
                 std::abs(adhesion - 0.5) <= 0.01);
   return report.all_met();
 }

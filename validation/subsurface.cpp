@@ -53,7 +53,7 @@ constexpr PrintedRow printed[] = {
     {2.5, {.038692, .075855, -.020899, .076086, .004458, .004458, -.071611, -.000927}},
     {5.0, {.019385, .038600, -.005379, .020110, .001325, .001324, -.018785, -.000062}},
 };
-/// A unit square with pn = 1 and px = .999, G = 1, seen a little beside its middle.
+/// A unit square with pn = 1 and px = 0.999, G = 1, seen a little beside its middle.
 std::array<double, columns> below_square(double depth) {
   constexpr double pn = 1, px = 0.999;
   const ElementGrid square{1, 1, 1e-4, 2e-4, 1, 1};
@@ -63,7 +63,8 @@ std::array<double, columns> below_square(double depth) {
 }
 
 void compare_with_contact(Report& report) {
-  report.heading("CONTACT's example, pressure 1 and traction .999 on a unit square: G = 1, nu = .28, below its middle");
+  report.heading(
+      "CONTACT's example, pressure 1 and traction 0.999 on a unit square: G = 1, nu = 0.28, below its middle");
   report.line("   z          ux          uz  hydrostatic  von Mises          xx          yy          zz          xz");
   double worst = 0;
   for (const PrintedRow& row : printed) {
@@ -114,8 +115,8 @@ std::pair<double, double> exact_peak() {
 }
 
 void compare_with_hertz(Report& report) {
-  report.heading("A ball on a plane, nu = .3, pressures from the normal problem; in units of p0 and a");
-  report.line("across  largest shear  at depth  largest error on the axis  elsewhere  (from z = .1 on)");
+  report.heading("A ball on a plane, nu = 0.3, pressures from the normal problem; in units of p0 and a");
+  report.line("across  largest shear  at depth  largest error on the axis  elsewhere  (from z = 0.1 on)");
   const auto [shear, depth] = exact_peak();
   double found_shear = 0, found_depth = 0, error = 0, before = 0, ratio = 0;
   for (const int across : {12, 24, 48, 96}) {
@@ -137,9 +138,9 @@ void compare_with_hertz(Report& report) {
     report.line(fmt::format("{:>6}  {:>13.5f}  {:>8.4f}  {:>25.1e}  {:>9.1e}", across, found_shear, found_depth,
                             on_axis, elsewhere));
   }
-  report.figure("largest shear stress, textbooks", fmt::format("{:.4f}", found_shear), ".31",
+  report.figure("largest shear stress, textbooks", fmt::format("{:.4f}", found_shear), "0.31",
                 std::abs(found_shear - 0.31) <= 0.005);
-  report.figure("its depth, textbooks", fmt::format("{:.4f}", found_depth), ".48",
+  report.figure("its depth, textbooks", fmt::format("{:.4f}", found_depth), "0.48",
                 std::abs(found_depth - 0.48) <= 0.005);
   report.figure("largest shear stress, closed form", fmt::format("{:.5f}", found_shear), fmt::format("{:.5f}", shear),
                 std::abs(found_shear - shear) <= 1e-4);
@@ -170,7 +171,7 @@ public:
       : ball_grid_(ElementGrid::across_ellipse(1, 1, across)), line_grid_(ElementGrid::across_line(1, across)),
         ball_(field_of(ball_grid_, false)), line_(field_of(line_grid_, true)) {}
 
-  /// The largest ones within .9 a, at a depth [elements].
+  /// The largest ones within 0.9 a, at a depth [elements].
   NearErrors errors(double depth, const Spot& spot) const {
     NearErrors worst;
     const double size = ball_grid_.dx, off = spot.off * size, y = ball_grid_.y(ball_grid_.my / 2) + off;
@@ -202,7 +203,7 @@ private:
 };
 
 void measure_near_surface(Report& report) {
-  report.heading("Near the surface: 50 elements across, largest errors over p0 within .9 a, by depth in elements");
+  report.heading("Near the surface: 50 elements across, largest errors over p0 within 0.9 a, by depth in elements");
   report.line("         von Mises below a ball, pressed       sigma_xx below a cylinder, pulled");
   std::string head = " depth ";
   for (int twice = 0; twice < 2; ++twice) {
@@ -223,11 +224,11 @@ void measure_near_surface(Report& report) {
     }
     report.line(fmt::format("{:6.2f} {}      {}", depth, pressed, pulled));
   }
-  report.figure("from .75 elements on, anywhere: von Mises", fmt::format("{:.4f}", worst_deep.pressed), "<= .002",
+  report.figure("from 0.75 elements on, anywhere: von Mises", fmt::format("{:.4f}", worst_deep.pressed), "<= 0.002",
                 worst_deep.pressed <= 0.002);
-  report.figure("from .75 elements on, anywhere: sigma_xx", fmt::format("{:.4f}", worst_deep.pulled), "<= .005",
+  report.figure("from 0.75 elements on, anywhere: sigma_xx", fmt::format("{:.4f}", worst_deep.pulled), "<= 0.005",
                 worst_deep.pulled <= 0.005);
-  report.figure("at centres, at any depth: von Mises", fmt::format("{:.4f}", worst_centre.pressed), "<= .002",
+  report.figure("at centres, at any depth: von Mises", fmt::format("{:.4f}", worst_centre.pressed), "<= 0.002",
                 worst_centre.pressed <= 0.002);
   report.remark("at centres, at any depth: sigma_xx", fmt::format("{:.4f}", worst_centre.pulled), "",
                 "first order in the elements' size");
@@ -339,7 +340,7 @@ RollingOutcome below_rolling(HertzianSolve& contact, double p0, const RollingCas
 }
 
 void report_rolling(Report& report, const std::vector<RollingOutcome>& outcomes) {
-  report.heading("Driving wheel, a = 6 mm, b = 4 mm, mu = .4, 49 elements across: von Mises in units of p0");
+  report.heading("Driving wheel, a = 6 mm, b = 4 mm, mu = 0.4, 49 elements across: von Mises in units of p0");
   report.line("case          Fx/(mu Fn)  body   largest   at x, y, depth [b]        at the surface, centres");
   for (std::size_t c = 0; c < outcomes.size(); ++c)
     for (const auto& [name, body] : {std::pair{"wheel", &outcomes[c].wheel}, {"rail", &outcomes[c].rail}}) {
@@ -399,7 +400,7 @@ void write(const StudyOptions& options, const Section& section, double p0,
       const InteriorPoint& at = body->peak.point;
       file.array(group + name + "/von_mises", body->section, "-", "over p0, in the plane y = 0",
                  {section.depth.size(), section.x.size()});
-      file.scalar(group + name + "/peak", body->peak.value, "-", "the largest over p0, from .75 elements down");
+      file.scalar(group + name + "/peak", body->peak.value, "-", "the largest over p0, from 0.75 elements down");
       file.array(group + name + "/peak_point", Values{at.x, at.y, at.depth}, "m", "where: x, y, depth");
     }
   }

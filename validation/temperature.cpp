@@ -33,7 +33,7 @@ constexpr std::array cases = {
     Case{"sliding at 1 m/s", {-0.03333, 0, 0}, 0, 30000, 0, 166.8},
     Case{"a wheel of 150 deg C", {}, 150, 0, 0, 75.00},
     Case{"both", {-0.03333, 0, 0}, 150, 30000, 0, 241.8},
-    Case{"that wheel, creepages -.2 %, .1 %, .2 /m", {-0.002, 0.001, 0.2}, 150, 21820, -4476, 90.85},
+    Case{"that wheel, creepages -0.2 %, 0.1 %, 0.2 /m", {-0.002, 0.001, 0.2}, 150, 21820, -4476, 90.85},
 };
 
 ThermalBody wheel_of(double temperature) {
@@ -42,7 +42,7 @@ ThermalBody wheel_of(double temperature) {
   return wheel;
 }
 
-/// CONTACT's grid: 216 x 45 elements of .2 x .5 mm.
+/// CONTACT's grid: 216 x 45 elements of 0.2 x 0.5 mm.
 ContactStep step_of(const Case& c) {
   ContactStep step;
   step.grid = {216, 45, -7.8e-3, -11e-3, 0.2e-3, 0.5e-3};
@@ -97,7 +97,7 @@ double of_hertzian_heat(int across) {
 
 bool run_temperature(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line("Wheel on rail, 100 kN, 30 m/s, mu = .3, 216 x 45 elements of .2 x .5 mm; computed, CONTACT");
+  report.line("Wheel on rail, 100 kN, 30 m/s, mu = 0.3, 216 x 45 elements of 0.2 x 0.5 mm; computed, CONTACT");
   ContactSequence sequence;
   double done = 0;
   for (const Case& c : cases) {
@@ -108,8 +108,8 @@ bool run_temperature(const StudyOptions& options, std::ostream& out) {
     report.figure("Fy [N]", fmt::format("{:.1f}", o.fy), fmt::format("{:.0f}", c.forces_y),
                   std::abs(o.fy - c.forces_y) <= 0.5);
     report.remark("highest temperature [deg C]", fmt::format("{:.2f}", o.highest), fmt::format("{:.2f}", c.printed),
-                  "CONTACT counts an element's own heat twice");
-    report.figure("with an element's own heat counted twice", fmt::format("{:.2f}", o.own_twice),
+                  "CONTACT counts the heat of the element itself twice");
+    report.figure("with the heat of the element itself counted twice", fmt::format("{:.2f}", o.own_twice),
                   fmt::format("{:.2f}", c.printed),
                   std::abs(o.own_twice - c.printed) <= (c.printed < 100 ? 0.005 : 0.05));
     if (options.progress && !options.progress(done += 0.25)) return false;

@@ -15,8 +15,8 @@ struct TestCase {
   double magnitude; ///< scaled: |(xi, eta)| rho/(mu c), c = sqrt(a b)
 };
 
-/// All of them: five ellipses, four spins, seven angles, 23 magnitudes, the last running fastest. Steel, nu = .28, mu =
-/// .3, Fn = 82 kN; rho = 2/(A + B) for the gap A x^2 + B y^2 that gives the ellipse.
+/// All of them: five ellipses, four spins, seven angles, 23 magnitudes, the last running fastest. Steel, nu = 0.28, mu
+/// = 0.3, Fn = 82 kN; rho = 2/(A + B) for the gap A x^2 + B y^2 that gives the ellipse.
 std::vector<TestCase> test_set();
 std::vector<EllipticContact> test_set_contacts();
 

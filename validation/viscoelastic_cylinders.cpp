@@ -14,7 +14,7 @@
 namespace microslip::validation {
 namespace {
 
-constexpr Material polymer = {1143e6, 0.4}; // for quick loads
+constexpr Material polymer = {1143e6, 0.4}; // instantaneous modulus
 constexpr double ratio = 1, speed = 1, curvature = 10, load_per_length = 600e3, length = 1, friction = 0.3,
                  force = -0.6;
 
@@ -73,8 +73,9 @@ void report_limit(Report& report, const char* name, double time, const Material&
 bool run_viscoelastic_cylinders(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report.line(
-      "nu = .4, G = 1143 N/mm2 and half of it for slow loads, R = 50 mm, 600 N/mm, mu = .3, Fx = -.6 mu Fn, V = 1 m/s");
-  report.heading("CONTACT's grid, 99 x 1 elements of .16 mm x 1 m: computed, CONTACT");
+      "nu = 0.4, G = 1143 N/mm2 and a relaxed modulus of half of it, R = 50 mm, 600 N/mm, mu = 0.3, Fx = -0.6 mu Fn, "
+      "V = 1 m/s");
+  report.heading("CONTACT's grid, 99 x 1 elements of 0.16 mm x 1 m: computed, CONTACT");
   const ElementGrid grid = {99, 1, -7.92e-3, 0, 0.16e-3, length};
   for (const Case& c : cases) {
     const ContactStep step = rolling(grid, with_time(c.time));

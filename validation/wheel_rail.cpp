@@ -138,8 +138,8 @@ Sweep sweep(WheelRail& contact, double from, double to, double step, double forc
 
 bool continuity(Report& report, const std::vector<Pair>& all, const Progress& progress) {
   constexpr double limit = 0.005;
-  report.heading("Sweeps from -8 to 8 mm in steps of .001 mm, yaw 2 mrad: changes of a force in mu Fn");
-  report.line("pair                          load kN   states  not solved  beyond .005   largest  of it at once");
+  report.heading("Sweeps from -8 to 8 mm in steps of 0.001 mm, yaw 2 mrad: changes of a force in mu Fn");
+  report.line("pair                          load kN   states  not solved  beyond 0.005  largest  of it at once");
   double jump = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 3); ++k) {
     WheelRail contact(all[k].bodies);
@@ -178,9 +178,9 @@ std::vector<double> changes_of_patches(WheelRail& contact, double force) {
 /// With `thorough` all displacements are swept, else those around changes of patches.
 bool exact_continuity(Report& report, const std::vector<Pair>& all, bool thorough, const Progress& progress) {
   constexpr double limit = 0.005, reach = 15e-6;
-  report.heading(thorough ? "Exact level: sweeps from -8 to 8 mm in steps of .001 mm"
-                          : "Exact level: steps of .001 mm within .015 mm of where patches come, go or become one");
-  report.line("pair                          load kN   places  states  not solved  beyond .005   largest  at once");
+  report.heading(thorough ? "Exact level: sweeps from -8 to 8 mm in steps of 0.001 mm"
+                          : "Exact level: steps of 0.001 mm within 0.015 mm of where patches come, go or become one");
+  report.line("pair                          load kN   points  states  not solved  beyond 0.005  largest  at once");
   double jump = 0;
   int part = 0, failed = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 3); ++k) {
@@ -262,8 +262,9 @@ Outcome outcome_of(WheelRailBodies bodies, TrackSide side, WheelRailLevel level,
 
 bool robustness(Report& report, const std::vector<Pair>& all, WheelRailLevel level, int states,
                 const Progress& progress) {
-  report.heading(fmt::format("{} random states{}: y to 15 mm, yaw to 50 mrad, roll to 5 mrad, .1 to 200 kN, both sides",
-                             states, level == WheelRailLevel::exact ? " at the exact level" : ""));
+  report.heading(
+      fmt::format("{} random states{}: y to 15 mm, yaw to 50 mrad, roll to 5 mrad, 0.1 to 200 kN, both sides", states,
+                  level == WheelRailLevel::exact ? " at the exact level" : ""));
   report.line("pair                           states      ok  not conv.  no contact  at an end  NaN  iterations  most");
   std::mt19937_64 random(20);
   Outcome total;
@@ -447,7 +448,7 @@ void energy(Report& report, const std::vector<Pair>& all) {
       worst = std::max(worst, std::abs(misfit) / (friction * 50e3 * speed * 1e-3));
     }
   }
-  report.figure("largest difference over mu Fn V .001", fmt::format("{:.3f}", worst), "at most 0.05", worst <= 0.05);
+  report.figure("largest difference over mu Fn V 0.001", fmt::format("{:.3f}", worst), "at most 0.05", worst <= 0.05);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ double random_between(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A sphere on a cylinder: the plane through both centres holds the place, whatever the sphere's yaw and roll.
+/// A sphere on a cylinder: the plane through both centres holds the point, whatever the sphere's yaw and roll.
 double error_of_spheres(int count) {
   const double sphere = 0.3, cylinder = 0.1;
   ContactSearch search(head(cylinder, 0.03), crowned(sphere, 0.09));
@@ -98,12 +98,12 @@ double error_of_cones(int count) {
 }
 
 void report_places(Report& report) {
-  report.heading("Places of contact at random yaw and roll beside closed forms");
+  report.heading("Contact points at random yaw and roll and closed forms");
   const auto figure = [&](const char* name, double error) {
     report.figure(name, fmt::format("{:.1e}", error), "<= 1e-9", error <= 1e-9);
   };
-  figure("1000 spheres on a cylinder, yaw to .3: error [m, rad]", error_of_spheres(1000));
-  figure("1000 cones on a round rail, yaw to .1: error [m, rad]", error_of_cones(1000));
+  figure("1000 spheres on a cylinder, yaw to 0.3: error [m, rad]", error_of_spheres(1000));
+  figure("1000 cones on a round rail, yaw to 0.1: error [m, rad]", error_of_cones(1000));
 }
 
 /// A wheel with a crowned tread, pressed into its rail by a known depth.
@@ -114,7 +114,7 @@ struct Pressed {
   double lateral = 0.2;             ///< of the profile's origin on the axle [m]
   WheelState<double> state = {};    ///< of a right wheel
   double depth = 0.16e-3;           ///< of the overlap [m]
-  double x = 0, y = 0.2;            ///< expected place, y to the right [m]
+  double x = 0, y = 0.2;            ///< expected position, y to the right [m]
   double printed = 0;               ///< normal force that CONTACT printed [N]
 };
 
@@ -205,7 +205,7 @@ std::vector<Pressed> cases() {
 
 void report_loads(Report& report) {
   report.heading(
-      "Ellipsoids pressed by .16 mm into rails, test-rollers2 of CONTACT: normal force [kN], pressure [MPa]");
+      "Ellipsoids pressed by 0.16 mm into rails, test-rollers2 of CONTACT: normal force [kN], pressure [MPa]");
   report.line("                                     Hertz           CONTACT   exact           fastsim2");
   struct Largest {
     double load = 0, pressure = 0, level_place = 0, inclined_place = 0;
@@ -236,9 +236,9 @@ void report_loads(Report& report) {
   };
   figure("exact, 48 elements: load beside Hertz's, relative", worst[0].load, 1e-3);
   figure("peak pressure, relative", worst[0].pressure, 1e-3);
-  figure("place, level wheel and rail [m]", worst[0].level_place, 1e-9);
+  figure("position, level wheel and rail [m]", worst[0].level_place, 1e-9);
   // The overlap along the vertical is lopsided by the third order of its width.
-  figure("place, inclined, beside that of first contact [m]", worst[0].inclined_place, 2e-5);
+  figure("position, inclined, and that of first contact [m]", worst[0].inclined_place, 2e-5);
   figure("fastsim2: load beside Hertz's, relative", worst[1].load, 5e-3);
   figure("peak pressure, relative", worst[1].pressure, 0.02);
 }

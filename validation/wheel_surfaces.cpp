@@ -52,7 +52,7 @@ LoadedState running_state(std::uint64_t seed) {
   return s;
 }
 
-/// Of one state by all ways.
+/// Of one state by all methods.
 struct Compared {
   std::array<double, 5> error{}; ///< of the tangential force over mu Fn
   std::array<bool, 5> solved{};
@@ -116,7 +116,7 @@ bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
     }
   report.figure("rms of the level as it is by itself", fmt::format("{:.4f}", worst), "at most 0.005", worst <= 0.005);
   report.figure("states that it does not solve", fmt::format("{}", refused), "0", refused == 0);
-  report.figure("flat patches beyond .02 without a warning",
+  report.figure("flat patches beyond 0.02 without a warning",
                 fmt::format("{} of {}, {} warned of", missed, needed, warned), "at most 5 %", missed <= 0.05 * needed);
   return report.all_met();
 }

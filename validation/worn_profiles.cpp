@@ -18,7 +18,7 @@ Profile example(const char* name) {
   return io::read_profile(std::filesystem::path(MICROSLIP_EXAMPLES) / "profiles" / name).profile;
 }
 
-/// The profile's own points with another height z(y, z).
+/// The profile's points with another height z(y, z).
 Profile reshaped(const Profile& whole, const std::function<double(const ProfilePoint&)>& height) {
   std::vector<ProfilePoint> points;
   for (const ProfilePiece& piece : whole.pieces()) points.push_back({piece.c[0].y, height(piece.c[0])});

@@ -319,7 +319,7 @@ typedef struct microslip_exact microslip_exact;
 
 /* One of the two bodies. Zero stands for what is not given. */
 typedef struct microslip_exact_body {
-  double shear_modulus;    /* G [Pa], > 0, of quick loads; given for both bodies or for neither: viscoelastic ones */
+  double shear_modulus;    /* G [Pa], > 0, instantaneous; given for both bodies or for neither: viscoelastic ones */
   double poisson_ratio;    /* nu [-], in [0, 0.5] */
   double creep_ratio;      /* share by which deformation grows with time [-], in [0, 1e6]; 0: elastic */
   double creep_time;       /* in which it grows [s] */
@@ -365,8 +365,8 @@ typedef struct microslip_exact_options {
   int elements;   /* a microslip_elements, of the classical discretisation, which bilinear ones need; constant */
   int coupling;   /* a microslip_coupling, of dissimilar bodies; Newton's method */
   int slip_start; /* a microslip_slip_start, of friction that depends on the slip; below */
-  /* K of the contacts [-], in [-0.5, 0.5], as microslip_hertz has it; 0. Materials of body1 and body2 have a K of their
-   * own. These materials, combined, must be those of each contact. */
+  /* K of the contacts [-], in [-0.5, 0.5], as microslip_hertz has it; 0. Materials of body1 and body2 determine their
+   * K. These materials, combined, must be those of each contact. */
   double dissimilarity;
   microslip_exact_body body1, body2;
   microslip_layer layer;
@@ -465,7 +465,7 @@ typedef struct microslip_wheel_state {
   double deflection_longitudinal, deflection_lateral, deflection_vertical, deflection_roll, deflection_yaw;
   double deflection_longitudinal_velocity, deflection_lateral_velocity, deflection_vertical_velocity;
   double deflection_roll_velocity, deflection_pitch_velocity, deflection_yaw_velocity;
-  /* of the rail from its nominal place [m], [rad], [m/s], [rad/s] */
+  /* of the rail from its nominal position [m], [rad], [m/s], [rad/s] */
   double deviation_lateral, deviation_vertical, deviation_roll;
   double deviation_lateral_velocity, deviation_vertical_velocity, deviation_roll_velocity;
   /* of the wheelset along the track [m] and around its axle [rad], where slices count from */
@@ -477,7 +477,7 @@ typedef struct microslip_wheel_state {
 typedef struct microslip_wheel_patch {
   double place_x, place_y, place_z;                     /* origin of its frame, on the rail, in track axes [m] */
   double angle;                                         /* of the contact plane [rad], > 0 rising to the left */
-  double rail_y, wheel_y;                               /* of both profiles there, in their own axes [m] */
+  double rail_y, wheel_y;                               /* of both profiles there, in the profiles' axes [m] */
   double rolling_radius;                                /* of the wheel there [m] */
   double turn;                                          /* of the rail's surface across the patch [rad] */
   double conformity;                                    /* 0 solved as curved (or flat), 1 as conformal [-] */
@@ -561,7 +561,7 @@ typedef enum microslip_roll_rule {
 
 /* Where one wheel of a rigid wheelset touches. */
 typedef struct microslip_touch {
-  double rail_y, wheel_y; /* of both profiles, in their own axes: to the field side positive [m] */
+  double rail_y, wheel_y; /* of both profiles, in the profiles' axes: to the field side positive [m] */
   double rolling_radius;  /* [m] */
   double contact_angle;   /* of the surfaces against the track plane [rad], > 0 rising to the left */
 } microslip_touch;

@@ -59,7 +59,7 @@ static double* number_at(void* of, const field* f) {
   return (double*)((char*)of + f->offset);
 }
 
-/* Ends the call with the library's own words. Memory of mxMalloc is released by the host. */
+/* Ends the call with the library's message. Memory of mxMalloc is released by the host. */
 static void fail(const char* what) {
   mexErrMsgIdAndTxt("microslip:refused", "%s", what);
 }

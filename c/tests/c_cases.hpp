@@ -49,7 +49,7 @@ inline microslip_contact some_contact() {
   return c;
 }
 
-/// Every way in which one number of a contact may be wrong, with the name of its field.
+/// All errors that one number of a contact may have, with the name of its field.
 struct WrongField {
   const char* name;
   double microslip_contact::*field;

@@ -362,7 +362,7 @@ TEST(CExact, TheGapOfAnExtrapolatedContactIsThatOfItsFinestGrid) {
   EXPECT_EQ(gap, EllipticContactSolver({.mx = elements, .my = elements}).deformed_gap(cpp_form(some_contact())).gap);
 }
 
-/// What does not go together is refused in the words that all doors have.
+/// Incompatible options are refused with the message that all interfaces have.
 TEST(CExact, WhatDoesNotGoTogetherIsRefused) {
   TwoBodies pair;
   const auto refused = [](const microslip_exact_options& options, const microslip_contact& contact, int kind) {

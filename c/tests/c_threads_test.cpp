@@ -141,7 +141,7 @@ TEST(CThreads, OneHandleOfAWheelOnARail) {
   microslip_wheel_rail_destroy(wheel_rail);
 }
 
-/// A handle that a progress function calls from within its own call is in use as well.
+/// A handle that a progress function calls from within its call is in use as well.
 TEST(CThreads, AHandleIsInUseWithinItsOwnProgressFunction) {
   struct Inner {
     microslip_exact* solver = nullptr;

@@ -1,4 +1,4 @@
-/* The header on its own, twice. */
+/* The header alone, twice. */
 #include <microslip.h>
 
 /* Zero is what leaves nothing out. */

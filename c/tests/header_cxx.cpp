@@ -1,4 +1,4 @@
-// The header on its own, twice, in an old C++.
+// The header alone, twice, in an old C++.
 #include <microslip.h>
 
 bool header_cxx();

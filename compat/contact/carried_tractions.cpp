@@ -16,7 +16,7 @@ std::array<Field*, 6> fields_of(TangentialState& s) {
   return {&s.px, &s.py, &s.pressure, &s.friction_drop, &s.slip_velocity, &s.plastic_deformation};
 }
 
-/// Springs have displacements in place of tractions.
+/// Springs have displacements instead of tractions.
 State as_state(const Springs& springs) {
   return {springs.grid, {springs.state.x, springs.state.y}};
 }

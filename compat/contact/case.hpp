@@ -19,11 +19,11 @@ struct FrictionData {
   Law law = Law::coulomb;                ///< never keep
   bool by_row = false;                   ///< V = 3
   std::vector<std::vector<double>> sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file
-  /// Of module 1 with V = 1, 2: the inclination [rad], or the place along the track, of each of the sets, ascending.
+  /// With V = 1, 2 of module 1: the inclination [rad], or the position along the track, of each of the sets, ascending.
   std::vector<double> stations = {};
 };
 
-/// How the bodies roll. [rad], [mm], [mm/s], [-]
+/// Rolling of the bodies. [rad], [mm], [mm/s], [-]
 struct RollingData {
   double chi = 0, dq = 0, veloc = 0;
   double facphi = 1.0 / 6; ///< where in a step the rigid slip is taken
@@ -49,7 +49,7 @@ struct MaterialData {
   std::vector<double> model_data = {};
 };
 
-/// The solvers' parameters; most of them belong to CONTACT's own methods.
+/// The solvers' parameters; most of them belong to CONTACT's methods.
 struct SolverData {
   SolverChoice method = SolverChoice::standard; ///< never keep
   int maxgs = 0, maxin = 0, maxnr = 0, maxout = 0;
@@ -58,7 +58,7 @@ struct SolverData {
   double omegah = 1, omegas = 1; ///< G = 2, 3
   double inislp = 0, omgslp = 1; ///< the slip that an iteration for falling friction starts from
 
-  /// Whether INISLP and OMGSLP are read.
+  /// Returns whether INISLP and OMGSLP are read.
   bool starts_from_slip() const {
     return method == SolverChoice::convex_gs || method == SolverChoice::steady_gs ||
            method == SolverChoice::slip_iteration;

@@ -79,7 +79,7 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   if (outcome.solution.normal.touches_border)
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");
   if (c.digits.tang == Tangential::steady && !has_one_solution(outcome.step.grid, outcome.step.motion))
-    outcome.notes.emplace_back("DQ is below .55 DX on elements longer than wide: there may be several solutions");
+    outcome.notes.emplace_back("DQ is below 0.55 DX on elements longer than wide: there may be several solutions");
   if (outcome.solution.status == Status::ok) check_prescribed_forces(c, outcome);
   return outcome;
 }

@@ -10,12 +10,12 @@
 
 namespace microslip::contact_program {
 
-/// Whether a case's tractions depend on those of the case before.
+/// Returns whether a case's tractions depend on those of the case before.
 bool goes_on(const Case& c);
 /// A case that is not run, and why.
 Outcome refused(std::vector<std::string> reasons);
 
-/// What a case leaves to the next one: its tractions, and the springs of FASTSIM or of a case without friction.
+/// State that a case leaves to the next one: its tractions, and the springs of FASTSIM or of a case without friction.
 struct CarriedTractions {
   ContactSequence::State tractions = {};
   std::optional<Springs> springs = {};
@@ -27,11 +27,11 @@ public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
-  /// What the last case has left to the next one.
+  /// State at the end of the last case.
   CarriedTractions carried() const;
-  /// What the last case has gone on from, in shifts and transient rolling.
+  /// State from which the last case began, in shifts and transient rolling.
   CarriedTractions started_from() const;
-  /// The next case goes on from this in place of it.
+  /// The next case goes on from this instead of it.
   void carry(const CarriedTractions& carried);
 
 private:

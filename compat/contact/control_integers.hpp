@@ -13,7 +13,7 @@ namespace microslip::contact_program {
 /// Gives one digit its value in what holds the digits.
 template <class Owner> using Put = void (*)(const Words& words, const char* control, int value, Owner& owner);
 
-/// Of the choice that `owner.*member` is.
+/// Range of the choice that `owner.*member` is.
 template <class Owner, auto member> void put(const Words& words, const char* control, int value, Owner& owner) {
   using Choice = std::remove_reference_t<decltype(owner.*member)>;
   const std::string field = std::string("digit ") + values_of<Choice>.name + " of " + control;

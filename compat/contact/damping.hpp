@@ -7,8 +7,8 @@
 
 namespace microslip::contact_program {
 
-/// What a contact's damping force follows from at its next case: what the contact bore at this one, and at the time
-/// before. Forces on body 1 in the contact's own axes [N].
+/// State for a contact's damping force at its next case: the forces of this one, and at the time
+/// before. Forces on body 1 in the contact's axes [N].
 class ForceHistory {
 public:
   /// Begins a case: digit P says which force is that of the time before.

@@ -98,7 +98,7 @@ enum class Points { end = 0, all = 1, range = 2, listed = 3, all_at = 5, range_a
 /// A_s: what the .subs file has; stresses: the hydrostatic one and von Mises' only.
 enum class SubsFile { none = 0, stresses = 1, components = 2 };
 
-/// How a file names a choice, and the values that there are.
+/// Name of a choice in a file, and its values.
 struct Values {
   const char* name;
   std::array<int, 10> list = {};
@@ -194,18 +194,18 @@ struct Digits {
   bool has_friction() const { return tang != Tangential::frictionless; }
   /// In transient or steady rolling.
   bool rolls() const { return tang == Tangential::transient || tang == Tangential::steady; }
-  /// Whether tractions depend on the ones before: in shifts and transient rolling.
+  /// Returns whether tractions depend on the ones before: in shifts and transient rolling.
   bool has_history() const { return tang == Tangential::shift || tang == Tangential::transient; }
   bool is_fastrip() const {
     return mater == Bulk::fastrip || mater == Bulk::fastrip_first || mater == Bulk::fastrip_first_bounded;
   }
   /// FaStrip as it was published.
   bool is_first_fastrip() const { return mater == Bulk::fastrip_first || mater == Bulk::fastrip_first_bounded; }
-  /// Whether tractions are those of the simplified theory.
+  /// Returns whether tractions are those of the simplified theory.
   bool is_simplified() const {
     return has_friction() && (mater == Bulk::fastsim_one || mater == Bulk::fastsim || is_fastrip());
   }
-  /// Whether material and rolling data are read.
+  /// Returns whether material and rolling data are read.
   bool reads_material() const { return inflcf != Coefficients::keep && inflcf != Coefficients::form; }
   bool is_skipped() const { return solve == Treatment::skip_and_stay || solve == Treatment::skip; }
   bool stays_in_module() const { return solve == Treatment::solve_and_stay || solve == Treatment::skip_and_stay; }

@@ -14,7 +14,7 @@ struct Springs {
   SpringState state = {};
 };
 
-/// What a case of FASTSIM leaves to the next one: the springs that it began with, and its own.
+/// State that a case of FASTSIM leaves to the next one: the springs that it began with, and those of its end.
 struct CarriedSprings {
   Springs before = {}, after = {};
 };
@@ -24,8 +24,8 @@ struct CarriedSprings {
 /// friction of the creepage's velocity V sqrt(xi^2 + eta^2). Prescribed forces are found to the step's tolerance,
 /// relative to what friction bears; a force beyond that gives Status::no_solution, one that no creepage was found for
 /// Status::not_converged. The displacements are those of the springs; elastic energies are those of the normal problem
-/// alone, 0 for a pressure of B = 2, 3, 4, and with that of the springs for B = 5, 6. `step` is the case's own,
-/// `carried` is that of the case before and then its own. Throws Error for parameters out of range.
+/// alone, 0 for a pressure of B = 2, 3, 4, and with that of the springs for B = 5, 6. `step` is that of the case,
+/// `carried` is that of the case before and then of this one. Throws Error for parameters out of range.
 ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,
                                      CarriedSprings& carried);
 

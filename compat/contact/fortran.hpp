@@ -7,13 +7,13 @@ namespace microslip::contact_program {
 
 // Numbers as CONTACT writes them.
 
-/// Fortran's Gw.d: `digits` significant ones, with four blanks behind in place of an exponent from .1 up to
+/// Fortran's Gw.d: `digits` significant ones, with four blanks behind instead of an exponent from 0.1 up to
 /// 10^digits; 0.1234E-05 beyond that.
 std::string general(double value, int width, int digits);
 /// The same for several numbers, one after the other.
 std::string general(std::initializer_list<double> values, int width, int digits);
 
-/// `fixed` significant digits without an exponent if there is room for all digits before the point, and from .1 on;
+/// `fixed` significant digits without an exponent if all digits before the point fit, and from 0.1 on;
 /// else `scientific` ones with it: 1.234E-05.
 std::string significant(double value, int width = 12, int fixed = 4, int scientific = 4);
 std::string significant(std::initializer_list<double> values);

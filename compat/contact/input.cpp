@@ -203,7 +203,7 @@ void InputReader::read_potential(Case& c) {
     words_.fail("digit B", number(d.bound), "must go with Hertz's geometry, IPOTCN < 0");
 }
 
-/// Whether the undeformed distance stays; then it must fit the elements.
+/// Returns whether the undeformed distance stays; then it must fit the elements.
 bool InputReader::keeps_geometry(Case& c) {
   const DistanceSource digit = c.digits.rznorm;
   if (digit == DistanceSource::read) return false;

@@ -27,7 +27,7 @@ public:
 
   /// The next case, nullptr at the end of the file or at MODULE 0. It holds until the next call.
   const Case* next();
-  /// Whether the end that next() has found is the one that MODULE 0 makes, and not that of a file cut short.
+  /// Returns whether the end that next() has found is the one that MODULE 0 makes, and not that of a file cut short.
   bool is_complete() const { return complete_; }
 
 private:

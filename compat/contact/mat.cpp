@@ -22,14 +22,14 @@ Numbers operator+(Numbers a, const Numbers& b) {
   return a;
 }
 
-/// What module 1 knows of a patch.
-struct Place {
+/// Data of module 1 about a patch.
+struct PatchOfWheel {
   const Case& c;
   const WheelOutcome& wheel;
   std::size_t patch;
 };
 
-/// The axes of a profile in the track's: turned about the track's x, and then about their own z [mm], [rad].
+/// The axes of a profile in the track's: turned about the track's x, and then about their z [mm], [rad].
 struct Marker {
   Vec3<double> origin;
   double roll = 0, yaw = 0;
@@ -53,9 +53,9 @@ public:
     columns_ = 11 + (yields_ ? 3 : 0) + (heats_ ? 2 : 0);
   }
 
-  std::string text(const Place* place) {
-    add_place(place);
-    add_grid(place);
+  std::string text(const PatchOfWheel* of_wheel) {
+    add_position(of_wheel);
+    add_grid(of_wheel);
     add_material();
     add_friction();
     add_elements();
@@ -71,20 +71,21 @@ private:
     text_ += "\n";
   }
 
-  void add_place(const Place* place) {
+  void add_position(const PatchOfWheel* of_wheel) {
     comment(
         "  TIM           S_WS(FC)      TH_WS(FC)     Y_R(TR)       Z_R(TR)       ROLL_R(TR)    RNOM_ROL      ... FMT");
     Numbers rail(columns_, 0), wheel, contact;
-    if (place) {
-      const WheelRailData& d = *place->c.wheel_rail;
+    if (of_wheel) {
+      const WheelRailData& d = *of_wheel->c.wheel_rail;
       const bool left = d.digits.is_left();
-      const Marker r = marker_of(place->wheel.placement.rail, left), w = marker_of(place->wheel.placement.wheel, left);
+      const Marker r = marker_of(of_wheel->wheel.placement.rail, left),
+                   w = marker_of(of_wheel->wheel.placement.wheel, left);
       const bool roller = d.digits.is_roller();
       const Numbers first = {0,      roller ? 0 : d.position.s,         d.position.pitch, r.origin.y, r.origin.z,
                              r.roll, roller ? d.track.roller_radius : 0};
       std::copy(first.begin(), first.end(), rail.begin());
       wheel = {w.origin.x, w.origin.y, w.origin.z, w.roll, w.yaw, d.wheelset.nominal_radius};
-      const PatchLocation& l = place->wheel.patches[place->patch].location;
+      const PatchLocation& l = of_wheel->wheel.patches[of_wheel->patch].location;
       contact = {l.rail.x,
                  l.rail.y,
                  l.rail.z,
@@ -92,8 +93,8 @@ private:
                  l.wheel.x,
                  l.wheel.y,
                  l.wheel.z,
-                 static_cast<double>(place->wheel.patches.size()),
-                 static_cast<double>(place->patch + 1)};
+                 static_cast<double>(of_wheel->wheel.patches.size()),
+                 static_cast<double>(of_wheel->patch + 1)};
     } else {
       contact.resize(9, 0);
     }
@@ -106,14 +107,14 @@ private:
     line(contact + Numbers{case_.spin_x, case_.spin_y});
   }
 
-  void add_grid(const Place* place) {
+  void add_grid(const PatchOfWheel* of_wheel) {
     const ElementGrid& grid = outcome_.step.grid;
     const bool rolls = case_.digits.rolls();
     Numbers config = {1, 0, 0};
-    if (place) {
-      const WheelRailData& d = *place->c.wheel_rail;
+    if (of_wheel) {
+      const WheelRailData& d = *of_wheel->c.wheel_rail;
       config = {double(number(d.digits.config)), double(number(d.search)),
-                place->wheel.placement.wheel_on_axle.origin.y};
+                of_wheel->wheel.placement.wheel_on_axle.origin.y};
     }
     comment("   MX    MY     XL            YL            DX            DY            CHI           DQ            C1    "
             "        "
@@ -228,8 +229,8 @@ std::string mat_text(const Case& c, const Outcome& outcome) {
 
 std::string mat_text(const Case& c, const WheelOutcome& wheel, std::size_t patch) {
   const WheelPatch& p = wheel.patches[patch];
-  const Place place{c, wheel, patch};
-  return MatFile(p.contact, *p.solution).text(&place);
+  const PatchOfWheel of_wheel{c, wheel, patch};
+  return MatFile(p.contact, *p.solution).text(&of_wheel);
 }
 
 } // namespace microslip::contact_program

@@ -8,14 +8,14 @@ namespace microslip::contact_program {
 
 // Sections of CONTACT's output files that both modules have.
 
-/// Whether digit O asks for a section of this level.
+/// Returns whether digit O asks for a section of this level.
 inline bool prints(const Case& c, int level) {
   return number(c.digits.output) >= level;
 }
 
 /// Whose method it is that CONTACT solves normal and tangential problem by.
 std::string out_outer_iteration(const Case& c);
-/// What follows POISS and GG for M2, H and M: damping, heat parameters, viscoelastic data, the layer's. `bodies` are
+/// Text behind POISS and GG for M2, H and M: damping, heat parameters, viscoelastic data, the layer's. `bodies` are
 /// the letters of the two.
 std::string out_damping(const Case& c);
 std::string out_heat(const Case& c);

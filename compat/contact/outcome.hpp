@@ -14,23 +14,23 @@
 
 namespace microslip::contact_program {
 
-/// What FASTSIM and FaStrip worked with, as CONTACT prints it.
+/// Parameters of FASTSIM and FaStrip, as CONTACT prints it.
 struct PrintedSprings {
   std::array<double, 3> flexibilities = {}; ///< FLX1, FLX2, FLX3 [mm3/N]
   double slope = 1;                         ///< K_EFF, by which they are stiffer [-]
 };
 
 /// d(FN, FX/(FSTAT FN), FY/(FSTAT FN), MZ)/d(approach, xi, eta, phi) in CONTACT's units: [output][input]; 0 where it is
-/// not to be had.
+/// not available.
 using Sensitivities = std::array<std::array<double, 4>, 4>;
 
-/// What became of a case.
+/// Outcome of a case.
 struct Outcome {
   enum class Kind { solved, skipped, refused };
   Kind kind = Kind::solved;
   std::vector<std::string> reasons = {}; ///< why it was refused
   bool is_unsupported = false;           ///< it was refused for what it asks for
-  std::vector<std::string> notes = {};   ///< what was left out or done in another way
+  std::vector<std::string> notes = {};   ///< what was left out or done differently
   bool misses_force = false;             ///< it does not bear what is prescribed, as its status and a note say
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
@@ -43,7 +43,7 @@ struct Outcome {
   std::optional<WheelOutcome> wheel = {};          ///< of module 1, whose patches have all of the above but the kind
 };
 
-/// Of an element of a solved case: 0 exterior, 1 adhesion, 2 slip, 3 plastic deformation of a layer.
+/// State of an element of a solved case: 0 exterior, 1 adhesion, 2 slip, 3 plastic deformation of a layer.
 int element_state(const Outcome& outcome, std::size_t element);
 
 } // namespace microslip::contact_program

@@ -14,7 +14,7 @@ double least_friction(const FrictionData& friction) {
   return least;
 }
 
-/// What bears a force on the rail that moves by `deflection` [mm]: a spring with a force of its own, as CONTACT counts
+/// What carries a force on the rail that moves by `deflection` [mm]: a spring with a preload, as CONTACT counts
 /// it, on the rail.
 PrescribedForce spring(const char* name, double on_rail, double stiffness, double deflection, double own, double eps) {
   return {name, stiffness * deflection - own, on_rail, eps * std::max(std::abs(own), std::abs(on_rail))};
@@ -90,7 +90,7 @@ void check_prescribed_forces(const Case& c, Outcome& outcome) {
     if (force.is_reached()) continue;
     outcome.misses_force = true;
     outcome.notes.push_back(
-        fmt::format("the force that is prescribed is not reached: {} is {:.6g} N in place of {:.6g} N", force.name,
+        fmt::format("the force that is prescribed is not reached: {} is {:.6g} N instead of {:.6g} N", force.name,
                     force.found, force.given));
   }
   if (!outcome.misses_force) return;

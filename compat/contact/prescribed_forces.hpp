@@ -31,7 +31,7 @@ PrescribedForce bottom_spring(const Case& c, const WheelOutcome& wheel);
 std::vector<PrescribedForce> prescribed_forces(const Case& c, const Outcome& outcome);
 
 /// Makes a case whose solution does not bear what it prescribes, with all its patches, `not_converged`, unless they
-/// have a worse status already, and notes what is missing: the one place that decides it for both modules.
+/// have a worse status already, and notes what is missing: the one function that decides it for both modules.
 void check_prescribed_forces(const Case& c, Outcome& outcome);
 
 } // namespace microslip::contact_program

@@ -10,7 +10,7 @@ namespace microslip::contact_program {
 
 // Records that both modules have. Errors as those of Words.
 
-/// What the last case of a sequence has left.
+/// State after the last case of a sequence.
 struct CaseSequence {
   Case last = {};
   bool has_case = false, has_solver = false, has_friction = false, has_geometry = false;
@@ -19,7 +19,7 @@ struct CaseSequence {
   void need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const;
 };
 
-/// Whether the points of the interior field are those of an earlier case.
+/// Returns whether the points of the interior field are those of an earlier case.
 bool keeps_points(const Digits& digits);
 
 void read_solver(Words& words, SolverChoice method, SolverData& solver);
@@ -29,7 +29,7 @@ std::vector<double> read_friction_set(Words& words, Law law);
 FrictionData read_friction_stations(Words& words, Law law, FrictionStations by);
 /// POISS and GG of both bodies.
 void read_elasticity(Words& words, MaterialData& material);
-/// What B = 1 and M add to them.
+/// Additions of B = 1 and M to them.
 void read_model(Words& words, const Digits& digits, MaterialData& material);
 /// M2: CDAMPN CDAMPT DFNMAX DFTMAX, or none, or what there is.
 void read_damping(Words& words, Case& c);

@@ -182,7 +182,8 @@ struct WheelColumn {
 constexpr double mm = 1e-3;
 
 constexpr WheelColumn wheel_columns[] = {
-    {"z", "m", "Z_WS, depth of the wheelset below its nominal place", [](const WheelOutcome& w) { return mm * w.z; }},
+    {"z", "m", "Z_WS, depth of the wheelset below its nominal position",
+     [](const WheelOutcome& w) { return mm * w.z; }},
     {"fx_track", "N", "force on the rail, in the track's axes: forward",
      [](const WheelOutcome& w) { return w.track.force.x; }},
     {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
@@ -205,7 +206,7 @@ constexpr WheelColumn wheel_columns[] = {
     {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
 };
 
-/// A number of the place of a patch.
+/// A number of the position of a patch.
 struct PlaceColumn {
   const char *name, *unit, *description;
   double (*value)(const PatchLocation& location);
@@ -259,7 +260,7 @@ void RunFile::add_contact(const Case& c, const Outcome& outcome, const Origin& o
   };
   add_count("line", static_cast<int>(c.line), "line of the input file where the case begins");
   add_count("number", origin.number, "of the case in the file, from 1");
-  add_count("patch", origin.patch, "contact patch of a wheel, from 1; 0 for a contact of its own");
+  add_count("patch", origin.patch, "contact patch of a wheel, from 1; 0 for an independent contact");
   for (const auto& [name, unit, what, value] : place_columns) {
     const double number = origin.place ? value(*origin.place) : nan;
     file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);

@@ -21,7 +21,7 @@ public:
   void commit() { file_.commit(); }
 
 private:
-  /// Where a contact comes from.
+  /// Origin of a contact.
   struct Origin {
     int number = 0, patch = 0;
     std::optional<PatchLocation> place = {};

@@ -24,7 +24,7 @@ Case with_creepages(Case c, const Outcome& outcome) {
   return c;
 }
 
-/// The same with the approach that was found in place of a force.
+/// The same with the approach that was found instead of a force.
 Case with_approach(Case c, const Outcome& outcome) {
   c.digits.norm = Normal::approach;
   c.normal = outcome.totals.approach;

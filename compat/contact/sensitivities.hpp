@@ -4,15 +4,15 @@
 
 namespace microslip::contact_program {
 
-/// Which are wanted, and with which step.
+/// Selection of sensitivities, and their steps.
 struct SensitivityChoice {
   int of = 0;                  ///< S2: up to 1 none, 2 of the normal problem, 3 of both
   double relative_step = 1e-4; ///< EPSSENS
 };
 
-/// Of a contact that has been solved, by central differences: the case is solved again with one input moved to either
-/// side, by the relative step of itself or of what makes the contact slide, whichever is more. Cost two solutions for
-/// S2 = 2, eight for 3. `start` is what the case has gone on from, CaseSolver::started_from.
+/// Sensitivities of a contact that has been solved, by central differences: the case is solved again with one input
+/// moved to either side, by the relative step of itself or of what makes the contact slide, whichever is more. Cost two
+/// solutions for S2 = 2, eight for 3. `start` is what the case has gone on from, CaseSolver::started_from.
 Sensitivities find_sensitivities(const Case& c, const Outcome& outcome, const SensitivityChoice& choice,
                                  const CarriedTractions& start);
 

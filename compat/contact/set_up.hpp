@@ -12,9 +12,9 @@ namespace microslip::contact_program {
 CombinedMaterial combined_material(const Case& c);
 /// The same with their retarded parts.
 Bodies bodies_of(const Case& c);
-/// How body 1 (0) or 2 (1) of viscoelastic ones (M = 1) creeps.
+/// Creep of body 1 (0) or 2 (1) of viscoelastic ones (M = 1).
 MaterialCreep creep_of(const Case& c, std::size_t body);
-/// What the bodies are for heat, SI: with H > 0 in steady rolling.
+/// Thermal data of the bodies, SI: with H > 0 in steady rolling.
 std::optional<ThermalBodies> thermal_bodies(const Case& c);
 /// V [m/s], negative for rolling along -x.
 double rolling_velocity(const Case& c);
@@ -22,7 +22,7 @@ double rolling_velocity(const Case& c);
 /// Whether the step of rolling is the elements' length whatever the file says: in steady rolling CONTACT takes another
 /// one only with its solver ConvexGS, G = 2, and with a layer, M = 4, never.
 bool takes_element_length(const Case& c);
-/// Whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to .01.
+/// Returns whether a case that rolls does so along +x or -x: CHI of 0 or 180 degrees, to 0.01.
 bool rolls_along_x(const Case& c);
 
 /// The gap A x^2 + B y^2 of a case, if it has that form [1/m]: Hertzian geometry, or a quadratic one about the origin.

@@ -24,7 +24,7 @@ bool has_memory(const Case& c) {
   return set[set.size() - 2] > 0;
 }
 
-/// Whether what happens in an element of steady rolling depends on those ahead in its row.
+/// Returns whether what happens in an element of steady rolling depends on those ahead in its row.
 bool goes_along_rows(const Case& c) {
   const Digits& d = c.digits;
   const bool yields = d.mater == Bulk::layer && c.material->model_data[2] > 0;

@@ -22,13 +22,13 @@ public:
   /// `stream` must outlive the words; `name` is the file's name for messages.
   Words(std::istream& stream, std::string name);
 
-  /// Whether there is no further value.
+  /// Returns whether there is no further value.
   bool at_end();
   /// The line of the next value, from 1.
   std::size_t line();
 
   int integer(std::string_view field, int low, int high);
-  /// A real number as Fortran reads it: `1`, `1.`, `.5`, `1d-3`, and `.1-07` without a letter for the exponent.
+  /// A real number as Fortran reads it: `1`, `1.`, `0.5`, `1d-3`, and `0.1-07` without a letter for the exponent.
   double real(std::string_view field);
   double positive(std::string_view field);
   double not_negative(std::string_view field);

@@ -12,7 +12,7 @@ namespace microslip::libcontact {
 // Arguments of calls. Each throws Refusal, with the argument's name, for a null pointer, a length below 0 and numbers
 // that are not finite.
 
-/// What a pointer points to.
+/// Target of a pointer.
 template <class Value> Value& given(const char* name, Value* pointer);
 int integer(const char* name, const int* value);
 double real(const char* name, const double* value);
@@ -20,7 +20,7 @@ double real(const char* name, const double* value);
 /// An array and its length; a null pointer may stand for none.
 std::span<const int> integers(const char* name, const int* count, const int* values);
 std::span<const double> reals(const char* name, const int* count, const double* values);
-/// Where results go.
+/// Destination of results.
 template <class Value> std::span<Value> room(const char* name, const int* count, Value* values);
 /// Letters, without blanks at the end, or up to a zero.
 std::string text(const char* name, const char* letters, const int* length);
@@ -29,7 +29,7 @@ std::string text(const char* name, const char* letters, const int* length);
 int as_integer(const char* name, double value, int least, int most);
 /// Refuses a number of values other than those from `least` to `most`.
 void require_count(const char* name, std::size_t count, std::size_t least, std::size_t most);
-/// Writes as many values as there is room for; the rest of the room stays.
+/// Writes as many values as fit; the rest of the array stays.
 template <class Value> void fill(std::span<Value> room, const std::vector<Value>& values) {
   for (std::size_t k = 0; k < room.size() && k < values.size(); ++k) room[k] = values[k];
 }

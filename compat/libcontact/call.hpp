@@ -14,9 +14,9 @@
 
 namespace microslip::libcontact {
 
-/// Which module a function is of.
+/// Module of a function.
 enum class Module { any = 0, wheel = 1, contact = 3 };
-/// Which icp a function takes in module 1: -1, either, or that of a patch.
+/// Range of icp that a function takes in module 1: -1, either, or that of a patch.
 enum class Scope { whole, either, patch };
 
 /// A call of the interface: its name and the problem it is for.
@@ -35,7 +35,7 @@ inline Call patch_call(const char* name, const int* ire, const int* icp) {
   return {name, ire, icp, Module::any, Scope::patch};
 }
 
-/// What stands before a message about a call in the log.
+/// Prefix of a message about a call in the log.
 inline const char* heading_of(const char* name) {
   return name;
 }
@@ -88,7 +88,7 @@ template <class Body> int guarded(const Call& call, Body body) noexcept {
   });
 }
 
-/// Where results of a call go, and what they are if it is refused.
+/// Destination of results of a call, and their values if it is refused.
 template <class Value> struct Results {
   Value* places;
   std::size_t count;

@@ -64,7 +64,7 @@ int code_of(const ContactStepSolution& s) {
   case Status::no_solution:
     return CNTC_err_tol;
   case Status::invalid_input:
-  case Status::implausible:  // of wheels on rails by our own solvers, and
+  case Status::implausible:  // of wheels on rails by the library's solvers, and
   case Status::out_of_range: // of tables, which this library has not
     break;
   }
@@ -156,7 +156,7 @@ void set_defaults(Case& c) {
   set_solver_defaults(c.solver);
   c.friction.law = default_choice<Law>("L");
   c.friction.sets = {{default_of("FSTAT"), default_of("FKIN")}};
-  c.rolling.emplace(); // of wheels each patch has its own
+  c.rolling.emplace(); // of wheels each patch has one
   c.material = default_material();
 }
 

@@ -19,16 +19,16 @@ using contact_program::PointBlock;
 using contact_program::Sensitivities;
 using contact_program::SensitivityChoice;
 
-/// Of all calculations since it was last set to zero [s].
+/// Time of all calculations since it was last set to zero [s].
 struct CalculationTime {
   double cpu = 0; ///< of the calling threads
   double wall = 0;
 };
 
-/// What became of a calculation.
+/// Outcome of a calculation.
 struct Calculation {
   int code = 0;                      ///< 0, elements in contact at a border, or an error's
-  std::vector<std::string> messages; ///< why it was refused, or what was left out or done in another way
+  std::vector<std::string> messages; ///< why it was refused, or what was left out or done differently
 };
 
 /// A contact with its solution: that of module 3, or a patch of a wheel.
@@ -38,7 +38,7 @@ struct Contact {
 };
 
 /// One contact problem of module 3, or a wheel on its rail: what has been set so far, in CONTACT's units, and what was
-/// found last. Whoever uses it holds its mutex.
+/// found last. Its users hold its mutex.
 class ContactProblem {
 public:
   /// With the defaults of defaults.hpp. `number` is icp, -1 for a wheel.
@@ -55,11 +55,11 @@ public:
   /// Fields inside the bodies below the contacts: of all, or of one patch. Throws Refusal and Error.
   void find_interior(int patch);
 
-  /// How often it has been calculated.
+  /// Number of calculations.
   int calculations() const { return calculations_; }
-  /// Whether what was solved last was a left wheel.
+  /// Returns whether what was solved last was a left wheel.
   bool was_left() const { return is_wheel() && solved_.wheel_rail && solved_.wheel_rail->digits.is_left(); }
-  /// How many contacts there are: of a wheel its patches.
+  /// Number of contacts: of a wheel its patches.
   int contacts() const;
   /// The contact of this problem, or a patch, from 1. Throws Refusal if there is none.
   Contact contact(int patch) const;
@@ -69,7 +69,7 @@ public:
   const Sensitivities& sensitivities(int patch) const;
   /// The blocks of points that are given for a patch, or for all contacts with -1 and in module 3.
   std::vector<PointBlock>& points(int patch);
-  /// What find_interior has found, by blocks.
+  /// Results of find_interior, by blocks.
   const std::vector<contact_program::InteriorBlock>& interior(int patch) const;
 
   std::mutex mutex;
@@ -90,7 +90,7 @@ private:
   void solve(Calculation& calculation);
   void keep_what_was_found();
   void find_sensitivities();
-  /// Whether forces and approaches are numbers.
+  /// Returns whether forces and approaches are numbers.
   bool is_finite() const;
   int code_of_refusal() const;
   int code_of_solution() const;

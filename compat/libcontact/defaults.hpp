@@ -10,7 +10,7 @@ namespace microslip::libcontact {
 /// Whose default it is: of all problems, of wheels (module 1), or of contact problems (module 3).
 enum class DefaultOf { both, wheel, contact };
 
-/// What a digit or a number of CONTACT is until it is set.
+/// Value of a digit or a number of CONTACT until it is set.
 struct Default {
   std::string_view name; ///< CONTACT's
   DefaultOf of;
@@ -21,7 +21,7 @@ struct Default {
 
 /// The one table of what a new result element or contact problem has. The values are CONTACT's; above each group stands
 /// where CONTACT gives them, and where there are others here, why. Numbers that are not in the table are 0, in CONTACT
-/// and here, but for those of CONTACT's own iterations, which do not exist here (MXSENS and what G = 5 has).
+/// and here, except for those of CONTACT's iterations, which do not exist here (MXSENS and what G = 5 has).
 inline constexpr Default defaults[] = {
     // Digits: ic_init (m_hierarch_data.f90), after which cntc_activate_wtd and cntc_activate_gd (m_global_data.f90, in
     // versions before m_caddon_data.f90) make N, A, A_s, O and O_s 0 and W 1 for the library. G is 1 there, "keep",
@@ -51,7 +51,7 @@ inline constexpr Default defaults[] = {
     {"O_s", DefaultOf::both, 0, "", CNTC_ic_sbsout},
     {"WRTINP", DefaultOf::both, 0, "", CNTC_if_wrtinp},
 
-    // Solvers: solv_init (m_hierarch_data.f90); NPOT_MAX: the wheel's own beginning (m_wrprof_data.f90).
+    // Solvers: solv_init (m_hierarch_data.f90); NPOT_MAX: the wheel's beginning (m_wrprof_data.f90).
     {"MAXGS", DefaultOf::both, 999},
     {"MAXIN", DefaultOf::both, 20},
     {"MAXNR", DefaultOf::both, 25},
@@ -100,7 +100,7 @@ inline constexpr Default defaults[] = {
     {"MX", DefaultOf::contact, 1},
     {"MY", DefaultOf::contact, 1},
 
-    // Wheels on rails: the wheel's own beginning and wheelset_ini (m_wrprof_data.f90), cntc_setpotcontact for G_MISS
+    // Wheels on rails: the wheel's beginning and wheelset_ini (m_wrprof_data.f90), cntc_setpotcontact for G_MISS
     // (contact_addon.f90). YTAPE and DYSTEP0 are what the input files of CONTACT leave out.
     {"DX", DefaultOf::wheel, 0.5, "mm"},
     {"DS", DefaultOf::wheel, 0.5, "mm"},

@@ -20,7 +20,7 @@ Value scaled(const std::vector<double>& field, double factor) {
   return [&field, factor](std::size_t k) { return factor * field[k]; };
 }
 
-/// The rigid slip in x or y, with the extra one: w = (xi - phi y, eta + phi x), taken some way ahead.
+/// The rigid slip in x or y, with the extra one: w = (xi - phi y, eta + phi x), taken some distance ahead.
 Value rigid_slip(const Outcome& o, bool in_x, double factor) {
   const auto& motion = o.step.motion;
   const bool shifts = motion.motion == ContactMotion::shift;

@@ -55,7 +55,7 @@ void set_search(ContactProblem& p, int value) {
 void set_coefficients(ContactProblem& p, int value) {
   const auto coefficients = chosen<Coefficients>(value);
   if (coefficients == Coefficients::from_file)
-    throw Refusal(CNTC_err_other, "C = 9 is not to be had by the library, as in CONTACT");
+    throw Refusal(CNTC_err_other, "C = 9 is not available in the library, as in CONTACT");
   if (coefficients == Coefficients::keep || coefficients == Coefficients::form) return;
   p.data.material->coefficients = p.data.digits.inflcf = coefficients;
 }
@@ -70,7 +70,7 @@ void set_force(ContactProblem& p, int value) {
 void set_pressure(ContactProblem& p, int value) {
   const auto model = chosen<PressureModel>(value);
   if (model == PressureModel::thin_sheet)
-    throw Refusal(CNTC_err_other, "B = 1 is not to be had by the library, as in CONTACT");
+    throw Refusal(CNTC_err_other, "B = 1 is not available in the library, as in CONTACT");
   p.data.digits.bound = model;
 }
 
@@ -100,7 +100,7 @@ void set_units(ContactProblem& p, int value) {
 }
 
 [[noreturn]] void refuse_read_only(ContactProblem&, int) {
-  throw Refusal(CNTC_err_other, "a flag that has a function of its own: L, M and H are set with their data");
+  throw Refusal(CNTC_err_other, "a flag that has a separate function: L, M and H are set with their data");
 }
 
 constexpr Flag flags[] = {

@@ -62,7 +62,7 @@ PointBlock block(int isubs, std::span<const double> x, std::span<const double> y
   return b;
 }
 
-/// Puts a block in its place; those behind it go. Number 0 lets all go.
+/// Stores a block at its number; those behind it go. Number 0 lets all go.
 void add_block(ContactProblem& p, int icp, int number, const PointBlock* b) {
   auto& blocks = p.points(icp);
   const int count = static_cast<int>(blocks.size());
@@ -121,7 +121,7 @@ int subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz) 
   return answered({"subs_getblocksize", ire, icp, Module::any, Scope::either},
                   into(result(nx, -1), result(ny, -1), result(nz, -1)), [&](ContactProblem& p) {
                     const int patch =
-                        *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless there are own ones
+                        *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless a patch has others
                     int &x = given("nx", nx), &y = given("ny", ny), &z = given("nz", nz);
                     const auto& points = found_block(p, patch, integer("iblk", iblk)).points;
                     x = static_cast<int>(points.x.size());

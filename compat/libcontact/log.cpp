@@ -15,7 +15,7 @@ bool Log::open(const std::filesystem::path& file) {
   written_.clear();
   file_ = std::ofstream(file);
   if (!file_) return false;
-  file_ << "microslip " MICROSLIP_VERSION ", in the place of CONTACT's library" << std::endl;
+  file_ << "microslip " MICROSLIP_VERSION ", instead of CONTACT's library" << std::endl;
   return true;
 }
 

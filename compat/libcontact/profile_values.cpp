@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-// Profiles as they are used. In CONTACT's order: rails from the gauge to the field side, wheels the other way round, so
+// Profiles as they are used. In CONTACT's order: rails from the gauge to the field side, wheels in reverse, so
 // that their s is the negative of ours. In mm, whatever the units.
 
 namespace microslip::libcontact {
@@ -104,7 +104,7 @@ std::vector<double> gauge(const ContactProblem& p, const ProfileCurve& rail) {
 /// Where a surface is interrupted, as CONTACT has it.
 constexpr double nowhere = 999;
 
-/// The place on a surface at u and CONTACT's v, which begins with 1 and of wheels on the other side.
+/// The point on a surface at u and CONTACT's v, which begins with 1 and of wheels on the other side.
 std::array<double, 3> surface_point(const ProfileSurface& s, bool of_wheel, double u, double v) {
   const auto last = static_cast<double>(s.last_v());
   const auto found = s.at(u, of_wheel ? last + 1 - v : v - 1);

@@ -15,8 +15,8 @@ namespace microslip::libcontact {
 /// The result elements that there are, by their numbers. This is the library's only state beyond a call: the interface
 /// names result elements by numbers that its caller chooses, and has one log for all of them.
 ///
-/// The registry's mutex is held for look-ups only; whoever works on a problem holds the problem's own. A problem that
-/// is finalized while a thread works on it lives until that thread is done.
+/// The registry's mutex is held for look-ups only; work on a problem requires the mutex of the problem. A problem
+/// that is finalized while a thread works on it lives until that thread is done.
 class Registry {
 public:
   static constexpr int most_elements = 999, most_problems = 9;
@@ -33,12 +33,12 @@ public:
   void remove(int element);
   void remove_all();
 
-  /// Of an element that is there.
+  /// Module of an existing element.
   std::optional<int> module(int element);
   /// The problem of a call with `icp`: in module 1 that of the wheel, whatever its patch. Begins the library and adds
   /// the element if there is none. Throws Refusal as add does, and for an icp that does not exist.
   std::shared_ptr<ContactProblem> problem(int element, int module, int icp);
-  /// Where profiles are looked for.
+  /// Folder of profiles.
   std::filesystem::path working_folder();
   Log& log() { return log_; }
 

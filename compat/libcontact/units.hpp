@@ -14,11 +14,11 @@ struct Units {
   double body = 1;   ///< 1: forces and slip are those of body 1, -1: of body 2
 
   double area() const { return length * length; }
-  /// Of a pressure or a modulus of elasticity [N/mm2].
+  /// Unit of a pressure or a modulus of elasticity [N/mm2].
   double pressure() const { return 1 / area(); }
 };
 
-/// Those of one of CNTC_un_...; imperial units are CONTACT's own, as in CONTACT.
+/// Those of one of CNTC_un_...; imperial units are those of CONTACT.
 inline Units units_of(int code) {
   if (code == CNTC_un_spck) return {1e3, 1e3, -1};
   if (code == CNTC_un_si) return {1e3, 1e3, 1};

@@ -86,7 +86,7 @@ std::vector<double> location(const ContactProblem& p, int icp) {
           l.rail.x * unit, l.rail.y * unit, l.rail.z * unit, patch.s_rail * unit, l.angle_on_rail,
           // and of the wheel's
           l.wheel.x * unit, l.wheel.y * unit, l.wheel.z * unit, s_wheel * unit, l.angle_on_wheel,
-          // the centre of pressure, and what the rail gives way
+          // the centre of pressure, and the deflection of the rail
           centre.x * unit, sign * centre.y * unit, 0, sign * wheel.dy_rail * unit, wheel.dz_rail * unit, 0,
           // the wheel's profile in the track
           wheel_in_track.x * unit, sign * wheel_in_track.y * unit, wheel_in_track.z * unit,

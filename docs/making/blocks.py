@@ -46,7 +46,7 @@ class Block:
         return f"{self.page}:{self.line}"
 
     def marked(self, word):
-        """What follows `word` in the mark, or None."""
+        """Returns what follows `word` in the mark, or None."""
         return self.mark[len(word):].strip() if self.mark.startswith(word) else None
 
 

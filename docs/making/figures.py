@@ -10,7 +10,7 @@ VERDICT = re.compile(r"\b(ok|NOT MET)\b")
 
 @dataclass(frozen=True)
 class Rules:
-    """Which figures may be others."""
+    """Rules for figures that may differ."""
 
     within: float = 0.0
     noise: float = 0.0
@@ -18,7 +18,7 @@ class Rules:
     words_only: bool = False
 
     def same(self, said, printed):
-        """Whether two figures count as equal."""
+        """Returns whether two figures count as equal."""
         a, b = float(said), float(printed)
         return same_number(said, printed) or abs(a - b) <= self.within * abs(a) or max(abs(a), abs(b)) < self.noise
 
@@ -40,12 +40,12 @@ def parse(text):
 
 
 def column(line, begin, end):
-    """Where a part of a line stands: in a table of Markdown the number of its cell, else its first and last place."""
+    """Position of a part of a line: in a table of Markdown the number of its cell, else its first and last column."""
     return (line.count("|", 0, begin),) * 2 if line.startswith("|") else (begin, end - 1)
 
 
 def columns_of(texts, line):
-    """Where the texts stand in a line."""
+    """Positions of the texts in a line."""
     return [column(line, *match.span()) for text in texts for match in re.finditer(re.escape(text), line)]
 
 

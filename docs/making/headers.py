@@ -57,7 +57,7 @@ def declared(code):
 
 
 def name_of(code):
-    """What a declaration declares."""
+    """Name of a declaration."""
     text = re.sub(r"^template <[^{;]*?>\s+(?=class|struct|using|\w)", "", " ".join(line.strip() for line in code))
     text = re.sub(r"//.*?$|\bMICROSLIP_API\b", "", text)
     typedef = re.match(r"typedef (?:struct|enum) (\w+)|typedef .*?\(\*(\w+)\)", text)
@@ -99,7 +99,7 @@ def fenced(language, code):
 
 
 def escaped(prose):
-    """Prose as Markdown: signs that Markdown takes for its own stand for themselves."""
+    """Prose as Markdown: characters that Markdown would interpret are escaped."""
     return re.sub(r"([*_<>\[\]$\\#|])", r"\\\1", re.sub(r"`[^`]*`", lambda code: code[0].replace("_", "\0"), prose)).replace("\0", "_")
 
 

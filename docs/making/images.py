@@ -32,7 +32,7 @@ TOLERANCE, BLOCK = 0.012, 4
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """What makes pictures: a command that writes them to {folder}, and which picture of docs/images is which of these."""
+    """Source of pictures: a command that writes them to {folder}, and which picture of docs/images is which of these."""
 
     command: str
     pictures: dict
@@ -98,7 +98,7 @@ def difference(one, other):
 
 
 def is_as_drawn(image, path):
-    """Whether a picture of docs/images looks as one that is drawn today; says so if not."""
+    """Returns whether a picture of docs/images looks as one that is drawn today; says so if not."""
     if not (IMAGES / image).exists():
         print(f"docs/images/{image}: missing")
         return False

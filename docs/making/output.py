@@ -26,7 +26,7 @@ def same_number(said, printed):
 
 
 def same_line(said, printed):
-    """Whether two lines have the same words and the same numbers."""
+    """Returns whether two lines have the same words and the same numbers."""
     words, numbers = words_and_numbers(said)
     printed_words, printed_numbers = words_and_numbers(printed)
     return words == printed_words and all(map(same_number, numbers, printed_numbers))

@@ -20,7 +20,7 @@ PYTHON = "<!-- python reference -->"
 
 
 def tutorial_page(app, docname):
-    """Runs a tutorial in a process of its own, if its page is not there yet or older than what it is made from."""
+    """Runs a tutorial in a separate process, if its page is not there yet or older than what it is made from."""
     folder = Path(app.doctreedir) / docname
     script, runner = Path(app.srcdir) / f"{docname}.py", Path(__file__).with_name("tutorial.py")
     module = Path(find_spec("microslip._core").origin)

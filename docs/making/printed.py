@@ -38,7 +38,7 @@ def words(line):
 
 
 def equal_figures(one, other):
-    """How many figures two lines with the same words have in common: labels and what has not changed say which line it is."""
+    """Number of figures that two lines with the same words have in common: labels and what has not changed say which line it is."""
     return sum(a == b for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)))
 
 
@@ -90,14 +90,14 @@ def renewed(text, output):
 
 @dataclass
 class Printed:
-    """What pages have of a command's output."""
+    """Excerpts of a command's output in the pages."""
 
     command: str
     is_slow: bool = False
     blocks: list = field(default_factory=list)
 
     def has(self, word):
-        """Whether the word is in the command or in the path of a page."""
+        """Returns whether the word is in the command or in the path of a page."""
         return word in self.command or any(word in str(block.page) for block in self.blocks)
 
 
@@ -142,7 +142,7 @@ def renew(block, output, write):
 
 
 def make_workplace(folder, build):
-    """Links to all that the commands name, so that what they write is written elsewhere; `build` in place of the usual one."""
+    """Links to all that the commands name, so that what they write is written elsewhere; `build` instead of the usual one."""
     for entry in ROOT.iterdir():
         if entry.name not in ("build", "results"):
             (folder / entry.name).symlink_to(entry)
@@ -152,7 +152,7 @@ def make_workplace(folder, build):
 
 
 def run(command, folder):
-    """What a command prints; a study whose figures are not met has the exit code 1 and is printed all the same."""
+    """Output of a command; a study whose figures are not met has the exit code 1 and is printed all the same."""
     environment = {**os.environ, "PATH": f"{folder / BUILD / 'bin'}{os.pathsep}{os.environ['PATH']}"}
     done = subprocess.run(["bash", "-c", command], text=True, stdout=subprocess.PIPE, cwd=folder, env=environment)
     if done.returncode not in (0, 1):

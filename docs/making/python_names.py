@@ -31,7 +31,7 @@ def signature(node, name, drop_self=True):
 
 
 def decorated(node, name):
-    """Whether a method has a decorator."""
+    """Returns whether a method has a decorator."""
     return any(ast.unparse(one) == name for one in node.decorator_list)
 
 

@@ -51,7 +51,7 @@ def extract(folder, pages):
 
 
 def run_program(command, **options):
-    """What a command prints; an error with both its streams if it fails."""
+    """Output of a command; an error with both its streams if it fails."""
     done = subprocess.run(command, text=True, capture_output=True, timeout=LIMIT, **options)
     if done.returncode != 0:
         raise RuntimeError(f"exit code {done.returncode}\n{done.stdout}{done.stderr}")
@@ -59,12 +59,12 @@ def run_program(command, **options):
 
 
 def run_shell(text):
-    """What commands print."""
+    """Output of commands."""
     return run_program(["bash", "-euo", "pipefail", "-c", text])
 
 
 def run_python(text, names):
-    """What Python code prints; `names` are kept from block to block."""
+    """Output of Python code; `names` are kept from block to block."""
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(compile(text, "<block>", "exec"), names)
@@ -112,7 +112,7 @@ class Page:
             raise RuntimeError(f"a block of '{block.language}' needs a mark, see docs/making/blocks.py")
 
     def compare(self, block, before):
-        """Whether the command of its mark, or else the block before, printed this."""
+        """Returns whether the command of its mark, or else the block before, printed this."""
         command = block.marked("output of:")
         printed = run_shell(command) if command else before
         if printed is None:

@@ -49,7 +49,7 @@ def fence(language, text):
 
 
 class Cell:
-    """What a cell of code left: its text, what it printed, what its last line was worth, its pictures with titles."""
+    """Output of a cell of code: its text, what it printed, what its last line was worth, its pictures with titles."""
 
     def __init__(self, code):
         self.code, self.printed, self.value, self.pictures = code, "", None, []
@@ -65,7 +65,7 @@ class Cell:
         return parts + [f"![{title}]({file.name})\n\n*{title}*" for title, file in self.pictures]
 
     def outputs(self, count):
-        """The same as outputs of a notebook."""
+        """Converts it to outputs of a notebook."""
         found = []
         if self.printed:
             found.append({"output_type": "stream", "name": "stdout", "text": self.printed})

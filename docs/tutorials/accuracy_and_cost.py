@@ -93,7 +93,7 @@ plt.show()
 # | for | take | because |
 # |---|---|---|
 # | time integration of a vehicle, millions of contacts | `Fastsim2(10, 10)` | a microsecond; an error below that of the profiles and of the friction coefficient |
-# | wear, fatigue, tables of forces | `EllipticContactSolver(24, 24)` | milliseconds; .001 of $\mu F_n$ |
+# | wear, fatigue, tables of forces | `EllipticContactSolver(24, 24)` | milliseconds; 0.001 of $\mu F_n$ |
 # | a number to trust | `AccurateContactSolver(1e-3)` | it says how far it may be off |
 # | comparing with CONTACT | `discretisation="classical"` | the same equations, the same digits |
 #

@@ -94,4 +94,4 @@ for discretisation, n in (("classical", 15), ("second_order", 15), ("second_orde
 # The classical elements repeat CONTACT's number. Those of second order, on the same grid, are much nearer to the limit.
 # So differences from CONTACT are mostly CONTACT's discretisation error; where digits matter, compare with
 # `discretisation="classical"`. [Accuracy of the exact theory](../accuracy-exact.md) has all printed results of
-# CONTACT's own examples beside ours.
+# CONTACT's examples beside microslip's.

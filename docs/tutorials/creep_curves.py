@@ -21,7 +21,7 @@ limit = 0.3 * contact.normal_force  # mu Fn
 # %% [markdown]
 # ## Slope and saturation
 #
-# A batch takes arrays in place of creepages; they broadcast as numpy's arrays do, and all processors work on them. So
+# A batch takes arrays instead of creepages; they broadcast as numpy's arrays do, and all processors work on them. So
 # one call gives the curves for three spins: spins down, creepages across.
 
 # %%

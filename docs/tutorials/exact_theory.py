@@ -3,7 +3,7 @@
 #
 # The exact theory takes both bodies as elastic half-spaces: a traction anywhere moves the surface everywhere. So
 # nothing has to be assumed about the contact area or about springs, and shapes that are no ellipses, histories and
-# given forces can be treated. This tutorial shows three things that the simplified theory cannot do.
+# prescribed forces can be treated. This tutorial shows three things that the simplified theory cannot do.
 
 # %%
 import copy
@@ -24,7 +24,7 @@ solver = microslip.EllipticContactSolver(32, 32)
 # %% [markdown]
 # ## Forces given
 #
-# In a measurement one knows the force, not the creepage. A force may take the place of the creepage in its direction:
+# In a measurement one knows the force, not the creepage. A force may be prescribed instead of the creepage in its direction:
 # the creepage is then found.
 
 # %%
@@ -41,7 +41,7 @@ print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {
 #
 # ## How steady rolling comes about
 #
-# Steady rolling is a limit. A contact that begins to roll from nothing needs some way until its tractions no longer
+# Steady rolling is a limit. A contact that begins to roll from nothing needs some distance until its tractions no longer
 # change: how long? Transient rolling goes step by step and keeps the history.
 
 # %%
@@ -49,13 +49,13 @@ contact.creepage = (0.0018, 0.0006, 0.4)
 steps, length = 72, contact.a / 16
 transient = solver.solve(contact, motion="transient", step=length, steps=steps)
 steady = microslip.EllipticContactSolver(32, 32, discretisation="classical").solve(contact)
-way = length * np.arange(1, steps + 1) / contact.a
+distance = length * np.arange(1, steps + 1) / contact.a
 figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8))
 for name, colour in (("fx", BLUE), ("fy", ORANGE)):
     history = [-getattr(step.forces, name) / limit for step in transient.history]
-    axes.plot(way, history, ".-", color=colour, label=f"$-F_{name[1]}$")
+    axes.plot(distance, history, ".-", color=colour, label=f"$-F_{name[1]}$")
     axes.axhline(-getattr(steady.forces, name) / limit, linestyle=":", color=colour, label=f"$-F_{name[1]}$, steady")
-axes.set(xlabel="way rolled / a", ylabel="force / ($\\mu F_n$)")
+axes.set(xlabel="distance rolled / a", ylabel="force / ($\\mu F_n$)")
 axes.legend(ncols=2)
 plt.show()
 
@@ -64,9 +64,9 @@ plt.show()
 # gone. So a vehicle model may take steady rolling as long as creepages change slowly over some centimetres.
 # Corrugation, with waves of that length, is where it may not.
 #
-# ## A shape of one's own
+# ## Any shape
 #
-# Worn profiles touch in areas that are no ellipses, or at two places at once. `PatchRolling` takes any undeformed
+# Worn profiles touch in areas that are no ellipses, or in two areas at once. `PatchRolling` takes any undeformed
 # distance `gap` between the surfaces, given at the centres of a regular grid. Here: a rail with a shallow groove along
 # the middle of its running surface.
 
@@ -105,7 +105,7 @@ plt.show()
 
 # %% [markdown]
 # **How to read it.** Left: the groove cuts the contact in two, each part with a larger pressure than the smooth rail
-# has anywhere. Right: each patch has its own leading edge, where tractions begin at zero, and its own slip area. The
+# has anywhere. Right: each patch has a leading edge, where tractions begin at zero, and a slip area. The
 # sum of the forces is yet within a per cent of that of the smooth rail. That is a common finding: **total forces
 # forgive a wrong shape; stresses and wear do not.**
 #

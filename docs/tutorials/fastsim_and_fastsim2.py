@@ -22,7 +22,7 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 # %% [markdown]
 # ## One contact, row by row
 #
-# The difference is easily seen with spin, where the direction of the slip turns on the particle's way. First 8 x 8
+# The difference is easily seen with spin, where the direction of the slip turns on the particle's path. First 8 x 8
 # cells of each, beside 200 x 200 of FASTSIM2, all along the row next to the middle:
 
 # %%
@@ -45,7 +45,7 @@ plt.show()
 
 # %% [markdown]
 # **How to read it.** FASTSIM's tractions rise too early: in its first cell it takes a full step where the particle has
-# only come half the way, and its slip belongs to the wrong end of the step. FASTSIM2's points lie on the fine curve,
+# only come half as far, and its slip belongs to the wrong end of the step. FASTSIM2's points lie on the fine curve,
 # but for the last one, in whose step slip begins.
 #
 # ## Many contacts
@@ -105,7 +105,7 @@ plt.show()
 # error when the cells are halved; FASTSIM2 quarters it. On 10 x 10 cells FASTSIM2 is better than FASTSIM on 80 x 80,
 # with a sixty-fourth of the cells. The middle line shows what a better first step alone is worth.
 #
-# The model error of the simplified theory is some .03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take
+# The model error of the simplified theory is some 0.03, so for forces alone 10 x 10 cells of FASTSIM2 are enough; take
 # more for tractions and areas.
 #
 # ## What it costs
@@ -118,4 +118,4 @@ for name, solver in (("FASTSIM, 80 x 80", microslip.Fastsim(80, 80)),
 
 # %% [markdown]
 # Times are those of the machine that built this page. [Performance](../performance.md) measures them with care,
-# [accuracy](../accuracy.md) repeats the paper's own statistics on its 3,220 cases.
+# [accuracy](../accuracy.md) repeats the paper's statistics on its 3,220 cases.

@@ -87,7 +87,7 @@ plt.show()
 # **How to read it.** The contact rolls to the right. A particle enters on the right, at the leading edge, without any
 # traction. While it travels to the left through the contact, both surfaces stick together, and because the wheel creeps
 # over the rail they shear each other more and more: the arrows grow. At some point the traction would be more than
-# friction can bear, and the particle slips for the rest of its way. So there is always slip at the rear, at any
+# friction can bear, and the particle slips for the rest of its path. So there is always slip at the rear, at any
 # creepage, and with more creepage it begins earlier. With spin the picture is not symmetric.
 #
 # A cut along y = 0 shows the same as a curve:
@@ -106,7 +106,7 @@ plt.show()
 
 # %% [markdown]
 # From the right, the traction grows until it meets the bound, and follows it down to the left. Its longitudinal part
-# grows in a straight line, as the creepage that causes it is the same everywhere. FASTSIM2 finds the place where it
+# grows in a straight line, as the creepage that causes it is the same everywhere. FASTSIM2 finds the point where it
 # meets the bound inside of a step: that is why it needs so few cells.
 #
 # ## The exact theory

@@ -21,7 +21,7 @@ print(f"rail:  {len(rail.y)} points")
 # %% [markdown]
 # ## Where they touch
 #
-# A track puts the rails in their place, a wheelset the wheels. First without any load: the wheelset as a rigid body that
+# A track positions the rails, a wheelset the wheels. First without any load: the wheelset as a rigid body that
 # touches both rails, displaced sideways. The difference of the rolling radii is what steers it.
 
 # %%
@@ -42,7 +42,7 @@ plt.show()
 # %% [markdown]
 # **How to read it.** The upper curve is flat in the middle, where the wheelset is steered little, and steep from 5 mm
 # on. Where it bends abruptly, the point of contact in the lower curve jumps over a part of the rail that is never
-# touched: at such places a wheel touches at two points for a moment, and forces must be shared between them.
+# touched: there a wheel touches at two points for a moment, and forces must be shared between them.
 #
 # ## Forces
 #

@@ -39,7 +39,7 @@ alone = microslip.InteriorField(steel, 2, grid, pn=normal.pressure)
 
 # %% [markdown]
 # Points are given with their depth below the surface. Here a section along the rail, below the middle of the contact;
-# von Mises' stress says how near a place is to yielding.
+# von Mises' stress says how close a point is to yielding.
 
 # %%
 x, depth = np.linspace(-2 * hertz.a, 2 * hertz.a, 81), np.linspace(0.3e-3, 9e-3, 36)
@@ -85,7 +85,7 @@ right.set(xlabel="coefficient of friction", ylabel="its depth [mm]", ylim=(0, No
 plt.show()
 
 # %% [markdown]
-# **How to read it.** Up to a friction of about .4 the worst point stays inside and its stress hardly changes. Beyond,
+# **How to read it.** Up to a friction of about 0.4 the worst point stays inside and its stress hardly changes. Beyond,
 # it jumps to the surface (the dotted line is where the search begins) and grows with friction. That is the old rule
 # that dry rails crack from the surface and lubricated ones from within.
 #

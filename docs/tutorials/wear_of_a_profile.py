@@ -42,12 +42,12 @@ figure, axis = plt.subplots(num="Depth that one passage takes off, across the wh
 axis.plot(1e3 * fields.fields.y[:, 0], 1e9 * depth, color=VERMILION)
 axis.set(xlabel="y in the patch [mm]", ylabel="depth [nm]")
 plt.show()
-print(f"a turn takes off {1e9 * depth.max():.2f} nm at most: {1e-3 * 50e-6 / depth.max() * 2 * np.pi * 0.46:.0f} km for .05 mm at that place")
+print(f"a turn takes off {1e9 * depth.max():.2f} nm at most: {1e-3 * 50e-6 / depth.max() * 2 * np.pi * 0.46:.0f} km for 0.05 mm at that point")
 
 # %% [markdown]
 # ## Many contacts
 #
-# A wheel does not stay at one place. Its service is a distribution of states: here lateral positions about the
+# A wheel does not stay at one position. Its service is a distribution of states: here lateral positions about the
 # track's centre, turned to either side alike. Each contributes by its share of the distance.
 
 # %%
@@ -67,7 +67,7 @@ print(f"{1e12 * area:.0f} mm^2 per 1000 km")
 #
 # ## The profile that is left
 #
-# The depth is taken off along the normal, at most .05 mm before contacts are computed anew:
+# The depth is taken off along the normal, at most 0.05 mm before contacts are computed anew:
 
 # %%
 profile, gone, total = new, 0.0, 0.0
@@ -91,4 +91,4 @@ print(f"flange {1e3 * flange.flange_height:.2f} mm high, {1e3 * flange.flange_th
 # %% [markdown]
 # `examples/wear/wear.py` goes on to 3000 km and writes the profiles, `examples/wear/plot.py` draws them
 # ([picture](../wheel-on-rail.md#wear-fatigue-guidance)). Dry steel, as here, wears several times faster than a wheel in
-# service, which runs in rain and on grease for part of its way.
+# service, which runs in rain and on grease for part of its mileage.

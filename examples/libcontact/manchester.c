@@ -1,5 +1,5 @@
 /* The Manchester contact benchmark A-2.2 through libcontact, as programs that are written for CONTACT's library have
- * it: both wheels of a wheelset that moves aside, 21 states each, with forces, places, fields and sensitivities.
+ * it: both wheels of a wheelset that moves aside, 21 states each, with forces, positions, fields and sensitivities.
  *
  *   cc manchester.c -I PREFIX/include -L PREFIX/lib -lcontact -o manchester
  *   ./manchester RAIL.prr WHEEL.prw

@@ -62,7 +62,7 @@ def set_profile(contact, ire, file, itype):
 
 
 def set_up(contact, ire, rail, wheel):
-    """What does not change from state to state."""
+    """Makes the settings that do not change from state to state."""
     flags = {UNITS: CONTACT_UNITS, CONFIG: ire - 1, TANG: 3, PVTIME: 2, NORM: 1, DISCNS: 2}
     contact.call("cntc_setflags", ire, WHOLE, len(flags), ints(*flags), ints(*flags.values()))
     contact.call("cntc_setmaterialparameters", ire, WHOLE, 0, 4, doubles(0.28, 0.28, 82000, 82000))

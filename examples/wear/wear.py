@@ -12,7 +12,7 @@ import numpy as np
 
 PROFILES = Path(__file__).resolve().parents[1] / "profiles"
 SPEED, LOAD, RADIUS = 30.0, 80e3, 0.46  # m/s, N, m
-# Dry steel by KTH's map; in service part of the way is lubricated by rain or grease, and wear is several times less.
+# Dry steel by KTH's map; in service part of the distance is lubricated by rain or grease, and wear is several times less.
 STEEL = microslip.SurfaceStrength(hardness=3e9)
 BIN = 0.25e-3  # m, along the profile
 SMOOTHING = 1e-3  # m, of each pass
@@ -22,7 +22,7 @@ DEEPEST_STEP = 50e-6  # m that may be worn off before contacts are computed agai
 
 @dataclass
 class Service:
-    """What a wheelset does: states of its left wheel and the share of the distance that it spends in each."""
+    """Service of a wheelset: states of its left wheel and the share of the distance that it spends in each."""
 
     lateral: np.ndarray  # m
     yaw: np.ndarray  # rad

@@ -130,7 +130,7 @@ void ProfiledWheelset::rates(const State& z, State& rate, Jacobian& jacobian) {
     jacobian[height_rate][column] = force.z / p_.mass;
     jacobian[roll_rate][column] = moment.x / p_.roll_inertia;
     jacobian[yaw_rate][column] = moment.z / p_.roll_inertia;
-    // The axle's own direction changes as well, but the moment about other axes is small.
+    // The direction of the axle changes as well, but the moment about other axes is small.
     jacobian[rotation][column] = along_axle(z[roll], z[yaw], moment) / p_.rolling_inertia;
   }
   const double spin = p_.rolling_inertia / p_.roll_inertia;

@@ -17,7 +17,7 @@ struct ProfiledParameters {
   double rolling_inertia = 100;   ///< about the axle [kg m^2]
   double lateral_stiffness = 5e5; ///< of the suspension [N/m]
   double yaw_stiffness = 2e6;     ///< [N m/rad]
-  double axle_load = 120e3;       ///< Q, with the wheelset's own weight [N]
+  double axle_load = 120e3;       ///< Q, with the weight of the wheelset [N]
   double half_wheelbase = 1.25;   ///< a: how far it is ahead of the bogie's centre [m]
   double curvature = 0;           ///< kappa [1/m], > 0 in a curve to the left
   double cant_deficiency = 0;     ///< [m]: by how much the outer rail of a curve is too low for the speed

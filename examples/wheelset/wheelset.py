@@ -100,7 +100,7 @@ class Wheelset:
         self.jacobians = [np.ctypeslib.as_array(found.jacobian) for found in self.found]
 
     def creepages(self, side, z):
-        """xi, eta, phi and their derivatives to the state; side is 1 for the left wheel and -1 for the right one."""
+        """xi, eta, phi and their derivatives with respect to the state; side is 1 for the left wheel and -1 for the right one."""
         v, rolling = self.speed, self.radius + side * self.conicity * z[LATERAL]
         turning = v / self.radius + z[ROTATION]
         creepages = ((v - side * self.half_gauge * z[YAW_RATE] - turning * rolling) / v,

@@ -3,7 +3,7 @@
 //
 //   wheelset_levels PROFILES TABLE [DURATION [ELEMENTS]]     PROFILES: where s1002.prw and 60e1.prr are; TABLE: a
 //                                                            creep-force table; DURATION [s] of the exact level, which
-//                                                            starts in the table's limit cycle, none: .3; ELEMENTS of
+//                                                            starts in the table's limit cycle, none: 0.3; ELEMENTS of
 //                                                            it across a patch, none: 24
 
 #include "profiled_runs.hpp"

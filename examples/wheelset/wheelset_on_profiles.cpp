@@ -26,7 +26,7 @@ ProfiledParameters at_speed(double speed) {
 }
 
 void print_growth(const WheelRailBodies& bodies, double critical) {
-  std::printf("\nSmall disturbances: growth rate [1/s] by eigenvalues and in the nonlinear run from .001 mm\n");
+  std::printf("\nSmall disturbances: growth rate [1/s] by eigenvalues and in the nonlinear run from 0.001 mm\n");
   std::printf("  speed [m/s]  eigenvalues      run  frequency [Hz]\n");
   for (const double speed : {std::floor(critical) - 5, std::ceil(critical) + 2}) {
     const auto [rate, frequency] = small_motion(bodies, {}, speed);

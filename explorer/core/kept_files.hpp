@@ -6,7 +6,7 @@
 
 namespace microslip::explorer {
 
-/// Files that cases name, in a folder of their own; in a browser it is in memory.
+/// Files that cases name, in a separate folder; in a browser it is in memory.
 class KeptFiles {
 public:
   /// The folder has to be there; empty: the current one.
@@ -14,7 +14,7 @@ public:
 
   /// Where a file of this name is. Throws Error for a name with a folder or without letters.
   std::filesystem::path path(const std::string& name) const;
-  /// Whether there is a file of this name. Throws Error as above.
+  /// Returns whether there is a file of this name. Throws Error as above.
   bool has(const std::string& name) const;
   /// Writes a file unless it has just these contents already. Whether it was written. Throws Error as above.
   bool put(const std::string& name, const std::string& contents);

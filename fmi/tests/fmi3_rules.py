@@ -32,7 +32,7 @@ REQUIRED = {
     "Category": {"name"}, "Unit": {"name"},
     "Output": {"valueReference"}, "InitialUnknown": {"valueReference"},
 }
-# Which `initial` goes with a causality and a variability; None: must not be given.
+# The `initial` of a causality and a variability; None: must not be given.
 INITIAL = {
     ("parameter", "fixed"): {"exact"}, ("parameter", "tunable"): {"exact"},
     ("input", "discrete"): {None, "exact"}, ("input", "continuous"): {None, "exact"},

@@ -25,7 +25,7 @@ std::string attribute(const std::string& element, const std::string& name) {
   return std::regex_search(element, match, std::regex("\\b" + name + "=\"([^\"]*)\"")) ? match[1].str() : "";
 }
 
-/// What the tests need of modelDescription.xml.
+/// Data of modelDescription.xml for the tests.
 struct Description {
   std::string guid, identifier;
   std::map<std::string, fmi2ValueReference> references;

@@ -9,12 +9,12 @@
 
 namespace microslip {
 
-/// Many independent items, e.g. contacts, on several threads: the one engine behind every door that solves many.
+/// Many independent items, e.g. contacts, on several threads: the one engine behind every interface that solves many.
 struct BatchOptions {
   std::size_t chunk = 1; ///< items that a thread takes at a time, >= 1; some milliseconds of work
   int threads = 1;       ///< 1 to most_threads
   /// Told by the calling thread only of the fraction of items done, ascending. False ends the batch: no further chunk
-  /// is begun, and the workers' own progress answers false. What it throws does the same and is passed on.
+  /// is begun, and the workers' progress functions return false. What it throws does the same and is passed on.
   Progress progress = {};
   /// Whether an item that throws Error leaves the others alone and its reason is kept.
   bool keep_errors = false;
@@ -29,7 +29,7 @@ struct BatchError {
   std::string reason;
 };
 
-/// How a batch ended.
+/// Outcome of a batch.
 struct BatchReport {
   bool complete = true;                ///< false if progress ended it: some items are not done, or not to their end
   std::vector<BatchError> errors = {}; ///< those kept, by their first items
@@ -39,7 +39,7 @@ struct BatchReport {
 /// end early if that answers false.
 using BatchWorker = std::function<void(std::size_t first, std::size_t n, const Progress& progress)>;
 
-/// Works on items 0 to count - 1. Every thread calls `make_worker` once, for solvers and memory of its own, and then
+/// Works on items 0 to count - 1. Every thread calls `make_worker` once, for separate solvers and memory, and then
 /// takes the next chunk whenever it has done one. Results do not depend on the number of threads if an item's do not
 /// depend on its neighbours. Within the batch OpenMP has one thread for each worker.
 ///

@@ -14,7 +14,7 @@ struct SolutionStep {
   SolverReport report;
 };
 
-/// What any solver finds for a contact; in transient rolling after the last step.
+/// Result of any solver for a contact; in transient rolling after the last step.
 struct ContactSolution {
   ContactMotion motion = ContactMotion::steady;
   Elements elements;
@@ -26,7 +26,7 @@ struct ContactSolution {
   SolverReport report;
   std::vector<SolutionStep> history; ///< transient rolling: the steps in their order
 
-  /// What a vehicle code asks for.
+  /// Forces and areas alone, for vehicle codes.
   ContactForces forces() const {
     return {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, report.status};
   }

@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What tractions and pressures do between the elements' centres.
+/// Interpolation of tractions and pressures between the elements' centres.
 enum class ElementShape {
   constant, ///< the same all over an element
   bilinear, ///< from a centre's value linearly to zero at the next centres along x and y; so they reach half an element

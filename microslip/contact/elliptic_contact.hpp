@@ -29,7 +29,7 @@ struct EllipticContact {
 /// |K| of any two bodies: K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 is largest with one of them rigid and nu = 0 [-].
 inline constexpr double largest_dissimilarity = 0.5;
 
-/// Whether everything is in range, and what is not: field, value, unit and range.
+/// Returns whether everything is in range, and what is not: field, value, unit and range.
 bool is_valid(const EllipticContact& contact) noexcept;
 void check(const EllipticContact& contact); ///< throws Error
 /// The same for the simplified theory and creep-force tables, which have no dissimilarity: numbers that are > 0 lie in

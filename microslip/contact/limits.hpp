@@ -13,8 +13,8 @@ inline constexpr int most_steps = 1000000;    ///< of transient rolling
 inline constexpr int most_threads = 1024;     ///< of a batch
 inline constexpr std::size_t most_interior_points = 2000000; ///< inside the bodies: some 100 bytes of a file for each
 
-/// Ranges of what is asked of the exact theory, for whoever asks. A tolerance of the relative residual below rounding
-/// is never met; of 1 any tractions do, zero as well, and beyond .1 no figure of a result means anything.
+/// Ranges of options of the exact theory, for all interfaces. A tolerance of the relative residual below rounding
+/// is never met; of 1 any tractions do, zero as well, and beyond 0.1 no figure of a result means anything.
 inline constexpr double smallest_tolerance = 1e-14, largest_tolerance = 0.1;
 /// The same of a tolerance of the vertical force on a wheel, relative.
 inline constexpr double smallest_load_tolerance = 1e-12, largest_load_tolerance = 1e-2;

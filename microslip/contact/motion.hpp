@@ -8,7 +8,7 @@ enum class RollingDirection {
   backward, ///< along -x: particles enter at small x
 };
 
-/// How the bodies move over each other.
+/// Kind of motion of the bodies over each other.
 enum class ContactMotion {
   shift,     ///< a rigid shift without rolling; creepages are shifts [m] and a rotation [rad], slip is in m
   transient, ///< one step of rolling, the contact moving over the bodies

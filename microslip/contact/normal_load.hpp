@@ -2,7 +2,7 @@
 
 namespace microslip {
 
-/// What is given about the normal direction.
+/// Prescribed load or approach in the normal direction.
 struct NormalLoad {
   enum class Given { approach, force };
   Given given = Given::force;

@@ -11,7 +11,7 @@ namespace microslip {
 /// A number that solutions have. Printed tables, JSON, HDF5, CSV, Python and C read it from here: a new one is a line
 /// of the table in quantities.cpp.
 struct Quantity {
-  std::string_view name;        ///< in every door
+  std::string_view name;        ///< in every interface
   std::string_view label;       ///< in printed tables
   std::string_view symbol;      ///< in formulas
   std::string_view unit;        ///< SI; "-" without one

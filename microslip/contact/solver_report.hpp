@@ -7,14 +7,14 @@
 
 namespace microslip {
 
-/// How a calculation went.
+/// Status and cost of a calculation.
 struct SolverReport {
   Status status = Status::ok;
   std::string reason = {}; ///< why the status is not ok; empty if it is
   double residual = 0;     ///< relative, of the equations of friction
   int newton_steps = 0;    ///< of all problems that were solved
   long products = 0;       ///< with the matrix of influence coefficients
-  /// Of the forces, in mu Fn, and of the moment, in mu Fn sqrt(a b), where an accuracy was asked for.
+  /// Errors of the forces, in mu Fn, and of the moment, in mu Fn sqrt(a b), where an accuracy was asked for.
   std::optional<double> estimated_error = {};
 };
 

@@ -10,7 +10,7 @@ namespace microslip {
 /// The state of an element of the potential contact.
 enum class CellState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
 
-/// What a solution tells of the surfaces, one value for each of its Elements. A field that its solver does not compute
+/// Fields of a solution on the surfaces, one value for each of its Elements. A field that its solver does not compute
 /// is empty. Tractions act on body 1, displacements and slip are those of body 1 less those of body 2. The slip is that
 /// of the discrete equations: the sum of -V p.s times area differs from Totals::frictional_power, which is more
 /// accurate, by a per cent on the mean at second order and by 10 to 30 % on 20 classical elements across.

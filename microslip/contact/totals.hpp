@@ -28,7 +28,7 @@ struct Totals {
   double peak_traction = 0;     ///< largest |p| of an element [Pa]
 };
 
-/// What an element in adhesion or slip has.
+/// Fields of an element in adhesion or slip.
 struct LoadedElement {
   double x = 0, y = 0, area = 0; ///< [m], [m], [m^2]
   bool slides = false;

@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// What makes a result doubtful: it was probably not meant, or it is not to be trusted. Results have a set of these
-/// beside their status; whoever shows results shows their texts.
+/// Reasons to doubt a result: it was probably not meant, or it is not to be trusted. Results have a set of these
+/// beside their status; displays of results show their texts.
 enum class Warning : std::uint8_t {
   high_pressure,    ///< of contacts of two bodies and of wheels
   extreme_pressure, ///< the same
@@ -52,7 +52,7 @@ inline double limit_of_wheels(Warning warning) {
 
 /// A set of warnings.
 struct Warnings {
-  /// The sum of 2^k over its warnings, k their places in the table: what files and arrays hold.
+  /// The sum of 2^k over its warnings, k their indices in the table, as in files and arrays.
   std::uint32_t code = 0;
 
   void add(Warning warning) { code |= bit(warning); }
@@ -79,7 +79,7 @@ constexpr double young_modulus(double shear_modulus, double poisson_ratio) {
 /// glass, ceramics; extreme_pressure of these, of softer ones where it is beyond G as well.
 Warnings pressure_warnings(double peak_pressure, double shear_modulus, double poisson_ratio);
 
-/// What the code means, as files of results state it.
+/// Meaning of the code, as files of results state it.
 inline constexpr const char* warning_codes = "sum of 2^k of the warnings k, see the table of warnings; 0: none";
 
 } // namespace microslip

@@ -15,11 +15,11 @@ double surface_fatigue_index(double traction_coefficient, double peak_pressure, 
 /// The load p0/k [-] up to which a rolling contact with the traction coefficient mu [-], >= 0, shakes down: its limit
 /// on the shakedown map, beyond which each passage shears it on. Melan's theorem with residual stresses that do not
 /// change along the rolling direction: the orthogonal shear stress of full sliding must stay below k everywhere. 4.00
-/// of a line contact without friction, 1/mu from mu = .367 on, where the surface is sheared most (Johnson & Jefferis
+/// of a line contact without friction, 1/mu from mu = 0.367 on, where the surface is sheared most (Johnson & Jefferis
 /// 1963; Johnson 1985, section 9.2). A fit of that stress, relative error 2e-4.
 double line_shakedown_limit(double traction_coefficient);
 /// The same of a point contact, a circle with tractions along the rolling direction: 4.68 without friction (4.7 in
-/// Ponter, Hearle & Johnson 1985), 1/mu from mu = .302 on. For nu = .3, on which it hardly depends; relative error
+/// Ponter, Hearle & Johnson 1985), 1/mu from mu = 0.302 on. For nu = 0.3, on which it hardly depends; relative error
 /// 5e-4. Of ellipses that are long across the rolling direction it comes near to that of a line, of others it is
 /// higher.
 double point_shakedown_limit(double traction_coefficient);

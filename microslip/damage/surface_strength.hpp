@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// What surfaces bear before they wear or yield. What needs a number that is not given is not given either.
+/// Resistance of surfaces to wear and yield. Results that need a number which is not given are empty.
 struct SurfaceStrength {
   std::optional<double> hardness;             ///< H [Pa] of the surface that wears
   std::optional<double> shear_yield_strength; ///< k [Pa] of the work-hardened surface

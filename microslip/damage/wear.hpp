@@ -19,8 +19,8 @@ double t_gamma_with_spin(const ContactSolution& solution);
 std::vector<double> friction_work(const ContactSolution& solution);
 
 /// Wear coefficients k [-] of Archard's law over sliding speed and pressure, a constant in each of four regions: the
-/// map that KTH measured for dry wheel and rail steels (Jendel 2002). It gives ranges, 1 to 10e-4 below .2 m/s and
-/// above .7 m/s, 30 to 40e-4 between, 300 to 400e-4 beyond .8 of the hardness; the defaults are their middles. On
+/// map that KTH measured for dry wheel and rail steels (Jendel 2002). It gives ranges, 1 to 10e-4 below 0.2 m/s and
+/// above 0.7 m/s, 30 to 40e-4 between, 300 to 400e-4 beyond 0.8 of the hardness; the defaults are their middles. On
 /// lubricated surfaces k is several times less.
 struct WearMap {
   double slow = 5.5e-4;       ///< mild
@@ -34,7 +34,7 @@ struct WearMap {
   double coefficient(double sliding_speed, double pressure, double hardness) const;
 };
 
-/// What Archard's law needs to know of a surface.
+/// Data of a surface for Archard's law.
 struct ArchardWear {
   double hardness = 0; ///< H [Pa] of the surface that wears, > 0, as a pressure: Vickers' or Brinell's
   WearMap map = {};

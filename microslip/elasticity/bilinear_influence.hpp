@@ -14,7 +14,7 @@ namespace microslip {
 /// for the tent as weight. Errors relative to the integral of 1/r are below 3e-12 for equal sides, and grow near the
 /// element like the square of the sides' ratio, to 1e-10 at 15.
 ///
-/// Cost: .3 us far away, .7 us nearby. No check of the arguments: sides positive, everything finite.
+/// Cost: 0.3 us far away, 0.7 us nearby. No check of the arguments: sides positive, everything finite.
 Influence bilinear_influence(const CombinedMaterial& material, double dx, double dy, double x, double y);
 
 /// The same for tractions 1 - |x|/dx on a strip of width 2 dx, endless in y. As line_influence with L the integral of

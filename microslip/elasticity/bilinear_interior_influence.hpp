@@ -11,7 +11,7 @@ namespace microslip {
 /// The field is the mean of interior_influence over a rectangle dx x dy around the point. By quadrature: Gauss's rules
 /// of 4, 6 or 12 points along an axis, by the distance from the constant element's edges, and nearer than half a side
 /// tanh-sinh rules that are split at these edges. Errors of stresses in units of the traction [of displacements in
-/// those of the side]: 1e-9 from half a side below the surface on, 1e-8 from .3, 2e-7 from .1; 1e-5 nearer to the
+/// those of the side]: 1e-9 from half a side below the surface on, 1e-8 from 0.3, 2e-7 from 0.1; 1e-5 nearer to the
 /// surface; 2e-8 on it.
 ///
 /// Cost: 16 to 144 times that of interior_influence from half a side away on; nearer, 1,400 times at the elements'

@@ -15,9 +15,9 @@ namespace microslip {
 /// yy = -2 x (ln|x/far| - 1), (E10), which is 0 at the distance `far`.
 class HalfStrips {
 public:
-  /// Of strips of the width dy, points that are `x` ahead of their ends; any unit of length, finite numbers.
+  /// For strips of the width dy, points that are `x` ahead of their ends; any unit of length, finite numbers.
   HalfStrips(std::vector<double> x, double dy);
-  /// Of strips that are endless in y.
+  /// For strips that are endless in y.
   static HalfStrips endless(std::vector<double> x, double far);
 
   /// An integral for each x.

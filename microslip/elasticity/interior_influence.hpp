@@ -14,7 +14,7 @@ struct InteriorState {
   Stress stress;                 ///< [Pa]
 };
 
-/// What unit tractions on a rectangle of the surface do in the interior of a body. They act **on body 1**, along x, y
+/// Effect of unit tractions on a rectangle of the surface in the interior of a body. They act **on body 1**, along x, y
 /// and z; the body-2 states are those of their opposites, which act on body 2.
 struct InteriorInfluence {
   InteriorState px, py; ///< from unit tangential tractions: displacements in [m/Pa], stresses without unit
@@ -32,7 +32,7 @@ struct InteriorInfluence {
 /// sides, and those that are infinite (like the logarithm of the distance) have the value at 1e-12 of a side from the
 /// edge. What is nearer than that counts as on the edge, or on the surface.
 ///
-/// Cost: about .4 us. No check of the arguments: sides positive, everything finite; G may be infinite.
+/// Cost: about 0.4 us. No check of the arguments: sides positive, everything finite; G may be infinite.
 InteriorInfluence interior_influence(const Material& material, Body body, double dx, double dy, double x, double y,
                                      double depth);
 

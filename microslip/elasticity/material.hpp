@@ -25,7 +25,7 @@ struct CombinedMaterial {
 };
 
 /// Combines two bodies; with w1 = G2/(G1 + G2), w2 = G1/(G1 + G2) the three read G = 2 w1 G1, nu = w1 nu1 + w2 nu2,
-/// K = (w1 (1 - 2 nu1) - w2 (1 - 2 nu2))/2. Two equal bodies give their own constants and K = 0 exactly. Throws Error
+/// K = (w1 (1 - 2 nu1) - w2 (1 - 2 nu2))/2. Two equal bodies give their constants and K = 0 exactly. Throws Error
 /// if a modulus or Poisson's ratio is out of range or both bodies are rigid.
 CombinedMaterial combine(const Material& body1, const Material& body2);
 

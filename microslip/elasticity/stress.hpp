@@ -16,7 +16,7 @@ double hydrostatic(const Stress& s);
 double von_mises(const Stress& s);
 
 /// sigma1 >= sigma2 >= sigma3 [Pa], by Jacobi's rotations: errors of a few roundings of the largest one, also where two
-/// or all of them are equal. Cost: .5 us.
+/// or all of them are equal. Cost: 0.5 us.
 std::array<double, 3> principal_stresses(const Stress& s);
 
 /// Tresca's equivalent stress, sigma1 - sigma3: twice the largest shear stress [Pa].

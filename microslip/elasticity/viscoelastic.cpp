@@ -45,7 +45,7 @@ Bodies viscoelastic(const Material& body1, const MaterialCreep& creep1, const Ma
     if (creep1.ratio > 0) bodies.retarded.push_back({bodies.material, retardation1});
     return bodies;
   }
-  // A body's own deformation is that of its contact with a rigid one.
+  // The deformation of one body is that of its contact with a rigid one.
   const Material rigid = {std::numeric_limits<double>::infinity(), 0};
   if (creep1.ratio > 0) bodies.retarded.push_back({combine(body1, rigid), retardation1});
   if (creep2.ratio > 0) bodies.retarded.push_back({combine(rigid, body2), retardation2});

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// What makes an elastic material a standard linear solid: under a constant stress its elastic deformation grows by the
+/// Creep of a standard linear solid: under a constant stress its elastic deformation grows by the
 /// share f (1 - exp(-t/tau)).
 struct MaterialCreep {
   double ratio = 0; ///< f [-], >= 0; 0 for an elastic body. G is the instantaneous modulus, G/(1 + f) the relaxed one
@@ -24,7 +24,7 @@ struct Retardation {
   friend bool operator==(const Retardation&, const Retardation&) = default;
 };
 
-/// Of a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
+/// For a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
 Retardation retardation_of(const MaterialCreep& creep, double speed);
 
 /// Retarded part of the displacement difference of two bodies.
@@ -45,7 +45,7 @@ struct Bodies {
   InterfaceLayer layer = {};               ///< between them
 
   bool are_elastic() const { return retarded.empty(); }
-  /// Whether normal and tangential problem depend on each other.
+  /// Returns whether normal and tangential problem depend on each other.
   bool are_coupled() const;
 
   friend bool operator==(const Bodies&, const Bodies&) = default;

@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What the temperature T of the surfaces adds to a coefficient of friction: change min(1, max(0, (T - begin)/range))
+/// Addition of the temperature T of the surfaces to a coefficient of friction: change min(1, max(0, (T - begin)/range))
 /// (T4).
 /// With a negative change heat makes the surfaces slippery (Ertz & Knothe 2002 measure and use such laws).
 struct TemperatureEffect {
@@ -29,7 +29,7 @@ void check(const TemperatureEffect& effect);
 template <class Real>
 Real TemperatureEffect::coefficient(const Real& base, const Real& share, const Real& ahead, const Real& own) const {
   const Real hot = base + share * Real(change);
-  const Real gain = share * own * Real(change / range); // of the coefficient by its own heat
+  const Real gain = share * own * Real(change / range); // of the coefficient by the heat it makes
   if (value_of(gain) >= 1) return value_of(ahead + own * base) <= begin ? base : hot;
   const Real between = (base + share * (ahead - Real(begin)) * Real(change / range)) / (Real(1.0) - gain);
   const bool rises = change > 0;

@@ -259,7 +259,7 @@ InteriorLayers::Influences InteriorLayers::influences(double depth, const Progre
 }
 
 /// A retarded influence is neither even nor odd in x: the part with the elastic one's parity is added to that, the
-/// other one is a kernel of its own.
+/// other one is a separate kernel.
 InteriorLayers::LoadKernels InteriorLayers::find_kernels(int load, const Influences& influences,
                                                          const Progress& progress) {
   LoadKernels kernels;

@@ -32,7 +32,7 @@ struct InteriorPoint {
 /// docs/theory-interior.md, section 6. Bilinear elements have no steps; their sums have the errors of
 /// bilinear_interior_influence.
 ///
-/// Of a body in steady rolling with a retarded part (Retardation), displacements are those of this part (I11). Its
+/// For a body in steady rolling with a retarded part (Retardation), displacements are those of this part (I11). Its
 /// stresses are the elastic ones: they depend on the tractions and on Poisson's ratio, which does not change with time.
 /// Const calls may be made from several threads.
 class InteriorField {
@@ -41,13 +41,13 @@ public:
   /// of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
                 const Retardation& retardation = {});
-  /// Other tractions in the place of these, copied. Throws Error as the constructor does.
+  /// Replaces the tractions by others, copied. Throws Error as the constructor does.
   void set_tractions(const SurfaceTractions& tractions);
 
-  /// Cost: .3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
+  /// Cost: 0.3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
   /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point, const Progress& progress = {}) const;
-  /// The same at many points, which OpenMP's threads share out. `progress` is told often; false throws Stopped.
+  /// The same at many points, shared among OpenMP's threads. `progress` is called often; false throws Stopped.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points, const Progress& progress = {}) const;
 
   /// Instantaneous influence of an element at an offset from it.
@@ -57,7 +57,7 @@ public:
   bool has_retardation() const { return delay_.ratio > 0; }
 
   const ElementGrid& grid() const { return grid_; }
-  /// Of all elements, index j mx + i.
+  /// Tractions and pressures of all elements, index j mx + i.
   const std::vector<double>& px() const { return px_; }
   const std::vector<double>& py() const { return py_; }
   const std::vector<double>& pn() const { return pn_; }
@@ -97,14 +97,14 @@ class InteriorLayers {
 public:
   /// Points at the elements' centres and, beyond the grid, `margin` more columns and rows on each side (rows not for a
   /// line contact).
-  /// Throws Error for a plane that needs more memory than the machine has. `progress` is told often; false throws
+  /// Throws Error for a plane that needs more memory than the machine has. `progress` is called often; false throws
   /// Stopped.
   explicit InteriorLayers(InteriorField field, int margin = 0, const Progress& progress = {});
-  /// Other tractions in the place of the field's. Throws Error as InteriorField does; where it is Stopped tractions
+  /// Replaces the tractions of the field. Throws Error as InteriorField does; where it is Stopped tractions
   /// must be set once more.
   void set_tractions(const SurfaceTractions& tractions, const Progress& progress = {});
 
-  /// Where the points are.
+  /// Positions of the points.
   const ElementGrid& grid() const { return grid_; }
   const InteriorField& field() const { return field_; }
 

@@ -80,14 +80,14 @@ constexpr Measure measures[] = {
     {"sigma_zz", [](const Stress& s) { return s.zz; }, magnitude},
 };
 
-/// Whether all elements lie on their columns of the grid, those at an edge a little beside their centres.
+/// Returns whether all elements lie on their columns of the grid, those at an edge a little beside their centres.
 bool follow_columns(const Elements& e) {
   for (std::size_t k = 0; k < e.size(); ++k)
     if (std::abs(e.x[k] - e.grid.x(static_cast<int>(k % e.mx()))) > e.grid.dx / 2 * (1 + 1e-9)) return false;
   return true;
 }
 
-/// Tractions of the grid's elements that have the forces of these ones. Where rows are divided along their own lengths,
+/// Tractions of the grid's elements that have the forces of these ones. Where rows are divided along their lengths,
 /// an element's force is shared out by overlap.
 std::vector<double> on_grid(const Elements& e, const std::vector<double>& traction) {
   std::vector<double> regular(e.size());

@@ -60,7 +60,7 @@ std::vector<InteriorState> interior_states(const InteriorBody& body1, const Inte
 
 /// The same for a solution with pressures: of the exact theory, whatever solved it, or of a wheel on a rail at either
 /// level. An element that is fitted to the edge counts as one of the grid's with the same forces, and the forces of
-/// rows that are divided along their own lengths are shared out over the grid's elements; both are felt less than an
+/// rows that are divided along their lengths are distributed over the grid's elements; both matter less than an
 /// element deep only. Throws Error for a solution without pressures (FASTSIM's and FASTSIM2's on ellipses) or with
 /// numbers that are not finite.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,

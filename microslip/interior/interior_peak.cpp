@@ -45,10 +45,11 @@ Start best_of_planes(InteriorLayers& layers, std::span<const double> depths, Str
   return best;
 }
 
-/// The search's steps.
-class Compass {
+/// Steps of a pattern search: to the best neighbour, and with half the step where there is none.
+class PatternSearch {
 public:
-  Compass(const InteriorLayers& layers, std::span<const double> depths, StressMeasure measure, const Progress& progress)
+  PatternSearch(const InteriorLayers& layers, std::span<const double> depths, StressMeasure measure,
+                const Progress& progress)
       : field_(layers.field()), grid_(layers.grid()), low_(depths.front()), high_(depths.back()), measure_(measure),
         progress_(progress) {}
 
@@ -88,11 +89,10 @@ InteriorPeak find_largest(InteriorLayers& layers, std::span<const double> depths
                           const Progress& progress) {
   check_depths(depths);
   const auto [start, depth_step] = best_of_planes(layers, depths, measure, progress);
-  const Compass compass(layers, depths, measure, progress);
-  InteriorPeak best = compass.at(start);
+  const PatternSearch search(layers, depths, measure, progress);
+  InteriorPeak best = search.at(start);
   for (double size = 1; size > 1e-3;)
-    if (!compass.improve(best, {size * layers.grid().dx / 2, size * layers.grid().dy / 2, size * depth_step}))
-      size /= 2;
+    if (!search.improve(best, {size * layers.grid().dx / 2, size * layers.grid().dy / 2, size * depth_step})) size /= 2;
   return best;
 }
 

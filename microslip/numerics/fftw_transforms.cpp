@@ -138,7 +138,7 @@ template <class Real> std::size_t ColumnTransforms<Real>::work_size() const {
 }
 
 template <class Real>
-RowTransforms<Real>::RowTransforms(int n, const TransformPlans& plans, InstructionSet /*FFTW's own choice*/) {
+RowTransforms<Real>::RowTransforms(int n, const TransformPlans& plans, InstructionSet /*FFTW chooses*/) {
   if (n < 1) throw Error("transform: n is " + std::to_string(n) + ", not a positive number");
   const std::lock_guard keep(plans.kept().mutex);
   Plans<Real>& kept = plans.kept().rows_of(Real())[n];
@@ -153,7 +153,7 @@ RowTransforms<Real>::RowTransforms(int n, const TransformPlans& plans, Instructi
 }
 
 template <class Real>
-ColumnTransforms<Real>::ColumnTransforms(int n, const TransformPlans& plans, InstructionSet /*FFTW's own choice*/) {
+ColumnTransforms<Real>::ColumnTransforms(int n, const TransformPlans& plans, InstructionSet /*FFTW chooses*/) {
   if (n < 1) throw Error("transform: n is " + std::to_string(n) + ", not a positive number");
   const std::lock_guard keep(plans.kept().mutex);
   Plans<Real>& kept = plans.kept().columns_of(Real())[n];

@@ -192,7 +192,7 @@ typename Gmres<Real>::Result Gmres<Real>::solve_in(Basis<Stored>& basis, const P
     }
     largest = std::max(largest, image);
     const double rounding = 50 * std::numeric_limits<Stored>::epsilon() * largest;
-    const bool closed = !(length > rounding); // the space holds its own image: it has nothing more to give
+    const bool closed = !(length > rounding); // the space contains its image: it has nothing more to give
     column[k + 1] = closed ? 0 : length;
     residual = triangle.add(std::move(column), rounding);
     if (closed) {

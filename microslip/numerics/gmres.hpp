@@ -38,7 +38,7 @@ private:
                   std::span<Real> x, double tolerance, int most);
 
   std::vector<std::vector<Real>> basis_;
-  std::vector<std::vector<float>> narrow_; ///< in its place with many unknowns,
+  std::vector<std::vector<float>> narrow_; ///< instead of it with many unknowns,
   std::vector<Real> in_, next_;            ///< and a vector of it, and the next one, as products have them
 };
 

@@ -7,7 +7,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 
 /// The widest one that this processor has.
 InstructionSet best_instruction_set();
-/// Whether this processor, and this build of the library, have it.
+/// Returns whether this processor, and this build of the library, have it.
 bool is_available(InstructionSet instruction_set);
 
 } // namespace microslip

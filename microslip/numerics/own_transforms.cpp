@@ -37,7 +37,7 @@ std::vector<std::complex<double>> roots_of_unity(int n) {
   return roots;
 }
 
-/// Large ones first, which read and write least often; a 2 only if there is no other way.
+/// Large ones first, which read and write least often; a 2 only if nothing else divides.
 std::vector<int> radices(int n) {
   std::vector<int> all, odd;
   int rest = n;

@@ -33,7 +33,7 @@ public:
   /// Sets a kernel's entries at the offsets of j rows and 0, 1 ... mx - 1 columns.
   using KernelRow = std::function<void(int j, std::span<double> entries)>;
   /// The kernel is asked for j = 0 ... my - 1 in turn. What is not zero where parity demands it counts as zero.
-  /// `progress` is told often, here and below; where it returns false Stopped is thrown.
+  /// `progress` is called often, here and below; where it returns false Stopped is thrown.
   Spectrum spectrum(Parity parity, const KernelRow& kernel, const Progress& progress = {});
 
   /// Transforms grid functions; they stay inside until the next call of load.
@@ -44,7 +44,7 @@ public:
     const Spectrum* kernel;
     Parity parity;
   };
-  /// The sum of the terms' products in some rows of the grid, one after another: out has room for mx numbers of each. A
+  /// The sum of the terms' products in some rows of the grid, one after another: out holds mx numbers of each. A
   /// few rows cost less than all.
   void apply(std::span<const Term> terms, std::span<const int> rows, std::span<double> out,
              const Progress& progress = {});

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// Where two functions of two unknowns both vanish.
+/// Common root of two functions of two unknowns.
 struct PlaneRoot {
   Vec2 at;         ///< the best point found
   double size = 0; ///< |f| there

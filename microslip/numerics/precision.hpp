@@ -5,10 +5,10 @@
 
 namespace microslip {
 
-/// Of a calculation's numbers.
+/// Precision of a calculation.
 enum class Precision { full, single };
 
-/// to = factor from, in the precision of `to`, which has room for as many numbers.
+/// to = factor from, in the precision of `to`, which holds as many numbers.
 template <class From, class To> void convert(const From& from, double factor, To&& to) {
   using Real = typename std::remove_cvref_t<To>::value_type;
   std::transform(from.begin(), from.end(), to.begin(),

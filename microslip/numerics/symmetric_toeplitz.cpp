@@ -20,7 +20,7 @@ constexpr double smallest_share = 1e-2;            // of the kernels at 0, in th
 struct SymmetricPair {
   double mean, difference, mixed;
 
-  /// With eigenvalues of at least `least` in place of smaller ones.
+  /// With eigenvalues of at least `least` instead of smaller ones.
   SymmetricPair inverse(double least) const {
     const double radius = std::hypot(difference, mixed);
     const double low = 1 / std::max(mean + radius, least), high = 1 / std::max(mean - radius, least);

@@ -32,7 +32,7 @@ public:
   static SymmetricToeplitz near_inverse(int mx, int my, const Kernels& kernels, const TransformPlans& plans = {});
   /// `factor` times another matrix.
   SymmetricToeplitz(const SymmetricToeplitz<double>& other, double factor, const TransformPlans& plans = {});
-  /// Other kernels in the place of these, for a grid of the same size; products are counted anew. Not for what
+  /// Replaces the kernels by others, for a grid of the same size; products are counted anew. Not for what
   /// near_inverse made. Cost: about half a product's.
   void replace(const Kernels& kernels);
   int mx() const;

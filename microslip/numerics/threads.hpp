@@ -38,7 +38,7 @@ template <class Work> void share_out(int count, int threads, const Work& work) {
 }
 
 /// Calls work(i, thread, progress) likewise, in any order. Thread 0 is the calling one and the only one that tells
-/// `progress`: before each i, and where the work tells its own. When that returns false or throws, the others' throws
+/// `progress`: before each i, and where the work reports itself. When that returns false or throws, the others' throws
 /// Stopped, nothing more is begun, and Stopped or what was thrown is thrown here; as is the first that work throws.
 template <class Work> void share_out(int count, int threads, const Progress& progress, const Work& work) {
   std::atomic<bool> ended = false;

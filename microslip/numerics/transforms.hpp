@@ -43,20 +43,20 @@ template <class Real> struct BlockLines {
 
 /// Transforms of rows of n real numbers to their waves 0 .. n/2 and back, unscaled: there and back makes n times what
 /// was. Wave k of a row is in lane k % block_lanes of the block k / block_lanes, where each row has a line; blocks are
-/// `block_stride` numbers apart. Objects may be used from several threads at once, each with work of its own, which is
-/// aligned as that from `allocate`.
+/// `block_stride` numbers apart. Objects may be used from several threads at once, each with separate work memory,
+/// which is aligned as that from `allocate`.
 template <class Real> class RowTransforms {
 public:
   /// n has no other prime factors than 2, 3 and 5. Throws Error. Cost: that of a few rows.
   explicit RowTransforms(int n, const TransformPlans& plans = {},
                          InstructionSet instruction_set = best_instruction_set());
 
-  /// The most rows in one call: they have lanes of their own, in pairs.
+  /// The most rows in one call: they have separate lanes, in pairs.
   static constexpr int most_rows = 2 * block_lanes<Real>;
-  /// Numbers that `work` has room for.
+  /// Size of `work`.
   std::size_t work_size() const;
 
-  /// Of `count` rows, whose first `length` numbers are given; the others are zero.
+  /// Transforms `count` rows, whose first `length` numbers are given; the others are zero.
   void forward(const RowPairs<const Real>& rows, int count, int length, Real* waves, std::size_t block_stride,
                Real* work) const;
   /// The first `length` numbers of each row. Imaginary parts of the waves 0 and n/2 must be zero.
@@ -74,7 +74,7 @@ public:
   explicit ColumnTransforms(int n, const TransformPlans& plans = {},
                             InstructionSet instruction_set = best_instruction_set());
 
-  /// Numbers in n lines: what `work` has room for.
+  /// Numbers in n lines: the size of `work`.
   std::size_t work_size() const;
 
   /// To n lines, one after another.

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Of std::experimental::simd what the library needs, on the vector types of g++ and clang: for standard libraries that
-/// have less of it.
+/// The part of std::experimental::simd that the library needs, on the vector types of g++ and clang: for standard
+/// libraries that have less of it.
 namespace microslip::vector_simd {
 
 struct ElementAligned {};

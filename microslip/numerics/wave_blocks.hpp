@@ -14,7 +14,7 @@ namespace microslip {
 /// for each of the threads that share the work.
 template <class Real> class WaveBlocks {
 public:
-  /// For `rows` rows of n numbers; threads have room for `lines` lines, too.
+  /// For `rows` rows of n numbers; threads have memory for `lines` lines, too.
   WaveBlocks(int rows, int n, int threads, std::size_t lines, const TransformPlans& plans)
       : rows_(rows), waves_(n / 2 + 1), transforms_(n, plans), blocks_(allocate<Real>(size())) {
     std::fill_n(blocks_.get(), size(), Real(0));
@@ -46,7 +46,7 @@ public:
   /// Rows are transformed in batches.
   int batches() const { return batches_of(rows_); }
   static int batches_of(int rows) { return (rows + batch - 1) / batch; }
-  /// Of the b-th batch of rows, the first `length` numbers of which are given.
+  /// Transforms the b-th batch of rows, the first `length` numbers of which are given.
   void forward(int b, const RowPairs<const Real>& all, int length, int thread) {
     forward_batch(b, all.from_pair(pairs(b)), length, thread);
   }

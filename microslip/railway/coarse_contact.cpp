@@ -57,7 +57,7 @@ std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFra
   const auto first = std::find_if(rows.begin(), rows.end(), loaded);
   const auto last = std::find_if(rows.rbegin(), rows.rend(), loaded);
   const double low = first->y - first->width / 2, width = (last->y + last->width / 2 - low) / count;
-  double load = 0, given = 0; // the rows' widths are those of the surface, their places those of its parameter
+  double load = 0, given = 0; // the rows' widths are those of the surface, their positions those of its parameter
   std::vector<LoadedRow> even;
   for (int k = 0; k < count; ++k) {
     LoadedRow sum{.y = low + (k + 0.5) * width - frame.rail_s, .width = width};
@@ -144,10 +144,10 @@ void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
   }
 }
 
-/// Loads of the rows in their places: after Hertz, by the rows' own normal problem, or in between.
+/// Loads of the rows in their positions: after Hertz, by the normal problem of the rows, or in between.
 CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_force, int steps) {
   const double hertzian = hertz_.fit(rows_.rows());
-  // In between it is the forces in the same place that are mixed.
+  // In between it is the forces in the same position that are mixed.
   const std::optional<double> goal = vertical_force;
   if (hertzian > 0 && hertzian < 1) vertical_force.reset();
   Loads found;
@@ -241,7 +241,7 @@ void CoarseContact::move(const WheelState<double>& state) {
   roll();
 }
 
-/// Finds all places at most `reach` [m] above the lowest one of the gap, which is returned; its gap is infinite if the
+/// Finds all points at most `reach` [m] above the lowest one of the gap, which is returned; its gap is infinite if the
 /// wheel is nowhere above the rail.
 ContactPoint CoarseContact::search(const WheelState<double>& state, double reach) {
   ContactPoint lowest;
@@ -333,8 +333,8 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
 }
 
 /// The height that bears the vertical force [N] by forces at given heights alone: from the first touch downwards, each
-/// time by half of the way so far, until one bears it or the bodies overlap too far. What jumps over the force bears it
-/// only if nothing else does.
+/// time by half of the distance so far, until one carries it or the bodies overlap too far. What jumps over the force
+/// carries it only if nothing else does.
 void CoarseContact::bracket(const WheelState<double>& state, double vertical_force, double start,
                             WheelRailSolution& out) {
   constexpr double growth = 1.5, precision = 1e-11; // [-], [m]
@@ -427,7 +427,7 @@ void CoarseContact::sum(WheelRailSolution& out) {
       const RowForces& f = forces_[k];
       const PatchRow& at = rows_.rows()[k].at;
       wheel.add({f.fx, f.fy, row.load}, at, row.centre, patch.outline.frame, centre, sum);
-      // The row's own moment, beyond that of its forces at its centre.
+      // The moment of the row itself, beyond that of its forces at its centre.
       const double own = f.mz - row.centre * f.fy;
       sum.moment += own;
       wheel.moment = wheel.moment + own * at.normal();

@@ -53,7 +53,7 @@ public:
   /// with its reason, residual and iterations. Where steps for the force do not settle, forces at given heights bracket
   /// it: the height is then the first one below the first touch that bears it, if one does.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out);
-  /// The wheel in the place and with the pressures of the last solve but with other velocities: new tangential forces.
+  /// Finds the tangential forces with other velocities, at the position and with the pressures of the last solve.
   void move(const WheelState<double>& state);
   /// Forces and patches of the last solve, with profile ends.
   void sum(WheelRailSolution& out);
@@ -73,7 +73,7 @@ public:
   bool rolls_forward() const { return placement_.wheel.velocity.x >= 0; }
   /// mu at an inclination [rad].
   double friction(double angle) const;
-  /// What a patch is, apart from its forces.
+  /// Describes a patch, apart from its forces.
   WheelRailPatch describe(const PatchOutline& outline, double least_gap, double speed) const;
 
 private:
@@ -104,7 +104,7 @@ private:
   ContactRows rows_;
   RowNormal normal_;
   HertzianRows hertz_;
-  bool warm_ = false; ///< the normal problem has a solution in a place near by
+  bool warm_ = false; ///< the normal problem has a solution at a nearby position
   HertzianEllipse ellipse_;
   LoadedRowSolver forward_, backward_;
   std::optional<RowLookUp> look_up_; ///< at the level `table`

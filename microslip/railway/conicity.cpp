@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// Adds what is between two places, and the second one.
+/// Adds what is between two points, and the second one.
 class Refiner {
 public:
   Refiner(WheelsetSearch& search, RollRule rule, double yaw, const Progress& progress)
@@ -53,7 +53,7 @@ void check(const WheelsetBase& base) {
   require_positive("nominal_radius", base.nominal_radius, "m");
 }
 
-/// Whether the radii stay the same on either side of the middle, to rounding.
+/// Returns whether the radii stay the same on either side of the middle, to rounding.
 bool is_cylindrical(const RollingRadiusDifference& difference, double amplitude) {
   if (!(difference.from() <= -amplitude && amplitude <= difference.to())) return false;
   constexpr int points = 200;

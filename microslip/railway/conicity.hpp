@@ -51,7 +51,7 @@ private:
   std::vector<double> integrals_;
 };
 
-/// What turns a rolling radius difference into the wheelset's motion.
+/// Dimensions that relate a rolling radius difference to the wheelset's motion.
 struct WheelsetBase {
   double contact_distance = 1.5; ///< e [m], between both contacts, > 0
   double nominal_radius = 0.46;  ///< r0 [m], > 0

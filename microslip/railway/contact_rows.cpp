@@ -18,7 +18,7 @@ constexpr double least_density = 2.5;     // of the scale, over the overlap's le
 constexpr double scale_of_a_parabola = 3.2;
 constexpr double nowhere = 1; // gap beside the wheel [m]
 
-/// How the rail's surface and the wheel's profile in its place lean.
+/// How the rail's surface and the wheel's profile in its position are inclined.
 struct Slopes {
   double relative = 0; ///< sine of the angle by which the wheel's leans against the rail's
   double level = 1;    ///< cosine of the rail's inclination
@@ -31,7 +31,7 @@ Slopes slopes(const WheelPlacement<double>& placement, const CurvePoint& rail, c
 }
 
 /// Curvature [1/m] of the wheel's surface along the track's x, by Euler's theorem from that around the axle and that of
-/// the profile: with chi the angle between x and the way around, sin(chi) = e_x/cos(alpha), e the axle.
+/// the profile: with chi the angle between x and the circumference, sin(chi) = e_x/cos(alpha), e the axle.
 double curvature_along_track(const WheelLocus<double>& locus, const ArcPoint& p) {
   constexpr double steepest = 0.02, least = 1e-3; // cosine; [1/m]
   const double cosine = std::max(std::abs(p.cosine), steepest),
@@ -40,8 +40,8 @@ double curvature_along_track(const WheelLocus<double>& locus, const ArcPoint& p)
   return std::max(around * (1 - turned) + profile * turned, least);
 }
 
-/// By how much a minimum of the gap lies below the lowest way to a deeper one, or to the end of the overlap [m]: where
-/// two places are about to become one, that of the higher one vanishes.
+/// By how much a minimum of the gap lies below the lowest pass to a deeper one, or to the end of the overlap [m]: where
+/// two minima are about to become one, that of the higher one vanishes.
 double prominence(std::span<const ContactPoint> points, std::size_t which, double lowering) {
   const double gap = points[which].gap;
   const auto rise = [&](auto begin, auto end) {
@@ -101,7 +101,7 @@ double ContactRows::sample(const WheelPlacement<double>& placement, const Contac
   return sum;
 }
 
-/// Counts rows through all regions: their density at each place, `length` [m] that of the overlap if it were a
+/// Counts rows through all regions: their density at each point, `length` [m] that of the overlap if it were a
 /// parabola.
 void ContactRows::measure(double length, double depth) {
   const double least = least_density / length;
@@ -124,7 +124,7 @@ void ContactRows::measure(double length, double depth) {
     for (double& rows : s.measure) rows *= most / before;
 }
 
-/// Where the edges lie in the count of rows, in [-1/2, 1/2]: at the deepest place, or where there are more of them at
+/// Where the edges lie in the count of rows, in [-1/2, 1/2]: at the deepest point, or where there are more of them at
 /// the mean over the circle of where they would have them, each with its prominence squared.
 double ContactRows::find_phase(std::span<const ContactRegion> regions, std::span<const ContactPoint> points,
                                double lowering) const {
@@ -195,7 +195,7 @@ void ContactRows::add(const WheelPlacement<double>& placement, double low, doubl
     wheel_s += std::clamp(move, -longest, longest);
     if (std::abs(move) < 1e3 * exact) break;
   }
-  // The rest of the way along the tangent.
+  // The remaining distance along the tangent.
   const double rise = (point.y - there.place.y) * there.sine / there.cosine;
   const double above = there.place.z + rise - point.z;
   row.at.wheel_s = wheel_s;

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// A row of a contact between wheel and rail, with a plane of its own: that of the rail's surface at its centre.
+/// A row of a contact between wheel and rail, with its plane: that of the rail's surface at its centre.
 struct ContactRow {
   PatchRow at;         ///< at x = 0 of the track axes; s is the rail profile's parameter
   NormalRow normal;    ///< its centre is on the wheel's locus
@@ -30,7 +30,7 @@ public:
   ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows,
               const EquivalentRail* equivalent = nullptr);
 
-  /// Rows of the wheel in its place, which is by `lowering` [m] lower than where it was searched; the regions and
+  /// Rows of the wheel in its position, which is by `lowering` [m] lower than where it was searched; the regions and
   /// points are those of the search, `depth` [m] is the greatest overlap. Rows are wider where there would be more than
   /// can be. False if there are as many regions: rows at the field side are left out. Cost some 300 ns a row.
   bool place(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions,

@@ -11,11 +11,11 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 /// [rad], inclinations that differ by less everywhere on two arcs count as equal.
 constexpr double parallel = 1e-9;
-/// [rad], [m], rounding of inclinations and places.
+/// [rad], [m], rounding of inclinations and positions.
 constexpr double rounding = 1e-13;
 /// Surfaces whose inclination is within this of the view's direction [rad] are not seen.
 constexpr double grazing = 1e-6;
-/// cos^2 chi, about cos^2 tau: places of the wheel further than 60 degrees from its lowest line are left out. There the
+/// cos^2 chi, about cos^2 tau: points of the wheel further than 60 degrees from its lowest line are left out. There the
 /// locus of a steep flank under yaw climbs to the axle, where no rail is.
 constexpr double highest_place = 0.25;
 /// Halvings of an arc after which the sign of a derivative need not be proven any more.
@@ -118,7 +118,7 @@ Frame<double> seen_from(const Frame<double>& frame, double view) {
 
 } // namespace
 
-/// One search: pairs of arcs that may hold a place of equal inclination.
+/// One search: pairs of arcs that may hold a point of equal inclination.
 struct Traversal {
   ContactSearch& search;
   double approach;
@@ -453,8 +453,8 @@ struct LocusWalk {
     return place;
   }
 
-  /// Where the gap is `lowering` on the way from `inside`, where it is smaller, to `bound`; it grows on this way as far
-  /// as that. `step` is the first one tried.
+  /// Where the gap is `lowering` on the path from `inside`, where it is smaller, to `bound`; it grows on this path as
+  /// far as that. `step` is the first one tried.
   ContactRegion::End edge(double inside, double bound, double step, double lowering) {
     const double way = bound < inside ? -1 : 1;
     double outside = inside;
@@ -492,7 +492,7 @@ struct LocusWalk {
     return {place.s_wheel, place.s_rail, rotation_about_x(search.view_) * place.place, corner};
   }
 
-  /// Arcs to the place where a parabola through the point reaches `lowering`.
+  /// Arcs to the point where a parabola through the point reaches `lowering`.
   double first_step(const ContactPoint& point, double lowering) const {
     const ProfileArc& arc =
         wheel_arcs.arcs()[std::min(static_cast<std::size_t>(point.wheel_arc), wheel_arcs.arcs().size() - 1)];
@@ -522,7 +522,7 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   regions_.clear();
   ++search_;
   Traversal traversal{*this, approach};
-  // the smallest gap is at most that of any place: that of the last search leaves little to look at in a similar state
+  // the smallest gap is at most that of any point: that of the last search leaves little to look at in a similar state
   traversal.lowest = LocusWalk{*this}.at(nearest_arc_).gap + rounding;
   traversal.visit(0, 0);
 
@@ -534,7 +534,7 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   std::erase_if(points_, [&](const ContactPoint& p) { return p.gap > limit; });
   std::sort(points_.begin(), points_.end(),
             [](const ContactPoint& a, const ContactPoint& b) { return a.wheel_arc < b.wheel_arc; });
-  // at the joints of arcs a place may be found from both sides
+  // at the joints of arcs a point may be found from both sides
   constexpr double same = 1e-9;
   const auto repeated = std::unique(points_.begin(), points_.end(), [](const ContactPoint& a, const ContactPoint& b) {
     return a.minimum == b.minimum && std::abs(a.s_wheel - b.s_wheel) < same && std::abs(a.s_rail - b.s_rail) < same;

@@ -11,7 +11,7 @@
 
 namespace microslip {
 
-/// A place where the gap between wheel and rail is stationary.
+/// A point where the gap between wheel and rail is stationary.
 struct ContactPoint {
   double s_wheel = 0, s_rail = 0; ///< [m], parameters of the profiles
   Vec3<double> place;             ///< [m], point of the wheel in track axes
@@ -40,20 +40,20 @@ struct ContactRegion {
 ///
 /// Seen along x the rail is a curve and the wheel is its locus. The gap between them along the view's direction is
 /// stationary where both are inclined alike. Arcs on which all bounds are exact, and a tree of them, make sure that no
-/// such place is missed: a pair of arcs is left only where its ranges of y or of inclination do not meet, where the gap
-/// is too large, or where the difference of inclinations is proven to be monotone, which leaves one place at most. A
+/// such point is missed: a pair of arcs is left only where its ranges of y or of inclination do not meet, where the gap
+/// is too large, or where the difference of inclinations is proven to be monotone, which leaves one point at most. A
 /// bracketed Newton iteration finds it to rounding.
 class ContactSearch {
 public:
   /// Copies the profiles and makes the tables. Throws Error if the roles are mistaken. Cost O(points).
   ContactSearch(const Profile& rail, const Profile& wheel);
 
-  /// All places where the gap is stationary and at most `approach` [m] above the smallest one, ordered along the wheel
+  /// All points where the gap is stationary and at most `approach` [m] above the smallest one, ordered along the wheel
   /// from the flange's back to the field side. Sees what is visible along the view: from above at 0; `view` [rad] turns
   /// it about x (y towards z), so that +pi/2 looks at surfaces that face the track's centre. Gaps are vertical then
   /// turned by `view`. In the view from above all gaps change alike with the wheel's height, so one search is enough.
-  /// A region where wheel and rail stay parallel counts as one place in its midst. Valid until the next call; does not
-  /// allocate. Surfaces along the view and places of the wheel further than 60 degrees from its lowest line are left
+  /// A region where wheel and rail stay parallel counts as one point at its middle. Valid until the next call; does not
+  /// allocate. Surfaces along the view and points of the wheel further than 60 degrees from its lowest line are left
   /// out. Empty where no part of the wheel is above the rail.
   std::span<const ContactPoint> find(const WheelPlacement<double>& placement, double approach, double view = 0);
 
@@ -78,7 +78,7 @@ private:
   std::vector<std::array<LocusPoint<double>, 2>> ends_; ///< of the wheel's arcs, likewise
   std::vector<std::uint64_t> bounds_of_, ends_of_;      ///< numbers of searches
   std::uint64_t search_ = 0;
-  double nearest_arc_ = 0;        ///< place of the smallest gap in the last search
+  double nearest_arc_ = 0;        ///< position of the smallest gap in the last search
   WheelPlacement<double> turned_; ///< the placement of the last search, in axes that turn with the view
   double view_ = 0;
   std::vector<ContactPoint> points_;

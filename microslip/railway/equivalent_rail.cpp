@@ -25,7 +25,7 @@ public:
       : surfaces_(&surfaces), placement_(&placement), point_(point), direction_(direction), rail_(rail), wheel_(wheel) {
   }
 
-  /// From the rail to the wheel at x of the track axes, by Newton's method from the last place.
+  /// From the rail to the wheel at x of the track axes, by Newton's method from the last position.
   std::optional<double> distance(double x) {
     const Vec3<double> from{x, point_.y, point_.z};
     if (!find_on_rail(surfaces_->rail, *placement_, from, direction_, rail_)) return {};
@@ -78,7 +78,7 @@ double rail_slope(Lines lines, double x) {
   return lines.distance(x + step) ? (lines.rail().n - behind) / (2 * step) : 0;
 }
 
-/// Of places along the track around x the one with the least distance.
+/// Of positions along the track around x the one with the least distance.
 double lowest_place(Lines lines, double x) {
   constexpr int to_each_side = 6;
   constexpr double apart = 5e-3; // [m]
@@ -90,7 +90,7 @@ double lowest_place(Lines lines, double x) {
   return place;
 }
 
-/// The number of the profile's point that is nearest to a place.
+/// The number of the profile's point that is nearest to a position.
 double nearest_point(const Profile& profile, const ProfilePoint& place) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t number = 0;

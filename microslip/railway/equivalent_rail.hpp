@@ -9,7 +9,7 @@
 namespace microslip {
 
 /// The surfaces of a wheel and its rail where they are more than a round wheel on a prismatic rail. Of each the profile
-/// that places it, and its slices where it varies.
+/// that positions it, and its slices where it varies.
 struct TrueSurfaces {
   BodyShape rail, wheel;
 };
@@ -17,11 +17,11 @@ struct TrueSurfaces {
 /// The prismatic rail and the round wheel that are as far apart, across the track, as the true surfaces are where these
 /// are nearest along it. The wheel has the profile of its lowest line; the rail has its section below, each point moved
 /// along its normal by what the least distance of round wheel and prismatic rail exceeds that of the true surfaces.
-/// What is found of both - places of contact, regions, rows - holds for the true surfaces in the placement for which
+/// Results for both - contact points, regions, rows - hold for the true surfaces in the placement for which
 /// they were made, and nearly so for a wheel that is a little lower.
 class EquivalentRail {
 public:
-  /// What happens along the track at a place of the rail's profile.
+  /// The gap along the track at a point of the rail's profile.
   struct Along {
     double x = 0;         ///< of the least distance, in track axes [m]
     double curvature = 0; ///< of the distance there, d^2 n/dx^2 [1/m], > 0
@@ -43,12 +43,12 @@ public:
   Along at(double rail_s) const;
 
   /// Distances [m] of the true wheel from the true rail along lines with the direction `normal` through `point`, a
-  /// place on the rail near its parameter `rail_s`, moved by each x [m]; ascending x; a metre where there are none.
+  /// position on the rail near its parameter `rail_s`, moved by each x [m]; ascending x; a metre where there are none.
   /// `wheel_s` is the parameter of the wheel's profile near them, and updated.
   void find_gaps(const WheelPlacement<double>& placement, const Vec3<double>& point, const Vec3<double>& normal,
                  double rail_s, double& wheel_s, std::span<const double> x, std::span<double> gaps) const;
-  /// Where the true surfaces overlap along the track on the normal of the rail's profile at `rail_s` [m]; nothing where
-  /// they do not.
+  /// Interval where the true surfaces overlap along the track on the normal of the rail's profile at `rail_s` [m];
+  /// nothing where they do not.
   std::optional<Stretch> find_overlap(const WheelPlacement<double>& placement, double rail_s, double wheel_s) const;
 
 private:

@@ -123,7 +123,7 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
        group_patches(surface.placement(), bodies.rail, bodies.wheel, outlines, method.surface(), depth)) {
     double force = 0, vertical = 0;
     std::vector<PointLoad> loads;
-    std::optional<Rows> rows; // of its own patches first
+    std::optional<Rows> rows; // of its patches first
     for (const bool own : {true, false})
       for (std::size_t k = 0; k < patches.size(); ++k) {
         if ((group.shares[k] == 1) != own) continue;
@@ -144,7 +144,7 @@ std::vector<Loaded> loaded_groups(CoarseContact& coarse, const WheelRailBodies& 
     ExactPatch exact(bodies.material, surface, covered, shape, element, motion, progress);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
-    // Rows of the coarse level have planes of their own.
+    // Rows of the coarse level have separate planes.
     if (force > 0 && method.surface() == PatchShape::flat)
       for (const PointLoad& row : loads)
         share += row.force / force * (std::cos(group.outline.frame.angle) - std::cos(row.angle));
@@ -177,8 +177,8 @@ double approach_of(const Loaded& one, std::span<const PointLoad> loads, double z
   return approach;
 }
 
-/// Changes of the normal forces by `rise` [N] of each patch on its own, when each lifts the others off. Those of each
-/// on its own where together they have none.
+/// Changes of the normal forces by `rise` [N] of each patch alone, when each lifts the others off. Those of each
+/// alone where together they have none.
 std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const std::vector<double>& rise) {
   const std::size_t count = loaded.size();
   std::vector<double> matrix, change = rise;
@@ -363,7 +363,7 @@ bool hold_contacts(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.exact.holds_contact(); });
 }
 
-/// Whether elements further out are of no use: there are none in the overlap.
+/// Returns whether elements further out are of no use: there are none in the overlap.
 bool cover_overlap(const std::vector<Loaded>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const Loaded& one) { return one.covers_overlap; });
 }
@@ -508,7 +508,7 @@ public:
 private:
   static constexpr int most_beyond_elements = 6; ///< fewer lose states that `validate random-wheels` has solved
 
-  /// Whether the force changes more steeply than any contact would let it.
+  /// Returns whether the force changes more steeply than any contact would let it.
   bool is_jump(const BracketedRoot& root) const {
     const double stiffest = bodies_.material.shear_modulus * bodies_.wheelset.nominal_radius; // [N/m]
     return vertical_force_ * std::abs(root.side.value - root.other.value) >

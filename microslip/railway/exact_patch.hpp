@@ -26,7 +26,7 @@ struct PointLoad {
 /// tractions to begin the next ones with.
 class ExactPatch {
 public:
-  /// How a patch moves.
+  /// Motion of a patch.
   struct Motion {
     double contact_gap = 0; ///< < 0, that of the surface whose velocity the creepages take (PatchSurface::creepage) [m]
     double speed = 0;       ///< V [m/s]
@@ -63,10 +63,10 @@ public:
   double approach() const { return pressed_.approach + least_; }
   double least_gap() const { return least_; }
   Status status() const { return pressed_.status; }
-  /// Of a conformal patch: by how much the tractions that were found last would still move the surfaces that the
+  /// For a conformal patch: distance by which the tractions that were found last would still move the surfaces that the
   /// pressures know of, over the largest displacement [-]; else 0.
   double unsettled() const { return unsettled_; }
-  /// Whether the outline holds the contact, as the elements need it.
+  /// Returns whether the outline holds the contact, as the elements need it.
   bool holds_contact() const;
   /// The pressures as one load, that of none at the frame's origin; and as some loads over the patch.
   const PointLoad& load() const { return load_; }

@@ -44,7 +44,7 @@ template <class T> Rotation<T> rotation_about_z(const T& angle) {
   return {{c, s, o}, {-s, c, o}, {o, o, T(1)}};
 }
 
-/// The place of a body in outer axes: a point with coordinates p in the body's axes lies at origin + axes p.
+/// Placement of a body in outer axes: a point with coordinates p in the body's axes lies at origin + axes p.
 template <class T> struct Frame {
   Vec3<T> origin;
   Rotation<T> axes;
@@ -55,7 +55,7 @@ template <class T> struct Frame {
   Frame operator*(const Frame& in) const { return {outer(in.origin), axes * in.axes}; }
 };
 
-/// A rigid body's place and motion in outer axes.
+/// A rigid body's placement and motion in outer axes.
 template <class T> struct MovingFrame {
   Frame<T> frame;
   Vec3<T> velocity;         ///< of the frame's origin, [m/s]

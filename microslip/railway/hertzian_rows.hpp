@@ -18,7 +18,7 @@ public:
 
   /// Fits the paraboloid to the rows of the deepest region. Returns how far Hertz's solution holds: 1 where the rows
   /// are off by less than 1.5 % of the overlap (weighted rms), 0 beyond 3 %, where the fit is not about its middle, or
-  /// where another region overlaps by more than .3 of the deepest one, smooth in between. Cost some 10 ns a row.
+  /// where another region overlaps by more than 0.3 of the deepest one, smooth in between. Cost some 10 ns a row.
   double fit(std::span<const ContactRow> rows);
 
   /// Loads and half-lengths of the rows that were fitted; by how much the wheel is to be lowered [m] for a vertical
@@ -27,10 +27,10 @@ public:
   /// Change of the vertical force with the lowering in the last load() [N/m].
   double stiffness() const { return stiffness_; }
 
-  /// Of the ellipse in the last load(): half the length of its middle row, half its width [m].
+  /// Size of the ellipse in the last load(): half the length of its middle row, half its width [m].
   double half_length() const { return length_; }
   double half_width() const { return half_width_; }
-  /// Whether a row is one of those that were fitted.
+  /// Returns whether a row is one of those that were fitted.
   bool has(std::size_t row) const { return weight_[row] > 0; }
 
   std::span<const double> loads() const { return {load_.data(), count_}; }

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// What a patch does to the surfaces, as far as their strength is known. Wear needs the patch's fields, too.
+/// Damage of a patch to the surfaces, as far as their strength is known. Wear needs the patch's fields, too.
 PatchDamage patch_damage(const SurfaceStrength& strength, const WheelRailPatch& patch, const ContactSolution* fields);
 
 /// sqrt(Fx^2 + Fy^2)/Fn of a patch [-].

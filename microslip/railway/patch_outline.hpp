@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// Where a patch is and how far the undeformed bodies overlap: the contact lies within.
+/// Extent of a patch and overlap of the undeformed bodies: the contact lies within.
 struct PatchOutline {
   PatchFrame frame;
   double x_low = 0, x_high = 0;    ///< from the frame's origin [m]
@@ -26,7 +26,7 @@ struct PatchOutline {
 PatchOutline find_outline(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
                           const ContactRegion& region, PatchShape surface, const EquivalentRail* equivalent = nullptr);
 
-/// The greatest distance [m] of wheel and rail between two patches, the second one further to the left, at some places
+/// The greatest distance [m] of wheel and rail between two patches, the second one further to the left, at some points
 /// of the wheel's locus: by so much the wheel must be lowered for their regions to become one.
 double clearance_between(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
                          const PatchOutline& low, const PatchOutline& high);

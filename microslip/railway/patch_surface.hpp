@@ -22,10 +22,10 @@ struct PatchFrame {
   Vec3<double> normal() const { return {0, -std::sin(angle), std::cos(angle)}; }
 };
 
-/// What a patch takes for flat.
+/// Approximation of the surfaces of a patch.
 enum class PatchShape {
   flat,   ///< the plane of its frame: gaps are measured along one direction
-  curved, ///< the rail's surface: each row has its own normal; s is the length along the rail
+  curved, ///< the rail's surface: the normal differs from row to row; s is the length along the rail
   /// the same, and rows act on each other as their angles want it (RowInclination); for the level exact
   conformal
 };
@@ -35,7 +35,7 @@ enum class PatchShape {
 struct PatchRow {
   double s = 0;       ///< [m]
   Vec3<double> point; ///< of the rail's surface, at x of the frame's origin
-  double angle = 0;   ///< [rad] of the row's own tangent against the track's y
+  double angle = 0;   ///< [rad] of the row's tangent against the track's y
   double rail_s = 0;  ///< parameter of the rail's profile there [m]
   double wheel_s = 0; ///< parameter of the wheel's profile opposite of it, a start for the next row [m]
   bool inside = true; ///< of the rail's profile
@@ -56,7 +56,7 @@ public:
 
   const WheelPlacement<double>& placement() const { return placement_; }
 
-  /// The row at s of a patch, by Newton's method from `near`'s place; its wheel_s is that of `near`.
+  /// The row at s of a patch, by Newton's method from `near`'s position; its wheel_s is that of `near`.
   PatchRow row(const PatchFrame& frame, PatchShape shape, double s, const PatchRow& near) const;
   /// A row to begin with: that through the frame's origin, near the wheel's `wheel_s`.
   PatchRow first_row(const PatchFrame& frame, double wheel_s) const;
@@ -68,8 +68,8 @@ public:
 
   /// Velocity of the wheel over the rail, as creepages about the row's point for the rolling speed V [m/s]: (e_x (v_w -
   /// v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V. On a flat patch these are those of the frame's plane; on a curved
-  /// one each row has its own. Velocities are taken at the height `gap` over the rail; with the least gap, < 0, that is
-  /// the undeformed wheel's surface where the overlap is greatest, as in CONTACT.
+  /// one they differ from row to row. Velocities are taken at the height `gap` over the rail; with the least gap, < 0,
+  /// that is the undeformed wheel's surface where the overlap is greatest, as in CONTACT.
   Creepage creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap, double speed) const;
 
 private:

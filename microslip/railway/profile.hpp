@@ -7,11 +7,11 @@
 
 namespace microslip {
 
-/// What a profile belongs to.
+/// Body that a profile belongs to.
 enum class ProfileRole { rail, wheel };
 
-/// A point of a profile in its own axes [m]: y to the field side, z up. These are the axes of the left side of the
-/// track seen along the track's x axis; a right side is the mirror image of a left one.
+/// A point of a profile in the profile's axes [m]: y to the field side, z up. These are the axes of the left side of
+/// the track seen along the track's x axis; a right side is the mirror image of a left one.
 struct ProfilePoint {
   double y = 0;
   double z = 0;
@@ -36,7 +36,7 @@ struct ProfilePiece {
 /// and at kinks; at a kink the direction jumps.
 ///
 /// The points run from the gauge side to the field side: a rail's along its surface from the inside of the track to the
-/// outside, a wheel's from the back of the flange to the outer face. So the rail's body lies to the right of the way,
+/// outside, a wheel's from the back of the flange to the outer face. So the rail's body lies to the right of the curve,
 /// the wheel's to the left. Vertical and overhanging parts are allowed.
 class Profile {
 public:

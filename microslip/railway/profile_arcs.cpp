@@ -10,7 +10,7 @@ namespace microslip {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
-/// [m], [rad], of places and angles.
+/// [m], [rad], of positions and angles.
 constexpr double rounding = 1e-13;
 
 /// c0 + c1 t + c2 t^2

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// What a point of a profile is, besides a point of a smooth curve.
+/// Kind of a point of a profile, if not a point of a smooth curve.
 enum class Corner {
   none,
   kink,

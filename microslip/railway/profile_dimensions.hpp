@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// Where a profile's curve passes y = `value` or z = `value`, in order of s [m]. Cost O(pieces).
+/// Points where a profile's curve passes y = `value` or z = `value`, in order of s [m]. Cost O(pieces).
 std::vector<double> crossings(const Profile& profile, double ProfilePoint::*coordinate, double value);
 
 /// s [m] of the smallest value of a coordinate on the part of the curve from `first` to `last` [m]; the first one if
@@ -32,7 +32,7 @@ double default_tape_line(const Profile& wheel);
 
 WheelDimensions wheel_dimensions(const Profile& wheel, double tape_line);
 
-/// Where a rail's gauge is measured.
+/// Point where a rail's gauge is measured.
 struct GaugePoint {
   ProfilePoint point = {}; ///< furthest to the gauge side, between the top and the height below it
   double s = 0;            ///< [m]

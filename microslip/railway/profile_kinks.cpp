@@ -9,7 +9,7 @@ double step(std::span<const ProfilePoint> points, std::size_t k) {
   return std::hypot(points[k + 1].y - points[k].y, points[k + 1].z - points[k].z);
 }
 
-/// Whether the polygon is nearly straight around point k, which itself does not count.
+/// Returns whether the polygon is nearly straight around point k, which itself does not count.
 bool stands_alone(std::span<const ProfilePoint> points, std::span<const double> turns, std::size_t k,
                   const KinkRule& rule) {
   double s = 0;

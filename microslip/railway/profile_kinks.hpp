@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// Which turn of the polygon through a profile's points is a corner of the shape, and not a part of an arc.
+/// Criterion by which a turn of the polygon through a profile's points is a corner of the shape, not part of an arc.
 struct KinkRule {
   double angle = std::numbers::pi / 6;   ///< a kink turns by more than this [rad]
   double around = std::numbers::pi / 30; ///< and every other point near it by less than this [rad]

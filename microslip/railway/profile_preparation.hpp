@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What is done to a profile's points before a spline is laid through them. Lengths in m, angles in rad.
+/// Operations on a profile's points before a spline is laid through them. Lengths in m, angles in rad.
 struct ProfileTreatment {
   double smallest_spacing = 1e-7; ///< points closer than this to the one before are dropped
   /// Two points in succession at which the polygon turns back by more than this are replaced by their mean.
@@ -31,7 +31,7 @@ struct PreparedProfile {
   ProfileReport report;
 };
 
-/// Which way the axes of points run by their shape alone: 1 as the profile's axes do, -1 opposite, 0 not to be told.
+/// Direction of the axes of points, by their shape alone: 1 as the profile's axes, -1 opposite, 0 undecided.
 /// z by the flange of a wheel or by the convex head of a rail; y by the side on which a wheel has its flange, or on
 /// which the profile of a rail reaches further down by more than 5 mm: rails are measured down to the gauge face.
 struct ShapeSense {
@@ -43,7 +43,7 @@ ShapeSense sense_of_shape(ProfileRole role, std::span<const ProfilePoint> points
 /// duplicates and the ends outside [y_min, y_max] dropped, the order turned to run to the field side, zig-zags
 /// straightened, kinks found, points smoothed. Each of these that changed something is a step of the report, whose
 /// other members (source, steps so far) are kept. What looks wrong (mirrored axes, gaps, noise, a missing flange) is a
-/// warning. Throws Error, with the place, for fewer than 4 points, a length outside 5 mm to 500 mm, and a curve that
+/// warning. Throws Error, with the location, for fewer than 4 points, a length outside 5 mm to 500 mm, and a curve that
 /// crosses itself.
 PreparedProfile prepare_profile(ProfileRole role, std::vector<ProfilePoint> points,
                                 const ProfileTreatment& treatment = {}, ProfileReport report = {});

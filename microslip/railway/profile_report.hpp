@@ -23,7 +23,7 @@ struct ProfileNoise {
   double smoothing_length = 0;
 };
 
-/// What was done to a profile's points and what is conspicuous about them, in words for users. Lengths in them are in
+/// Operations on a profile's points, and conspicuous features of them, in words for users. Lengths in them are in
 /// mm.
 struct ProfileReport {
   std::string source = {};  ///< the file's name

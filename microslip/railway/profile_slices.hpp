@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The cross-section of a profile that varies at one place, with the features that it shares with the others: edges,
+/// The cross-section of a profile that varies at one position, with the features that it shares with the others: edges,
 /// ends of arcs, tips.
 struct ProfileSlice {
   double u = 0; ///< along the track, or around a wheel [rad]
@@ -17,7 +17,7 @@ struct ProfileSlice {
   std::vector<double> features = {};
 };
 
-/// How slices are joined to a surface.
+/// Interpolation between slices.
 struct SliceOptions {
   SliceMethod method = SliceMethod::interpolating;
   std::vector<int> kinks = {}; ///< features, from 0, along which the surface has an edge
@@ -26,9 +26,9 @@ struct SliceOptions {
 };
 
 /// The surface that joins equal features of successive slices by lines of equal v, with the points in between at equal
-/// shares of the way. Each part between two features gets as many points in all slices as its longest one needs. v
-/// ascends as the profiles do, from the gauge side to the field side. Throws Error, which names the slice, for features
-/// that are fewer than in other slices, do not ascend or leave nothing between them.
+/// fractions of the length. Each part between two features gets as many points in all slices as its longest one needs.
+/// v ascends as the profiles do, from the gauge side to the field side. Throws Error, which names the slice, for
+/// features that are fewer than in other slices, do not ascend or leave nothing between them.
 ProfileSurface join_slices(const std::vector<ProfileSlice>& slices, const SliceOptions& options);
 
 } // namespace microslip

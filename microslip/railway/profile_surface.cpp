@@ -98,7 +98,7 @@ ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions 
 
 /// Repeats the first and the last slices beyond one turn, so that the splines pass over its end.
 void ProfileSurface::close_wheel() {
-  constexpr std::size_t repeated = 8; // the influence of a value decays by .27 from knot to knot
+  constexpr std::size_t repeated = 8; // the influence of a value decays by 0.27 from knot to knot
   constexpr double rounding = 1e-4;
   const std::size_t n = slices_.size();
   if (n < 3 || last_u() - first_u() > turn + rounding) return;

@@ -23,7 +23,7 @@ struct SurfaceSlice {
   bool holds(std::size_t v) const { return v >= first && v <= last(); }
 };
 
-/// How the surface follows its slices: through them, or as a cubic B-spline with knots at their u that has them for
+/// Interpolation of the surface: through them, or as a cubic B-spline with knots at their u that has them for
 /// control points. That smooths what is short beside their distances, and bends straight lines where these change.
 enum class SliceMethod { interpolating, approximating };
 

@@ -20,29 +20,29 @@ struct HertzianEllipse {
 
 /// Tangential forces of rows from a creep-force table: those of an ellipse that stands for their patch, and what the
 /// patch's shape changes in them by RowStrips, (C4). The ellipse has b = sqrt(5) times the radius of inertia of the
-/// load across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse its own, to
-/// third order in the rows' width), and the slant that a straight line has through the middles of the rows, weighted by
-/// their loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and friction are
-/// those of the patch, creepages the means over its load. A row has the force of its strip, and in proportion to its
-/// load what the ellipse has beyond its own strips. Forces of a patch stay below what its friction bears.
+/// load across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse that of the
+/// ellipse, to third order in the rows' width), and the slant that a straight line has through the middles of the rows,
+/// weighted by their loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and
+/// friction are those of the patch, creepages the means over its load. A row has the force of its strip, and in
+/// proportion to its load what the ellipse has beyond its strips. Forces of a patch stay below its friction limit.
 ///
-/// What a row sees of other rows is as of LoadedRowSolver, so that forces are continuous where patches merge: one
+/// Other rows enter as in LoadedRowSolver, so that forces are continuous where patches merge: one
 /// look-up for a single hump, at most one for each row.
 class RowLookUp {
 public:
   /// Rolling forward, on either side of it by the mirror.
   RowLookUp(std::shared_ptr<const CreepForceTable> table, std::size_t most_rows);
 
-  /// Forces of at most `most_rows` rows into as many places; rows without load have none. `side` is -1 for rolling
-  /// backward, else 1. Cost some 1 us for each look-up and .1 us for each row.
+  /// Forces of at most `most_rows` rows into an array of that size; rows without load have none. `side` is -1 for
+  /// rolling backward, else 1. Cost some 1 us for each look-up and 0.1 us for each row.
   void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
              double side, std::span<RowForces> forces) noexcept;
 
-  /// Whether a row's ellipse was in the table's range.
+  /// Returns whether a row's ellipse was in the table's range.
   bool in_range(std::size_t row) const { return patches_[patch_of_[row]].table.status == Status::ok; }
 
 private:
-  /// What stands for the rows that a row sees, rolling forward.
+  /// Equivalent contact for the rows that act on a row, rolling forward.
   struct Patch {
     std::size_t row = 0; ///< the first one that sees it
     double load = 0, capacity = 0;

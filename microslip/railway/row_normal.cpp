@@ -46,7 +46,7 @@ void RowNormal::set_up(std::span<const NormalRow> rows) {
     }
 }
 
-/// Half-lengths of the rows that overlap by .45 of the most, from there, as virtual penetration has them; kappa as
+/// Half-lengths of the rows that overlap by 0.45 of the most, from there, as virtual penetration has them; kappa as
 /// under a sphere, 4/pi E* A, E* = 1/(pi C).
 void RowNormal::start(std::span<const NormalRow> rows) {
   double most = 0;
@@ -121,8 +121,8 @@ void RowNormal::find_influences(bool linear) {
   }
 }
 
-/// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(.06 q_j)), with
-/// all kappa equal to the row's own, and their derivatives.
+/// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(0.06 q_j)),
+/// with all kappa equal to that of the row, and their derivatives.
 void RowNormal::find_curvatures(std::span<const NormalRow> rows, bool alone) {
   for (std::size_t k : near_) root_load_[k] = half_length_[k] * std::exp(log_kappa_[k] / 2);
   for (std::size_t j : near_) {
@@ -259,7 +259,7 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     if (!alone) find_curvatures(rows, alone);
     eliminate_curvatures(rows, alone);
     const bool found = solve_active(vertical_force, result);
-    // From the active rows to all of them, from behind: no place is overwritten before it is read.
+    // From the active rows to all of them, from behind: nothing is overwritten before it is read.
     std::size_t i = active_.size();
     for (std::size_t k = count_; k-- > 0;)
       next_load_[k] = i > 0 && active_[i - 1] == k ? std::max(next_load_[--i], 0.0) : 0.0;

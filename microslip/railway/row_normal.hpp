@@ -36,11 +36,11 @@ struct NormalRow {
 ///
 /// The half-lengths follow from kappa = (2 q/(pi a))/a, the peak pressure over a. A row's kappa is the one with which
 /// the displacement's curvature along x at the row's centre is -2 A if all rows had that kappa: so on an ellipse
-/// it is Hertz's, and where curvatures vary across the contact it is the row's own. Rows with less than .06
-/// of the row's own load enter in proportion to that: the shortest rows would have the greatest curvature.
+/// it is Hertz's, and where curvatures vary across the contact it is that of the row itself. Rows with less than 0.06
+/// of the row's load enter in proportion to that: the shortest rows would have the greatest curvature.
 ///
 /// Newton's method for q and ln(kappa), the latter eliminated, with active sets in each step. On ellipses with 12 rows
-/// zeta, the peak pressure and the half-lengths err by .5 % for b/a from .3, by 2 to 5 % at .03.
+/// zeta, the peak pressure and the half-lengths err by 0.5 % for b/a from 0.3, by 2 to 5 % at 0.03.
 ///
 /// All memory is taken in the constructor; solve() allocates nothing. Cost of each step some 40 ns for each pair of
 /// rows.

@@ -13,7 +13,7 @@ struct PatchEllipse {
   double slant = 0;    ///< [-]
   double skewness = 0; ///< of the patch's load across: third central moment over the 3/2 power of the second [-]
 
-  /// How much longer it is along x than its middle row. An ellipse without slant, so much longer and narrower, has
+  /// Ratio of its length along x to that of its middle row. An ellipse without slant, so much longer and narrower, has
   /// nearly its forces.
   double stretch() const { return std::sqrt(1 + slant * slant * b * b / (a * a)); }
 };
@@ -27,8 +27,8 @@ struct PatchEllipse {
 ///   sigma = u (xi, eta + phi (x + m l/(1 + u^2 |w(x)|^2))),   u = K s l^alpha/(Q sum s l^alpha),
 ///
 /// w = (xi, eta + phi x), and the traction -sigma/sqrt(1 + |sigma|^2) times its bound, semi-elliptic along x. K = G a b
-/// C11 is the stiffness of the ellipse, and a patch's is greater by .06 g^2/(1 + g^2/4) of it, g the skewness of its
-/// load. So a patch is about as stiff as its ellipse but in other places: the exponent alpha = 1.3 + 4 r/(r + 5), r the
+/// C11 is the stiffness of the ellipse, and a patch's is greater by 0.06 g^2/(1 + g^2/4) of it, g the skewness of its
+/// load. So a patch is about as stiff as its ellipse but at other points: the exponent alpha = 1.3 + 4 r/(r + 5), r the
 /// ellipse's ratio of axes, was chosen such that the centre of the stiffness is that of the exact theory on patches
 /// between wheel and rail, and so was the gain of stiffness. m gives the strips of the ellipse the lateral force by
 /// spin that C23 does: tractions grow from the leading edge, and so come from a slip further ahead; where a strip

@@ -12,7 +12,7 @@ struct BodyShape {
   const ProfileSurface* surface = nullptr;
 };
 
-/// A profile as it is in one place, and the v of its first point.
+/// A profile at one position along the track, and the v of its first point.
 struct ProfileSection {
   Profile profile;
   double first = 0;
@@ -22,14 +22,14 @@ struct ProfileSection {
 /// interruption.
 ProfileSection section_at(const BodyShape& body, double u);
 
-/// Where a straight line meets a surface.
+/// Intersection of a straight line and a surface.
 struct SurfaceHit {
   double n = 0; ///< along the line, from its point [m]
   double v = 0; ///< across the surface: that of its slices, or the number of a point of the profile, with fractions
 };
 
-/// Where the line of points p + n d, d a unit vector across the track's x, meets a rail or a wheel in its place:
-/// Newton's method from `hit`. False where it does not, as beyond a profile and in an interruption. Cost some .5 us.
+/// Point where the line p + n d, d a unit vector across the track's x, meets a rail or a wheel in its position:
+/// Newton's method from `hit`. False where it does not, as beyond a profile and in an interruption. Cost some 0.5 us.
 bool find_on_rail(BodyShape rail, const WheelPlacement<double>& placement, const Vec3<double>& p, const Vec3<double>& d,
                   SurfaceHit& hit);
 bool find_on_wheel(BodyShape wheel, const WheelPlacement<double>& placement, const Vec3<double>& p,

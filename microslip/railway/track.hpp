@@ -7,9 +7,9 @@
 
 namespace microslip {
 
-/// A straight or curved track in its nominal place, both rails alike. Track axes: x forward, y to the left, z up, the
-/// origin midway between the rails at the tops of both, below the wheelset. Or two rollers: their profiles are added to
-/// their radius, the origin is at the nominal radius above their axle, and does not move with the wheelset.
+/// A straight or curved track in its nominal position, both rails alike. Track axes: x forward, y to the left, z up,
+/// the origin midway between the rails at the tops of both, below the wheelset. Or two rollers: their profiles are
+/// added to their radius, the origin is at the nominal radius above their axle, and does not move with the wheelset.
 struct Track {
   double gauge = 1.435;        ///< [m], > 0, between the gauge points of both rails
   double gauge_height = 0.014; ///< [m], > 0: how far below the rails' tops it is measured

@@ -17,8 +17,8 @@ template <class T> struct LocusPoint {
   bool exists = true;             ///< false where the tangent planes at this station of the profile never hold x
 };
 
-/// Where a round wheel touches a prismatic rail, if it does: of each circle of the wheel the point whose tangent plane
-/// holds the track's x axis. Seen along x, the locus is the wheel's outline. Exact at any yaw and roll.
+/// Locus of the points where a round wheel can touch a prismatic rail: of each circle of the wheel the point whose
+/// tangent plane holds the track's x axis. Seen along x, the locus is the wheel's outline. Exact at any yaw and roll.
 ///
 /// With the profile's angle alpha, the unit normal in the wheel's axes is (cos alpha sin tau, sin alpha, -cos alpha cos
 /// tau); in track axes it is (0, sin delta, -cos delta). The component along the axle e gives sin alpha = e_y sin delta

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The left wheel and the left rail in their nominal places: what the state does not change.
+/// The left wheel and the left rail in their nominal positions: what the state does not change.
 struct NominalPlacement {
   Frame<double> rail;
   WheelPlace wheel;

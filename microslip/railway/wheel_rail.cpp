@@ -130,7 +130,7 @@ bool is_velocity(std::size_t basic) {
   return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
 }
 
-/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of .001.
+/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of 0.001.
 double difference_step(std::size_t basic, double speed) {
   constexpr double place = 1e-10, yaw = 5e-9, creepage = 5e-10, radius = 0.5; // [m], [rad], [-], [m]
   switch (static_cast<WheelVariable>(basic)) {
@@ -165,7 +165,7 @@ BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   return out;
 }
 
-/// Whether the surfaces are more than a round wheel on a prismatic rail.
+/// Returns whether the surfaces are more than a round wheel on a prismatic rail.
 bool has_general_surfaces(const WheelRailBodies& bodies) {
   return bodies.rail_surface || bodies.wheel_surface || bodies.track.roller_radius != 0;
 }
@@ -267,7 +267,7 @@ private:
       out.status = Status::implausible, out.reason = Unsolved::implausible;
   }
 
-  /// Whether there is contact.
+  /// Returns whether there is contact.
   bool solve_coarse(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
     out.patches.clear(), out.fields.clear();
     out.patches.reserve(most_patches); // for all that come later
@@ -363,7 +363,8 @@ private:
   /// The equivalent rail is found anew at each step, to less digits.
   double step_scale() const { return is_general ? 100 : 1; }
 
-  /// By the place along the track and the pitch, forward differences at the coarse level; with what `basic` holds held.
+  /// By the position along the track and the pitch, forward differences at the coarse level; with what `basic` holds
+  /// held.
   PlaceDerivatives place_derivatives(const WheelState<double>& state, const Wrench& here,
                                      const BasicDerivatives& basic) {
     PlaceDerivatives derivatives{};
@@ -381,7 +382,7 @@ private:
     return derivatives;
   }
 
-  /// Forward differences with the height held. Velocities alone need no new pressures: they come first, in the place of
+  /// Forward differences with the height held. Velocities alone need no new pressures: they come first, instead of
   /// the last solve.
   BasicDerivatives coarse_derivatives(const WheelState<double>& state, double speed, const Wrench& here) {
     BasicDerivatives derivatives;

@@ -14,8 +14,8 @@ namespace microslip {
 /// Throws Error for a shape of patches that the level does not have, with this text before the message.
 void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
 
-/// What the forces are differentiated by: the numbers of a state in the order of state_quantities(), and the vertical
-/// force. Round wheels and fixed profiles have no derivatives by the place along the track and the angle of pitch.
+/// Variables of differentiation: the numbers of a state in the order of state_quantities(), and the vertical
+/// force. Round wheels and fixed profiles have no derivatives by the position along the track and the angle of pitch.
 enum class WheelVariable {
   lateral,
   vertical,
@@ -72,8 +72,8 @@ public:
   /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
   /// size, unless fields are asked for, or wear, which needs them: with a hardness. Where surfaces vary, or on rollers,
   /// it first finds the equivalent rail of each state, which takes some 10 ms and allocates. Without contact, too,
-  /// where a rail is interrupted. `progress` is told often at the level `exact`, of no fraction; where it returns false
-  /// Stopped is thrown, and the solver is as good as before.
+  /// where a rail is interrupted. `progress` is called often at the level `exact`, without a fraction; where it returns
+  /// false Stopped is thrown, and the solver is as good as before.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
              const Progress& progress = {});
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {},
@@ -83,7 +83,7 @@ public:
   /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
   /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
-  /// places differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
+  /// positions differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives, const Progress& progress = {});
 

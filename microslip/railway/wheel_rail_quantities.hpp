@@ -15,7 +15,7 @@ namespace microslip {
 /// in wheel_rail_quantities.cpp.
 struct StateQuantity {
   std::string_view section;     ///< of case files: track, rail or wheel
-  std::string_view name;        ///< in every door
+  std::string_view name;        ///< in every interface
   std::string_view unit;        ///< SI
   double limit;                 ///< the largest magnitude that makes sense, in that unit
   std::string_view description; ///< with the sign's meaning
@@ -24,7 +24,7 @@ struct StateQuantity {
   double value(WheelState<double> state) const { return of(state); }
 };
 
-/// The smallest and the largest vertical force [N] on a wheel or a wheelset, in every door.
+/// The smallest and the largest vertical force [N] on a wheel or a wheelset, in every interface.
 inline constexpr double least_vertical_force = 1e-6, largest_vertical_force = 1e9;
 inline bool is_vertical_force(double force) {
   return force >= least_vertical_force && force <= largest_vertical_force;

@@ -26,7 +26,7 @@ struct InclinedFriction {
   double coefficient = 0; ///< mu there, linear in between, constant beyond the first and the last angle
 };
 
-/// Which side of the track.
+/// Side of the track.
 enum class TrackSide { left, right };
 
 /// A wheel on a rail: all that stays the same while it runs.
@@ -38,12 +38,12 @@ struct WheelRailBodies {
   CombinedMaterial material{};
   std::vector<InclinedFriction> friction; ///< at least one
   SurfaceStrength strength = {};          ///< for wear and fatigue only
-  /// Of a rail that varies along the track, u in m, and of a wheel that is not round, u in rad; `rail` and `wheel` are
+  /// For a rail that varies along the track, u in m, and of a wheel that is not round, u in rad; `rail` and `wheel` are
   /// then the profiles by which they are placed.
   std::shared_ptr<const ProfileSurface> rail_surface = {}, wheel_surface = {};
 };
 
-/// How it is solved.
+/// Method of solution.
 enum class WheelRailLevel {
   fastsim2, ///< normal problem on few elements, FASTSIM2 on the rows of the patch
   exact,    ///< the exact theory at second order on each patch
@@ -59,29 +59,29 @@ struct WheelRailMethod {
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
   std::shared_ptr<const CreepForceTable> table = {}; ///< table: rolling forward; one for nu alone is the smallest
 
-  /// Which surface gaps and creepages are those of: that of the shape that is given, or the true one.
+  /// Surface of gaps and creepages: that of the shape that is given, or the true one.
   PatchShape surface() const { return shape.value_or(PatchShape::curved); }
   /// The largest residual of a solution: the tolerance that counts.
   double solved_tolerance() const { return level == WheelRailLevel::exact ? std::max(tolerance, 1e-6) : tolerance; }
-  /// How much counts of what the angles of a patch's rows change in their displacements: 0 of a curved patch, 1 of a
+  /// Weight of the change of displacements by the angles of a patch's rows: 0 of a curved patch, 1 of a
   /// conformal one. Unless the shape is given it rises smoothly, 1/2 where the rail's surface turns by 14 degrees
   /// [rad] across the patch, where a cosine differs by 3 %.
   double conformity(double turn) const;
 };
 
-/// What a patch does to the surfaces; empty where a number of their strength is not given.
+/// Damage of a patch to the surfaces; empty where a number of their strength is not given.
 struct PatchDamage {
   std::optional<double> worn_area;      ///< cross-section that a passage wears off [m^2], or volume per metre [m^3/m]
   std::optional<double> wear_depth;     ///< the largest depth of it [m]
   std::optional<double> fatigue_index;  ///< surface fatigue index [-]
-  std::optional<double> shakedown_load; ///< p0/k, its place on the shakedown map [-]
+  std::optional<double> shakedown_load; ///< p0/k, ordinate of the shakedown map [-]
 };
 
 /// A patch in contact, in track axes; forces on the wheel.
 struct WheelRailPatch {
   Vec3<double> place;                      ///< origin of its frame, on the rail [m]
   double angle = 0;                        ///< [rad] of the contact plane against the track plane
-  double rail_y = 0, wheel_y = 0;          ///< of both profiles there, in their own axes [m]
+  double rail_y = 0, wheel_y = 0;          ///< of both profiles there, in the profiles' axes [m]
   double rolling_radius = 0;               ///< of the wheel there [m]
   double turn = 0;                         ///< by how much the rail's surface turns across the patch [rad]
   double conformity = 0;                   ///< exact: 0 solved as curved (or flat), 1 as conformal [-]

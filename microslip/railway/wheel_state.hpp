@@ -15,19 +15,19 @@ template <class T> struct WheelDeflection {
   T roll_velocity{}, pitch_velocity{}, yaw_velocity{};
 };
 
-/// A rail off its nominal place, in track axes: [m], [rad], [m/s], [rad/s]; turned about its profile's origin.
+/// A rail off its nominal position, in track axes: [m], [rad], [m/s], [rad/s]; turned about its profile's origin.
 template <class T> struct RailDeviation {
   T lateral{}, vertical{};
   T roll{}; ///< right-handed about x
   T lateral_velocity{}, vertical_velocity{}, roll_velocity{};
 };
 
-/// How many numbers a state has.
+/// Number of numbers of a state.
 inline constexpr std::size_t state_numbers = 30;
 /// Those that matter only where surfaces vary along the track or around the wheel, or on rollers.
 inline constexpr std::size_t longitudinal_number = 28, pitch_number = 29;
 
-/// Where a wheelset is on the track and how it moves, with all that concerns one of its wheels. Track axes: x forward,
+/// Position and motion of a wheelset on the track, with all that concerns one of its wheels. Track axes: x forward,
 /// y to the left, z up, moving along the track with the wheelset. Angles are right-handed: roll > 0 raises the left
 /// wheel, yaw > 0 turns to the left. The wheelset's axes are those of the track turned first by yaw, then by roll: R =
 /// Rx(roll) Rz(yaw). Lengths in m, angles in rad, velocities in m/s and rad/s. T is double or a dual number.
@@ -50,7 +50,7 @@ template <class T> struct WheelState {
   WheelState mirrored() const;
 };
 
-/// Where a wheelset is and how it moves, with all that concerns both wheels.
+/// Position and motion of a wheelset, with all that concerns both wheels.
 struct WheelsetState {
   WheelState<double> left; ///< the wheelset's, with what concerns the left wheel alone
   WheelDeflection<double> right_deflection;

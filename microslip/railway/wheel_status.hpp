@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// Whether all numbers of a state are within their ranges (state_quantities()).
+/// Returns whether all numbers of a state are within their ranges (state_quantities()).
 bool is_in_range(WheelState<double> state) noexcept;
 
 /// The reason of a status where nothing more is known; of a wheelset `apart` and `no_solution` mean other things.
@@ -15,7 +15,7 @@ Unsolved usual_reason(Status status, Unsolved of_no_contact = Unsolved::apart,
 /// The vertical force jumps over the one given: the better side's result is near it, or no height bears it.
 void mark_jump(WheelRailSolution& solution);
 
-/// Makes status and numbers of a solution agree, whoever found it; all solutions of wheels pass here:
+/// Makes status and numbers of a solution agree, from any solver; all solutions of wheels pass here:
 /// - `ok` if all numbers are finite, the residual is at most `tolerance` and every patch is solved;
 /// - `no_contact` without patches, forces and moments;
 /// - `not_converged` with a residual above the tolerance; without patches and forces where there are no numbers;

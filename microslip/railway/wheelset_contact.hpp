@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// What decides a rigid wheelset's roll angle.
+/// Condition that determines a rigid wheelset's roll angle.
 enum class RollRule {
   equilibrium, ///< both wheels touch their rails
   none         ///< the roll angle is zero, as in the reference calculations of EN 15302
@@ -37,11 +37,11 @@ public:
   /// Throws Error as nominal_placement. The profiles are copied. The right side's are given as those of a left one.
   WheelsetSearch(const Track& track, const Wheelset& wheelset, const Side& left, const Side& right);
 
-  /// The places where both wheels touch first when the wheelset comes down. With equilibrium the roll angle is the one
+  /// The points where both wheels touch first when the wheelset comes down. With equilibrium the roll angle is the one
   /// nearest to zero at which both touch; found by Newton's method within a bracket to 1e-12 rad. Cost some 2 searches
   /// without roll, 10 with.
   WheelsetContact solve(double lateral, double yaw = 0, RollRule rule = RollRule::equilibrium);
-  /// The same with deflected wheels and rails off their places; height and roll of the state do not count.
+  /// The same with deflected wheels and rails off their positions; height and roll of the state do not count.
   WheelsetContact solve(const WheelsetState& state, RollRule rule = RollRule::equilibrium);
 
 private:

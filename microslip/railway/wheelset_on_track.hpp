@@ -10,13 +10,13 @@
 
 namespace microslip {
 
-/// What both rails bear of a wheelset together, as forces on it.
+/// Load of a wheelset on both rails together, as forces on it.
 struct AxleLoad {
   double vertical_force = 0; ///< [N], > 0
   double roll_moment = 0;    ///< [N m] about the wheelset's centre, about the track's x
 };
 
-/// What each rail bears, as forces on the wheels.
+/// Load on each rail, as forces on the wheels.
 struct WheelLoads {
   double left = 0, right = 0; ///< [N], > 0, vertical
 };
@@ -30,7 +30,7 @@ struct WheelsetLoad {
 };
 
 struct WheelsetSolution {
-  WheelRailSolution left, right; ///< moments about each wheel's own centre
+  WheelRailSolution left, right; ///< moments about each wheel's centre
   Vec3<double> force;            ///< of both, on the wheelset, in track axes [N]
   Vec3<double> moment;           ///< of both, about the wheelset's centre [N m]
   double vertical = 0;           ///< of the wheelset's centre, as given or found [m]
@@ -45,7 +45,7 @@ struct WheelsetSolution {
   Unsolved reason = Unsolved::none; ///< why the status is not ok
 };
 
-/// What a wheelset's forces are differentiated by: numbers of its state, and the prescribed forces.
+/// Variables of differentiation of a wheelset's forces: numbers of its state, and the prescribed forces.
 enum class WheelsetVariable {
   lateral,
   vertical,
@@ -77,13 +77,13 @@ class WheelsetOnTrack {
 public:
   /// Both wheels and rails alike: the side does not count. Throws Error as WheelRail.
   explicit WheelsetOnTrack(const WheelRailBodies& bodies, const WheelRailMethod& method = {});
-  /// Each wheel with its own profiles and friction; track and wheelset are the left one's.
+  /// Each wheel with separate profiles and friction; track and wheelset are the left one's.
   WheelsetOnTrack(WheelRailBodies left, WheelRailBodies right, const WheelRailMethod& method = {});
   WheelsetOnTrack(WheelsetOnTrack&&) noexcept;
   WheelsetOnTrack& operator=(WheelsetOnTrack&&) noexcept;
   ~WheelsetOnTrack();
 
-  /// The forces in a state, by Newton's method from the place where both rigid wheels touch, and by bracketing where
+  /// The forces in a state, by Newton's method from the position where both rigid wheels touch, and by bracketing where
   /// contacts jump. `method.tolerance` is that of the residual. Forces that no height, roll and pitch velocity give are
   /// the status no_solution; a jump of the forces across the prescribed ones is not_converged, with the residual beside
   /// it. Where nothing is prescribed, a wheel may be off its rail; only if both are is the status no_contact. Cost some

@@ -13,7 +13,7 @@ namespace microslip {
 /// A number of a wheelset's state. What concerns one wheel alone, deflections and its rail's deviations, has the names
 /// of WheelState's numbers behind "left_" or "right_".
 struct WheelsetStateQuantity {
-  std::string name;              ///< in every door
+  std::string name;              ///< in every interface
   const StateQuantity* of_wheel; ///< the number of a wheel's state: section, unit, limit, description
   bool of_right = false;         ///< of what concerns the right wheel alone
 
@@ -21,7 +21,7 @@ struct WheelsetStateQuantity {
   void set(WheelsetState& state, double value) const;
 };
 
-/// The forces that doors may prescribe, by name.
+/// The forces that interfaces may prescribe, by name.
 struct PrescribedWheelsetForces {
   std::optional<double> vertical_force, roll_moment, vertical_force_left, vertical_force_right, axle_torque;
 

@@ -21,7 +21,7 @@ struct AccurateContact {
 /// The limit of a force or creepage, F(h/2) + (F(h/2) - F(h))/4, from its values on a grid and on one with twice as
 /// many elements in each direction. Were errors c h^2 alone, the factor would be 1/3. But they scatter, by where the
 /// edges of contact and of slip lie within their elements, like (c + s z) h^2 with independent z of variance 1; the
-/// factor with the least mean square error is (6 - 2 t)/(18 + 34 t), t = s^2/c^2, and t = .1 to .3 on 8 to 48 elements.
+/// factor with the least mean square error is (6 - 2 t)/(18 + 34 t), t = s^2/c^2, t = 0.1 to 0.3 on 8 to 48 elements.
 double limit_of_second_order(double coarse, double fine);
 
 /// Hertzian contacts in steady rolling to an accuracy that is asked for, by limit_of_second_order. Grids of 8 and 16,
@@ -31,7 +31,7 @@ double limit_of_second_order(double coarse, double fine);
 /// more: of the 112 reference cases it is never below the true error and mostly some eight times as large.
 class AccurateContactSolver {
 public:
-  /// Throws Error unless the accuracy is in [1e-5, .1]. Of the options direction and tolerance are used.
+  /// Throws Error unless the accuracy is in [1e-5, 0.1]. Of the options direction and tolerance are used.
   AccurateContactSolver(double accuracy, const ExactOptions& options = {});
 
   /// Steady rolling with creepages or forces given. If not even the finest grid of 512 x 512 elements is good enough

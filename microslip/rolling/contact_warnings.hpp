@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// What makes a contact of two bodies doubtful.
+/// Doubts about a contact of two bodies.
 struct ContactWarnings {
   Warnings all;
   std::vector<std::string> texts; ///< with its numbers, and which inputs to check; one for each that is found
@@ -18,7 +18,7 @@ struct ContactWarnings {
   bool empty() const { return texts.empty(); }
 };
 
-/// Of a Hertzian contact, by the table of warnings: pressures beside the combined Young's modulus, that modulus, the
+/// Warnings of a Hertzian contact, by the table: pressures relative to the combined Young's modulus, that modulus, the
 /// ellipse and the approach beside the radii, and the radii. Lengths in mm or moduli in MPa make such contacts.
 ContactWarnings contact_warnings(const HertzContact& contact, const PrincipalRadii& radii,
                                  const CombinedMaterial& material);

@@ -319,7 +319,7 @@ ContactSolution EllipticContactSolver::solve(const EllipticContact& contact, con
     out = problem == ContactProblem::second_order ? solve_second_order(contact, motion, progress)
           : problem == ContactProblem::coupled    ? solve_sequence(contact, motion, progress)
                                                   : solve_classical(contact, motion, progress);
-  } catch (const Error& refusal) { // of what is found out on the way: combinations, numbers that overflow
+  } catch (const Error& refusal) { // of what is found out while solving: combinations, numbers that overflow
     out = solution_without_result(Status::invalid_input, refusal.what());
   } catch (const Stopped&) {
     out = solution_without_result(Status::not_converged, ended);

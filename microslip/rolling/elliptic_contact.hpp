@@ -16,13 +16,13 @@
 
 namespace microslip {
 
-/// How rolling is discretised. Shifts, and rolling with a step that is given, are always classical.
+/// Discretisation of rolling. Shifts, and rolling with a prescribed step, are always classical.
 enum class Discretisation {
   second_order, ///< SecondOrderRolling, TransientRolling: forces with errors of second order in the elements' size
   classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
 };
 
-/// How the exact theory discretises a Hertzian contact.
+/// Options of the exact theory for a Hertzian contact.
 struct ExactOptions {
   int mx = 24; ///< elements across the ellipse along x, 1 to 4,000
   int my = 24; ///< and along y
@@ -45,7 +45,7 @@ struct ExactOptions {
   friend bool operator==(const ExactOptions&, const ExactOptions&) = default;
 };
 
-/// How the bodies move over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
+/// Motion of the bodies over each other, beyond the creepages of EllipticContact. For a shift these are the rigid shift
 /// [m] and rotation [rad].
 struct ExactMotion {
   ContactMotion kind = ContactMotion::steady;
@@ -77,16 +77,16 @@ public:
 
   const ExactOptions& options() const { return options_; }
 
-  /// Input out of range gives Status::invalid_input and NaN. `progress` is told of the steps of transient rolling, else
-  /// of the Newton steps, and within them, and may end them: with status not_converged and the tractions so far, in
-  /// transient rolling those of the last whole step. Where there are none yet, and for dissimilar bodies
-  /// and friction that depends on the slip, with NaN.
+  /// Input out of range gives Status::invalid_input and NaN. `progress` is called in the steps of transient rolling,
+  /// else of the Newton steps, and within them, and may end them: with status not_converged and the tractions so far,
+  /// in transient rolling those of the last whole step. Where there are none yet, and for dissimilar bodies and
+  /// friction that depends on the slip, with NaN.
   ContactSolution solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
 
   /// Steady rolling with creepages given, at second order: forces and the derivatives of these very numbers, from the
   /// converged equations by the implicit function theorem. They hold away from the kinks where an element passes from
   /// adhesion to slip, and are accurate to 1e-5 of a column's size with the default tolerance.
-  /// `progress` is told of the Newton steps and of the linear solves; false ends them, with status not_converged and
+  /// `progress` is called in the Newton steps and linear solves; false ends them, with status not_converged and
   /// NaN.
   ExactDerivatives differentiate(const EllipticContact& contact, const Progress& progress = {});
 

@@ -39,7 +39,7 @@ struct Rule {
 constexpr std::string_view needs_exact = "needs {solution.theory=exact}",
                            not_of_table = "cannot be combined with {solution.theory=table}";
 
-/// What cannot be combined. Every door reads it from here, in this order.
+/// Incompatible options. Every interface reads them from here, in this order.
 constexpr Rule rules[] = {
     // Heat
     {"friction.thermal_change",

@@ -15,7 +15,7 @@ namespace microslip {
 
 class CreepForceTable;
 
-/// How a problem is solved. What is not given takes the best value for the problem.
+/// Method of solution. What is not given takes the best value for the problem.
 struct Method {
   Theory theory = Theory::exact;
   int mx = 24; ///< cells or elements across an ellipse along x, 1 to 4,000; on a gap's grid not used
@@ -23,8 +23,8 @@ struct Method {
   // Of the exact theory:
   std::optional<Discretisation> discretisation = {}; ///< none: second order where it is possible
   std::optional<ElementShape> elements = {};         ///< none: constant, or the gap's grid's
-  std::optional<double> accuracy = {};      ///< of the forces in mu Fn, in [1e-5, .1], on grids that this picks
-  double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, .1]
+  std::optional<double> accuracy = {};      ///< of the forces in mu Fn, in [1e-5, 0.1], on grids that this picks
+  double tolerance = 1e-6;                  ///< of the relative residual, in [1e-14, 0.1]
   std::optional<Coupling> coupling = {};    ///< of the problems of dissimilar bodies; none: Newton's method
   std::optional<SlipStart> slip_start = {}; ///< of friction that depends on the slip; none: below
   // Of the simplified theory:
@@ -37,7 +37,7 @@ struct Method {
   std::shared_ptr<const CreepForceTable> table = {}; ///< for the direction of rolling
 };
 
-/// All incompatibilities of a problem and a method, in the order of the table that every door reads: empty if the
+/// All incompatibilities of a problem and a method, in the order of the table that every interface reads: empty if the
 /// problem can be solved so.
 std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, const Method& method);
 
@@ -58,10 +58,10 @@ Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact);
 /// depends on slip, temperatures.
 bool needs_sequence(const RollingProblem& problem);
 bool needs_sequence(const ExactOptions& options, const EllipticContact& contact);
-/// Whether it needs its classical discretisation: for those, shifts and transient rolling.
+/// Returns whether it needs its classical discretisation: for those, shifts and transient rolling.
 bool needs_classical(const RollingProblem& problem);
 
-/// What the method comes to for this problem.
+/// Options that follow from the method for this problem.
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method);
 ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);

@@ -38,14 +38,14 @@ struct GapValues {
 /// Hertz's theory finds it, or any gap on a grid.
 using ContactGeometry = std::variant<Ellipse, GapCurvatures, GapFormula, GapValues>;
 
-/// What resists sliding.
+/// Friction between the bodies.
 struct FrictionModel {
   FrictionLaw law = {};
   FrictionMemory memory = {};                               ///< of laws that depend on the slip
   std::optional<TemperatureEffect> temperature_effect = {}; ///< needs the bodies' thermal data
 };
 
-/// How the bodies move over each other.
+/// Motion of the bodies over each other.
 struct Motion {
   ContactMotion kind = ContactMotion::steady;
   Creepage creepage = {};                           ///< for a shift the rigid shift [m] and rotation [rad]
@@ -66,7 +66,7 @@ struct RollingProblem {
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
 };
 
-/// Whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
+/// Returns whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
 bool is_hertzian(const RollingProblem& problem);
 
 /// The ellipse of a Hertzian problem, of elastic bodies without friction. Throws Error for a problem that is not

@@ -118,7 +118,7 @@ struct KeptPatch {
   PatchRolling rolling;
 };
 
-/// A normal problem that was ended on its way is solved anew.
+/// A normal problem that was interrupted is solved anew.
 bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& p) {
   return kept.rolling.normal().status == Status::ok && kept.shape.grid == shape.grid && kept.shape.gap == shape.gap &&
          kept.material == p.bodies.material && kept.load.given == p.load.given && kept.load.value == p.load.value &&

@@ -4,10 +4,10 @@
 
 namespace microslip {
 
-/// What a contact can be solved by.
+/// Theories for a contact.
 enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip, table };
 
-/// The scheme of the simplified theory, except FaStrip, which is a solver of its own; beside the exact theory and a
+/// The scheme of the simplified theory, except FaStrip, which is a separate solver; beside the exact theory and a
 /// creep-force table FASTSIM2.
 inline MarchingScheme marching_scheme(Theory theory) {
   switch (theory) {
@@ -20,7 +20,7 @@ inline MarchingScheme marching_scheme(Theory theory) {
   }
 }
 
-/// Bound and flexibilities where nothing is said of them: the simplified theory's own, but FaStrip needs Hertz's
+/// Default bound and flexibilities: those of the simplified theory, but FaStrip needs Hertz's
 /// pressure, and the direction of sliding that it takes from FASTSIM is good with blended flexibilities only.
 inline void set_defaults(Theory theory, SimplifiedOptions& options) {
   if (theory != Theory::fastrip) return;

@@ -8,7 +8,7 @@ namespace microslip {
 namespace {
 
 constexpr int ratios = 25;   // a/b in equal steps of its logarithm
-constexpr int materials = 5; // nu = 0, .125, ..., .5
+constexpr int materials = 5; // nu = 0, 0.125, ..., 0.5
 constexpr int numbers = 4;   // C11, C22, C23, C33
 constexpr int intervals = ratios - 1;
 

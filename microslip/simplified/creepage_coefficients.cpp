@@ -10,9 +10,9 @@
 namespace microslip {
 namespace {
 
-constexpr int ratios = 10;   // g = min(a/b, b/a) = .1, .2, ..., 1
+constexpr int ratios = 10;   // g = min(a/b, b/a) = 0.1, 0.2, ..., 1
 constexpr int numbers = 4;   // C11, C22, C23, C33
-constexpr int materials = 3; // nu = 0, .25, .5
+constexpr int materials = 3; // nu = 0, 0.25, 0.5
 
 /// Kalker 1990, table E.3: [g][C11 C22 C23 C33][nu].
 using Table = std::array<std::array<std::array<double, materials>, numbers>, ratios>;
@@ -141,7 +141,7 @@ CreepageCoefficients creepage_coefficients(double a_over_b, double nu, CreepageT
       return computed_coefficients(a_over_b, nu);
     return beyond_table(computed_coefficients(last, nu), wide ? last : 1 / last, limit, g, nu);
   }
-  // Lagrange's parabola through nu = 0, .25, .5.
+  // Lagrange's parabola through nu = 0, 0.25, 0.5.
   const std::array<double, materials> weights = {8 * (nu - 0.25) * (nu - 0.5), -16 * nu * (nu - 0.5),
                                                  8 * nu * (nu - 0.25)};
   if (g >= 0.1) return branch.at(g, weights);

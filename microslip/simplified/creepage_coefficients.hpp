@@ -8,10 +8,10 @@ struct CreepageCoefficients {
   double c11, c22, c23, c33; ///< dimensionless
 };
 
-/// Where the coefficients come from.
+/// Source of the coefficients.
 enum class CreepageTable {
-  kalker,   ///< Kalker 1990, table E.3: three digits at a/b = .1 to 10; nearly everybody's
-  computed, ///< our own, accurate to 1e-4 from a/b = .05 to 20
+  kalker,   ///< Kalker 1990, table E.3: three digits at a/b = 0.1 to 10; nearly everybody's
+  computed, ///< microslip's, accurate to 1e-4 from a/b = 0.05 to 20
 };
 
 /// The coefficients for semi-axes a (rolling direction) and b and Poisson's ratio nu in [0, 0.5]. At the entries of

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The grid (F12) of an ellipse with semi-axes 1: rows of equal width, each divided evenly along its own length.
+/// The grid (F12) of an ellipse with semi-axes 1: rows of equal width, each divided evenly along its length.
 /// Positions along a row count cells from the leading edge: cell i, from 1 to mx, has its centre at i - 1/2.
 struct EllipseGrid {
   std::vector<double> y;           ///< centres of the rows, ascending

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// Which flexibilities L of the Winkler foundation u = L p tie the simplified theory to half-space theory.
+/// Flexibilities L of the Winkler foundation u = L p that fit the simplified theory to half-space theory.
 enum class FlexibilityModel {
   three,   ///< one for each creepage (F17), (F18)
   one,     ///< their weighted mean (F19)
@@ -27,16 +27,16 @@ struct SlopeReduction {
   double decay = 0;       ///< beta, >= 0
 };
 
-/// What moves and loads a contact.
+/// Motion and load of a contact.
 template <class Real> struct Drive { Real xi, eta, phi, normal_force; };
 
-/// The flexibilities that FASTSIM and FASTSIM2 use for a contact; `drive` stands for the contact's own creepages and
+/// The flexibilities that FASTSIM and FASTSIM2 use for a contact; `drive` stands for the contact's creepages and
 /// load.
 template <class Real>
 BasicFlexibilities<Real> flexibilities(FlexibilityModel model, const SlopeReduction& reduction,
                                        const EllipticContact& contact, const Drive<Real>& drive,
                                        CreepageTable table = CreepageTable::kalker);
-/// The same with the contact's own creepages and load.
+/// The same with the contact's creepages and load.
 Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact,
                             CreepageTable table = CreepageTable::kalker);
 

@@ -19,7 +19,7 @@ struct SpringState {
   std::vector<double> x = {}, y = {};
 };
 
-/// How the bodies roll over each other, for the simplified theory on a grid.
+/// Rolling motion of the bodies, for the simplified theory on a grid.
 struct GridRolling {
   Creepage creepage = {}; ///< xi [-], eta [-], phi [1/m]: w = (xi - phi (y - yc), eta + phi (x - xc))
   Vec2 spin_centre{};     ///< (xc, yc) [m]
@@ -66,7 +66,7 @@ public:
   /// Rows ascending, in each columns ascending.
   const std::vector<ElementRun>& runs() const { return runs_; }
   double contact_area() const; ///< [m^2]
-  /// What friction bears [N]. `friction` is mu of each row [-]; one: the same for all.
+  /// Friction limit [N]. `friction` is mu of each row [-]; one: the same for all.
   double capacity(std::span<const double> friction) const;
   /// The ellipse with the contact's area and its ratio of length to width, for flexibilities: a, b [m].
   Vec2 equivalent_axes() const;

@@ -6,13 +6,13 @@
 
 namespace microslip::detail {
 
-/// Where a patch's load is, as moments of it, and how the contact moves there.
+/// Moments of a patch's load, and motion of the contact at its centre.
 struct LoadMoments {
   double load = 0, capacity = 0; ///< Fn, mu Fn [N]
   Vec2 centre, semi_axes;        ///< [m]; sqrt(5) times the radii of inertia
   Creepage creepage;             ///< at the centre, means over the load
 
-  /// Of rows of whose loads the patch has these shares.
+  /// Moments of rows of whose loads the patch has these shares.
   LoadMoments(std::span<const LoadedRow> rows, std::span<const double> share);
 };
 

@@ -8,7 +8,7 @@
 namespace microslip {
 
 /// A row of a patch of any outline, as far as the normal problem knows it: the pressure's integral along x and its
-/// extent. Rows may have creepages of their own, as on surfaces that are not flat.
+/// extent. Creepages may differ from row to row, as on surfaces that are not flat.
 struct LoadedRow {
   double y = 0;           ///< centre [m]
   double width = 0;       ///< [m], > 0
@@ -35,7 +35,7 @@ struct RowForces {
 /// and of the creepages at the load's centre; what rows move beyond that resists as spin does.
 ///
 /// Rows in neighbouring patches may be given together. A row sees as the load of its patch that of each other row times
-/// min(1, 2 q/q'), q' the lesser of both rows' loads per width and q the least on the way between them: all of it
+/// min(1, 2 q/q'), q' the lesser of both rows' loads per width and q the least on the line between them: all of it
 /// within one hump, none beyond a hole, in between where two patches are about to merge.
 ///
 /// Forces are continuous in all that is given, and mu times the load of a row that slides. Calls marked noexcept
@@ -48,7 +48,7 @@ public:
   LoadedRowSolver& operator=(LoadedRowSolver&&) noexcept;
   ~LoadedRowSolver();
 
-  /// Forces of at most `most_rows` rows into as many places; rows without load have none. Moduli are those of
+  /// Forces of at most `most_rows` rows into an array of that size; rows without load have none. Moduli are those of
   /// the combined material, G [Pa] and nu [-]. Cost O(cells rows + rows^2).
   void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
              std::span<RowForces> forces) noexcept;

@@ -89,7 +89,7 @@ public:
       : problem_(problem), theta_(theta), rounding_(4 * mx * epsilon), shortest_rest_(0.05 / mx),
         transitions_(transitions) {}
 
-  /// Each boundary ends the step there, and its rest is a step of its own. So many boundaries in one step mean that the
+  /// Each boundary ends the step there, and its rest is a separate step. So many boundaries in one step mean that the
   /// grid does not resolve them.
   Front step(Front front, const Point& point) const {
     for (int boundaries = 0; boundaries < 8; ++boundaries) {

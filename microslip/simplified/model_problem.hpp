@@ -23,10 +23,10 @@ struct ModelProblem {
 /// u_max = 4x(1 - x) (parabolic) or its square root (elliptic), and w = rigid_slip_0 + rigid_slip_1 x.
 ModelProblem model_problem(TractionBound bound, double rigid_slip_0, double rigid_slip_1);
 
-/// Where a piece of the exact solution is: in adhesion, or in slip with u = u_max or u = -u_max.
+/// State of a piece of the exact solution: in adhesion, or in slip with u = u_max or u = -u_max.
 enum class ModelState { adhesion, slip_above, slip_below };
 
-/// A piece of the exact solution, from the end of the piece before it up to and including its own end.
+/// A piece of the exact solution, from the end of the piece before it up to and including its end.
 struct ModelPiece {
   ModelState state;
   double end;        ///< x
@@ -60,7 +60,7 @@ private:
 };
 
 /// The three cases of the paper: (F21)-(F22) parabolic bound and small spin, (F23)-(F25) parabolic bound and large
-/// spin, (F26)-(F27) elliptic bound. The transition points are good to a few units in the last place.
+/// spin, (F26)-(F27) elliptic bound. The transition points are good to a few units in the last digit.
 std::array<ModelCase, 3> model_cases();
 
 /// A numerical solution at x_i = i/mx, i = 0 ... mx.
@@ -72,7 +72,7 @@ struct ModelSolution {
 };
 
 /// The original FASTSIM: backward Euler with the bound applied at each grid point (F29), (F30). First order.
-/// All three: mx is in [1, 10,000,000], theta in [0.5, 1]; other values, and a problem that breaks its own conditions
+/// All three: mx is in [1, 10,000,000], theta in [0.5, 1]; other values, and a problem that breaks its conditions
 /// at a grid point, throw Error. |u_i| <= u_max(x_i) always. slip[0] is the slip at the leading edge (F32).
 /// Cost O(mx).
 ModelSolution solve_backward_euler(const ModelProblem& problem, int mx);
@@ -84,7 +84,7 @@ ModelSolution solve_theta_method(const ModelProblem& problem, int mx, double the
 /// The theta method with tracked boundaries between adhesion and slip (steps 3'', 4'' and (F34)). With theta = 1/2 a
 /// parabolic bound with linear w is solved exactly, up to rounding: of order eps in u, eps mx in s.
 ///
-/// Beyond the paper: what is left of a step after a boundary is a step of its own, so that one step may cross several
+/// Beyond the paper: what is left of a step after a boundary is a separate step, so that one step may cross several
 /// boundaries; a step that starts on a bound that rises faster than u is halved until the quadratic fit of step 4''(b)
 /// sees u below the bound (the first cell under the elliptic bound); and in a rest of less than a twentieth of a step,
 /// where (F31) would divide rounding errors by it, slip is computed from (F34).

@@ -8,7 +8,7 @@
 
 namespace microslip {
 
-/// How FASTSIM and FASTSIM2 discretise and model a contact.
+/// Options of FASTSIM and FASTSIM2.
 struct SimplifiedOptions {
   int mx = 10; ///< cells along each row, 1 to 10,000
   int my = 10; ///< rows, 1 to 10,000

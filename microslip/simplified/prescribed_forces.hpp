@@ -15,7 +15,7 @@ struct PrescribedForces {
 /// Creepages that belong to prescribed forces.
 struct FoundCreepage {
   Creepage creepage;
-  /// What the forces miss, over the capacity [-]; for a force beyond it by how much.
+  /// Misfit of the forces, over the capacity [-]; for a force beyond it the excess.
   double residual = 0;
   /// not_converged: no creepages found; no_solution: the force is not below what friction bears, so that all slides in
   /// its direction and the creepages are not known.
@@ -31,7 +31,7 @@ FoundCreepage find_creepage(const std::function<ContactForces(const Creepage&)>&
                             const PrescribedForces& prescribed, const Creepage& given, double capacity,
                             double creepage_scale, double tolerance);
 
-/// The same with FASTSIM or FASTSIM2 for an ellipse; the contact's own creepages are those that are given.
+/// The same with FASTSIM or FASTSIM2 for an ellipse; the creepages of the contact are those that are prescribed.
 FoundCreepage find_creepage(RowSolver& solver, const EllipticContact& contact, const PrescribedForces& prescribed,
                             double tolerance = 1e-9);
 

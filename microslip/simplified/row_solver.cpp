@@ -174,7 +174,7 @@ struct RowSolver::Workspace {
     kernel(all);
   }
 
-  /// Traction bound of one vector of rows, point by point, with friction at each point's own slip velocity.
+  /// Traction bound of one vector of rows, point by point, with friction at each point's slip velocity.
   template <class Real> void fill_tables(const EllipticContact& contact, int first_row) {
     const auto drive = drive_of<Real>(contact.creepage, contact.normal_force);
     const Real load = drive.normal_force * (1 / contact.normal_force); // 1, with its derivative

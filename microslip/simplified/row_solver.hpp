@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// How a step from one cell centre to the next is integrated.
+/// Integration of a step from one cell centre to the next.
 enum class MarchingScheme {
   fastsim,           ///< backward Euler with a full first step and w at the new centre (F16)
   fastsim_half_step, ///< backward Euler with a half first step and w in the middle of the step

@@ -18,7 +18,7 @@ struct PatchRows {
   std::span<const double> pressure;
 };
 
-/// What moves and resists on a patch of any outline.
+/// Motion and friction of a patch of any outline.
 struct PatchMotion {
   Flexibilities flexibilities; ///< [m/Pa], > 0, e.g. of the equivalent ellipse
   FrictionLaw friction;

@@ -16,7 +16,7 @@ namespace microslip {
 ///
 ///   (X, Y, Z) ~ (cos theta cos alpha/s, s cos theta sin alpha, sin theta),   s^8 = a/(a + b),
 ///
-/// so that slender ellipses have more room around alpha = 0, where their forces change most. Nodes are equidistant in
+/// so that slender ellipses have more nodes around alpha = 0, where their forces change most. Nodes are equidistant in
 /// t, alpha and e, pi/2 e = theta - beta/4 sin(4 theta): closer around theta = 45 degrees, where the slip's centre of
 /// rotation leaves the contact.
 namespace creep_coordinates {
@@ -51,7 +51,7 @@ inline std::array<double, 3> direction(double a_over_b, double theta, double alp
   return {x / length, y / length, z / length};
 }
 
-/// What the coefficients of linear theory make of them: (xi, eta, sqrt(a b) phi) = (X/x, Y/y, Z/z)/g, and the forces
+/// Creepages by the coefficients of linear theory: (xi, eta, sqrt(a b) phi) = (X/x, Y/y, Z/z)/g, and the forces
 /// -q, q = (X, Y + y_z Z, m_y Y + m_z Z) in mu Fn and mu Fn sqrt(a b).
 struct LinearTheory {
   double x = 0, y = 0, z = 0, y_z = 0, m_y = 0, m_z = 0;

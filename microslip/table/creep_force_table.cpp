@@ -39,7 +39,7 @@ public:
     filter.apply(coefficients_.data(), numbers, {numbers});
   }
 
-  /// At a place among the table's nodes of a/b.
+  /// At a position among the table's nodes of a/b.
   CreepageCoefficients at(double place) const {
     const int nearest = std::min(static_cast<int>(place * finer + 0.5), last_);
     const auto weights = quadratic_weights(place * finer - nearest).value;

@@ -19,7 +19,7 @@ public:
   /// Costs nothing yet.
   CreepTableSource(CreepTableNodes nodes); // NOLINT: nodes are a source that is used once
 
-  /// Whether tables from both share their numbers.
+  /// Returns whether tables from both share their numbers.
   friend bool operator==(const CreepTableSource&, const CreepTableSource&) = default;
 
 private:
@@ -54,7 +54,7 @@ public:
   RollingDirection direction() const;
 
   /// Forces of one contact, of many contacts. Input out of range gives Status::invalid_input and NaN. A
-  /// batch costs .1 to .2 us for each contact, one by one twice that, derivatives half as much again.
+  /// batch costs 0.1 to 0.2 us for each contact, one by one twice that, derivatives half as much again.
   ContactForces solve(const EllipticContact& contact) const noexcept;
   void solve(std::span<const EllipticContact> contacts, std::span<ContactForces> forces) const noexcept;
 

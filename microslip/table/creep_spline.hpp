@@ -24,7 +24,7 @@ using CreepSpline = PopulatedVector<float>;
 /// hundredths of a second for each of a table of usual size.
 std::vector<CreepSpline> creep_splines(const CreepTableNodes& nodes, std::span<const std::vector<double>> weights);
 
-/// How many coefficients there are along the axes.
+/// Number of coefficients along the axes.
 struct CreepSplineSize {
   int ratios, levels, elevations, azimuths;
 

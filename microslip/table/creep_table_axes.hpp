@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// Where a creep-force table has its nodes. The nodes in a direction of the creepages lie on a quarter of a sphere,
+/// Nodes of a creep-force table. The nodes in a direction of the creepages lie on a quarter of a sphere,
 /// from which the symmetries of the ellipse give the rest; docs/creep-force-tables.md says of which.
 struct CreepTableAxes {
   double least_ratio = 0.05, largest_ratio = 20; ///< of a/b [-], in equal steps of its logarithm

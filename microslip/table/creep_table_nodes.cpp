@@ -16,7 +16,7 @@ constexpr std::array<char, 8> magic = {'M', 'S', 'C', 'R', 'E', 'E', 'P', '\n'};
 constexpr std::uint32_t byte_order = 0x01020304, version = 2;
 constexpr std::size_t most_materials = 8;
 
-/// The head of a file, of numbers of fixed size at fixed places.
+/// The head of a file, of numbers of fixed size at fixed offsets.
 struct Head {
   std::array<char, 8> magic;
   std::uint32_t byte_order, version;
@@ -48,7 +48,7 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return sum;
 }
 
-/// Of all of the head before its own checksum.
+/// Of all of the head before its checksum.
 std::uint64_t checksum(const Head& head) {
   return checksum(std::as_bytes(std::span(&head, 1)).first(sizeof head - sizeof head.head_checksum));
 }

@@ -11,7 +11,7 @@
 
 namespace microslip {
 
-/// How the nodes of a table were computed. Errors are estimated from two grids of elements, in mu Fn and, of the
+/// Origin of the nodes of a table. Errors are estimated from two grids of elements, in mu Fn and, of the
 /// moment, mu Fn sqrt(a b).
 struct CreepTableOrigin {
   int elements = 0;       ///< across the ellipse, of the finer grid; the coarser has half of them

@@ -54,7 +54,7 @@ SplineFilter::SplineFilter(const Conditions& conditions, std::size_t first_value
 }
 
 SplineFilter SplineFilter::not_a_knot(int n) {
-  Conditions conditions; // coefficient k at place k + 1
+  Conditions conditions; // coefficient k in equation k + 1
   conditions.add(0, jump);
   for (int i = 0; i < n; ++i) conditions.add(i, value);
   conditions.add(n - 2, jump);
@@ -70,7 +70,7 @@ SplineFilter SplineFilter::without_first(int n) {
 }
 
 SplineFilter SplineFilter::clamped(int n, bool even) {
-  Conditions conditions; // coefficient k at place k
+  Conditions conditions; // coefficient k in equation k
   if (even)
     conditions.add(0, {3.0 / 4, 1.0 / 4});
   else
@@ -95,7 +95,7 @@ SplineFilter SplineFilter::mirrored(int n, bool even, double outer) {
 }
 
 void SplineFilter::apply(double* rows, std::size_t stride, const SplineColumns& columns) const {
-  // Calls `work` with the place where each group of a row begins.
+  // Calls `work` with the index where each group of a row begins.
   const auto for_groups = [&](std::size_t row, const auto& work) {
     for (std::size_t g = 0; g < columns.groups; ++g) work(rows + row * stride + g * columns.distance);
   };

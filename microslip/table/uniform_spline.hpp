@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// Weights of the three B-splines of a quadratic spline at a place -1/2 <= f <= 1/2 from a node, in steps of the
+/// Weights of the three B-splines of a quadratic spline at a point -1/2 <= f <= 1/2 from a node, in steps of the
 /// equidistant nodes, and their derivatives with respect to f. The spline's pieces meet midway between nodes.
 struct SplineWeights {
   std::array<double, 3> value, slope;
@@ -36,7 +36,7 @@ struct SplineColumns {
   std::size_t width, groups = 1, distance = 0;
 };
 
-/// Finds the coefficients of splines from their values, of many at a time and in their place: by elimination in the
+/// Finds the coefficients of splines from their values, of many at a time and in place: by elimination in the
 /// band of the conditions on the coefficients, once for all splines.
 class SplineFilter {
 public:

@@ -8,7 +8,7 @@
 
 namespace microslip {
 
-/// What a body is for heat.
+/// Thermal data of a body.
 struct ThermalBody {
   double bulk_temperature = 0; ///< where it enters the contact [deg C]
   double conductivity = 0;     ///< lambda [W/(m K)], > 0
@@ -40,9 +40,9 @@ public:
 
   /// Without heat [deg C]: bodies that conduct better count more.
   double mean() const { return mean_; }
-  /// How far heat of 1 W/m^2 in an element warms the one that comes `later` elements behind it [K m^2/W].
+  /// Rise of temperature by heat of 1 W/m^2 in an element at the one that comes `later` elements behind it [K m^2/W].
   double rise(int later) const { return rise_[static_cast<std::size_t>(later)]; }
-  /// What the heat [W/m^2] of elements 0 to i - 1, and of element i if it is there, adds in element i [K].
+  /// Rise of temperature in element i by the heat [W/m^2] of elements 0 to i - 1, and of element i if it is there [K].
   double rise(std::span<const double> heat, int i) const;
 
 private:

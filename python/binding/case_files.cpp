@@ -114,18 +114,18 @@ void write(const SolvedCase& self, const py::object& path) {
 using ExactSolver = OneAtATime<EllipticContactSolver>;
 using AccurateSolver = OneAtATime<AccurateContactSolver>;
 
-/// With `asked` in place of the case's own discretisation, if any. Throws Error if the case cannot have that.
+/// With `asked` instead of the case's discretisation, if any. Throws Error if the case cannot have that.
 ExactOptions options_for(const Case& self, std::optional<Discretisation> asked) {
   const RollingProblem problem = io::rolling_problem(self.input);
   Method method = io::method_of(self.input);
   method.theory = Theory::exact;
   method.table.reset();
-  method.accuracy.reset(); // the solver's own
+  method.accuracy.reset(); // the solver takes it
   if (asked) method.discretisation = asked;
   if (asked == Discretisation::second_order) method.elements.reset();
   require_compatible(problem, method);
   ExactOptions options = exact_options(problem, method);
-  if (asked) options.discretisation = *asked; // of steady rolling, whatever the case's own motion
+  if (asked) options.discretisation = *asked; // of steady rolling, whatever the motion of the case
   return options;
 }
 

@@ -70,7 +70,7 @@ void bind_creepage(py::module_& module) {
   module.def("creepage_coefficients", &creepage_coefficients, "a_over_b"_a, "poisson_ratio"_a,
              "coefficients"_a = CreepageTable::kalker,
              "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker'\n"
-             "(Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = .05 to 20). Beyond a table\n"
+             "(Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = 0.05 to 20). Beyond a table\n"
              "they tend to the limits of slender ellipses.");
 }
 

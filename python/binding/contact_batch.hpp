@@ -9,7 +9,7 @@
 
 namespace microslip::python {
 
-/// What may be given as an array in the place of the contact's own value: keyword arguments of the batches.
+/// Values that may be given as arrays instead of the contact's value: keyword arguments of the batches.
 struct ContactArrays {
   pybind11::object longitudinal, lateral, spin; ///< [-], [-], [1/m]
   pybind11::object a, b;                        ///< [m]
@@ -33,7 +33,7 @@ public:
   std::size_t count() const { return count_; }
   /// Needs no Python.
   EllipticContact operator[](std::size_t i) const;
-  /// Of each column one number, or as many as there are contacts. Of friction that at rest.
+  /// Returns of each column one number, or as many as there are contacts. Of friction that at rest.
   std::vector<std::vector<double>> inputs() const;
 
 private:
@@ -41,7 +41,7 @@ private:
   Shape shape_;
   std::size_t count_ = 1;
   std::array<RealArray, 11> columns_;
-  std::array<const double*, 11> values_ = {}; ///< null where the contact's own value holds
+  std::array<const double*, 11> values_ = {}; ///< null where the contact's value holds
   std::array<bool, 11> constant_ = {};
 };
 

@@ -86,7 +86,7 @@ const char* name_of(Outcome::Kind kind) {
   return names[static_cast<int>(kind)];
 }
 
-/// A contact of its own; the patches of a wheel have what follows from one.
+/// A separate contact; the patches of a wheel have what follows from one.
 bool is_solved(const RunCase& self) {
   return self.outcome.kind == Outcome::Kind::solved && !self.outcome.wheel;
 }
@@ -193,7 +193,7 @@ void bind_case(py::module_& module) {
       .def_property_readonly(
           "reasons", [](const RunCase& self) { return self.outcome.reasons; }, "Why it was refused.")
       .def_property_readonly(
-          "notes", [](const RunCase& self) { return self.outcome.notes; }, "What was left out or done in another way.")
+          "notes", [](const RunCase& self) { return self.outcome.notes; }, "What was left out or done differently.")
       .def_property_readonly(
           "status", [](const RunCase& self) { return self.outcome.solution.status; },
           "How the calculation ended, a Status [-].")
@@ -235,16 +235,16 @@ void bind_case(py::module_& module) {
   using contact_program::WheelOutcome;
   of_wheel(
       "force_on_rail", [](const WheelOutcome& w) { return w.track.force; },
-      "FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for a contact of its own.");
+      "FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for an independent contact.");
   of_wheel(
       "moment_on_rail", [](const WheelOutcome& w) { return w.track.moment; },
-      "About the rail's marker in the track's axes [N mm], shape (3,); None for a contact of its own.");
+      "About the rail's marker in the track's axes [N mm], shape (3,); None for an independent contact.");
   run_case.def_property_readonly("patches", patches_of,
-                                 "ContactPatch of each patch of a wheel [-]; empty for a contact of its own.");
+                                 "ContactPatch of each patch of a wheel [-]; empty for an independent contact.");
   run_case.def_property_readonly(
       "wheel_height",
       [](const RunCase& self) { return self.outcome.wheel ? std::optional(self.outcome.wheel->z) : std::nullopt; },
-      "Z_WS of a wheel, as given or found [mm]; None for a contact of its own.");
+      "Z_WS of a wheel, as given or found [mm]; None for an independent contact.");
   add_description(run_case, {"number", "line", "outcome", "status", "totals"});
 }
 

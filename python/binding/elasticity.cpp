@@ -106,7 +106,7 @@ void bind_hertz(py::module_& module) {
              "Relative error below 1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and\n"
              "for A/B outside [1e-9, 1e9].");
   module.def("hertz_from_approach", &hertz_from_approach, "gap"_a, "material"_a, "approach"_a,
-             "The same from the approach [m] in place of the load.");
+             "The same from the approach [m] instead of the load.");
   module.def(
       "hertz_from_ellipse", &hertz_from_ellipse, "a"_a, "b"_a, "material"_a, "normal_force"_a,
       "The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");

@@ -88,8 +88,8 @@ void bind_results(py::module_& module) {
   add_value(accurate, {"forces", "creepage", "error", "elements"});
 }
 
-/// The constructor of a solver from arguments of its own and the options that both solvers have; `make` makes it from
-/// the options and its own arguments. The texts are what stands before and after that of these options.
+/// The constructor of a solver from its arguments and the options that both solvers have; `make` makes it from
+/// the options and those arguments. The texts are what stands before and after that of these options.
 template <class... Own, class Class, class Make, class... Arguments>
 void def_options(Class& solver, Make make, const std::string& before, const std::string& after, Arguments... own) {
   const auto none = py::none();
@@ -148,7 +148,7 @@ void bind_solver(py::module_& module) {
            "force_y"_a = none, "step"_a = 0.0, "steps"_a = 1,
            "Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]\n"
            "(0: the elements' length) from zero tractions on; 'shift', a rigid shift with creepages\n"
-           "in [m], [m], [rad]. force_x, force_y [N] on body 1 take the place of the creepage in that\n"
+           "in [m], [m], [rad]. force_x, force_y [N] on body 1 replace the creepage in that\n"
            "direction. Returns ContactSolution; input out of range gives Status.invalid_input and NaN. Cost\n"
            "O(N log N) in the number of elements, 2 ms at 24 x 24.")
       .def(
@@ -187,7 +187,7 @@ void bind_solver(py::module_& module) {
   def_options<double>(
       accurate,
       [](const ExactOptions& options, double accuracy) { return std::make_unique<AccurateSolver>(accuracy, options); },
-      "accuracy in mu Fn [-], in [1e-5, .1];\n",
+      "accuracy in mu Fn [-], in [1e-5, 0.1];\n",
       "Those that are solved classically take far more elements for the same accuracy.", "accuracy"_a, py::kw_only());
   accurate.def(
       "solve",
@@ -197,7 +197,7 @@ void bind_solver(py::module_& module) {
         });
       },
       "contact"_a, py::kw_only(), "force_x"_a = none, "force_y"_a = none,
-      "Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns\n"
+      "Steady rolling with creepages, or force_x, force_y [N] on body 1 instead. Returns\n"
       "AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough.");
 }
 

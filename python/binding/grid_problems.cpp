@@ -237,7 +237,7 @@ void bind_tangential(py::module_& module) {
           "force_y"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward, "rolling_speed"_a = 1.0,
           "previous"_a = py::none(), "tolerance"_a = 1e-6,
           "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;\n"
-          "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in place\n"
+          "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 instead\n"
           "of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];\n"
           "previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:\n"
           "no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for\n"
@@ -295,7 +295,7 @@ void bind_patch(py::module_& module) {
           "rolling_speed"_a = 1.0, "tolerance"_a = 1e-6,
           "friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; "
           "force_x,\n"
-          "force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the\n"
+          "force_y [N] on body 1 instead of the creepage in that direction; rolling_speed V [m/s] for the\n"
           "frictional power; tolerance of the relative residual [-]. Returns ContactSolution.");
 }
 

@@ -148,7 +148,7 @@ void bind_field(py::module_& module) {
            "grid's elements, shape (my, mx), none: zero. Error for what is out of range or not finite.")
       .def("at", &at_points, "x"_a, "y"_a, "depth"_a,
            "At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to\n"
-           "shape (...). Returns InteriorStates. Cost .3 us for every point and element with tractions;\n"
+           "shape (...). Returns InteriorStates. Cost 0.3 us for every point and element with tractions;\n"
            "Ctrl-C ends it.")
       .def_property_readonly("grid", &InteriorField::grid, "The elements, as ElementGrid.");
 

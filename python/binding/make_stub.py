@@ -1,4 +1,4 @@
-"""Prints the types of the compiled module, the stub microslip/_core.pyi, from the module's own signatures.
+"""Prints the types of the compiled module, the stub microslip/_core.pyi, from the module's signatures.
 
 PYTHONPATH=build/release/share/microslip/python python3 python/binding/make_stub.py > python/microslip/_core.pyi
 """
@@ -167,7 +167,7 @@ def documented(head, text, indent):
 
 
 def function_lines(name, function, owner="", indent="", decorator=""):
-    """A function or a method; each overload on a line of its own."""
+    """A function or a method; each overload on a separate line."""
     found = signatures(function)
     for (_, arguments, result), text in zip(found, texts(function)):
         if len(found) > 1:

@@ -120,7 +120,7 @@ ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::o
 
 constexpr const char* batch_text =
     "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`\n"
-    "is a contact; fields that are given replace its own, as numbers or arrays that broadcast:\n"
+    "is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:\n"
     "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
     "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
     "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
@@ -150,7 +150,7 @@ void bind_row_solver(py::module_& module) {
             return self.solve(moved(contact, longitudinal, lateral, spin));
           },
           "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
+          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
       .def(
           "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
           "contact"_a,
@@ -162,7 +162,7 @@ void bind_row_solver(py::module_& module) {
             return self.differentiate(moved(contact, longitudinal, lateral, spin));
           },
           "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than the contact's own.")
+          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
       .def(
           "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
           "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
@@ -189,7 +189,7 @@ constexpr const char* options_text =
     "'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)\n"
     "or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's\n"
     "slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,\n"
-    "right to 1e-5 of mu Fn. Error if an option is out of range.";
+    "accurate to 1e-5 of mu Fn. Error if an option is out of range.";
 
 } // namespace
 

@@ -15,7 +15,7 @@
 
 namespace microslip::python {
 
-/// Of the states that pickles hold; to be counted up when what `fields` lists changes its meaning.
+/// Version of the states that pickles hold; to be counted up when what `fields` lists changes its meaning.
 inline constexpr int state_version = 1;
 
 namespace detail {
@@ -129,7 +129,7 @@ template <class T> bool are_equal(const T& one, const T& other) {
   }
 }
 
-/// All public fields of an object with their names, objects of this package as dicts of their own.
+/// All public fields of an object with their names, objects of this package as nested dicts.
 pybind11::dict to_dict(const pybind11::object& self);
 
 /// Gives a class of results with arrays to_dataframe() and to_xarray().

@@ -152,26 +152,25 @@ py::array patch_array(const SolvedStates& self, double (*value)(const WheelRailP
 }
 
 void bind_inputs(py::module_& module) {
-  auto track = py::class_<Track>(module, "Track", "A track in its nominal place, both rails alike.");
+  auto track = py::class_<Track>(module, "Track", "A track in its nominal position, both rails alike.");
   track
-      .def(
-          py::init([](double gauge, double gauge_height, double cant,
-                      const std::optional<std::pair<double, double>>& rail_origin, double roller_radius) {
-            Track made{.gauge = gauge,
-                       .gauge_height = gauge_height,
-                       .rail_origin = {},
-                       .cant = cant,
-                       .roller_radius = roller_radius};
-            if (rail_origin) made.rail_origin = {rail_origin->first, rail_origin->second};
-            return made;
-          }),
-          py::kw_only(), "gauge"_a = 1.435, "gauge_height"_a = 0.014, "cant"_a = 0.0, "rail_origin"_a = py::none(),
-          "roller_radius"_a = 0.0,
-          "gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the\n"
-          "rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's\n"
-          "profile in track axes, in place of the gauge; roller_radius [m], nominal one of rollers in place of rails,\n"
-          "negative of raceways, or 0. Values are checked where they are used.")
-      .def_readonly("roller_radius", &Track::roller_radius, "Of rollers in place of rails [m], or 0.")
+      .def(py::init([](double gauge, double gauge_height, double cant,
+                       const std::optional<std::pair<double, double>>& rail_origin, double roller_radius) {
+             Track made{.gauge = gauge,
+                        .gauge_height = gauge_height,
+                        .rail_origin = {},
+                        .cant = cant,
+                        .roller_radius = roller_radius};
+             if (rail_origin) made.rail_origin = {rail_origin->first, rail_origin->second};
+             return made;
+           }),
+           py::kw_only(), "gauge"_a = 1.435, "gauge_height"_a = 0.014, "cant"_a = 0.0, "rail_origin"_a = py::none(),
+           "roller_radius"_a = 0.0,
+           "gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the\n"
+           "rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's\n"
+           "profile in track axes, instead of the gauge; roller_radius [m], nominal one of rollers instead of rails,\n"
+           "negative of raceways, or 0. Values are checked where they are used.")
+      .def_readonly("roller_radius", &Track::roller_radius, "Of rollers instead of rails [m], or 0.")
       .def_readonly("gauge", &Track::gauge, "Between the gauge points of both rails [m].")
       .def_readonly("gauge_height", &Track::gauge_height, "Of the gauge points below the rails' tops [m].")
       .def_readonly("cant", &Track::cant, "Inclination of the rails [rad], positive towards the track's centre.")

@@ -37,7 +37,7 @@ public:
   /// there is either a height or a force.
   StateArrays(const pybind11::kwargs& given, double nominal_radius);
 
-  /// Of a single state, for calls that take numbers. Throws Error for arrays.
+  /// Reads a single state, for calls that take numbers. Throws Error for arrays.
   std::pair<WheelState<double>, std::optional<double>> single(const char* call) const {
     if (!shape_.empty())
       throw Error(std::string(call) + " takes numbers; " + std::string(call) + "_batch takes arrays");

@@ -24,7 +24,7 @@ std::vector<std::string_view> variables() {
   return names;
 }
 
-/// The place of a name among others. Throws Error that has the nearest one.
+/// The index of a name among others. Throws Error that has the nearest one.
 std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what) {
   const auto at = std::find(names.begin(), names.end(), name);
   if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
@@ -152,7 +152,7 @@ void bind_wheel_rail_derivatives(py::module_& module, py::class_<PythonWheelRail
       .def("differentiate", &differentiate,
            "The WheelRailDerivatives in a state given as for solve [SI units]: of forces and moments, and of the\n"
            "height that a vertical force finds. They hold where no patch comes or goes; those of a state that is not\n"
-           "ok are zero. With theory \"exact\" those by velocities are right to 1e-4, by places to some percent.")
+           "ok are zero. With theory \"exact\" those by velocities are accurate to 1e-4, by positions to some percent.")
       .def("differentiate_batch", &differentiate_batch, "threads"_a = 0,
            "The WheelRailDerivativeArrays of many states, given as for solve_batch [SI units].");
 }

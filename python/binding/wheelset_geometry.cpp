@@ -49,7 +49,7 @@ struct WheelsetGeometry {
   WheelsetBase base() const { return {contact_distance, wheelset.nominal_radius}; }
 };
 
-/// Contacts of both wheels in many places of a wheelset.
+/// Contacts of both wheels in many positions of a wheelset.
 struct WheelsetContacts {
   Shape shape;
   std::vector<WheelsetContact> contacts;
@@ -79,9 +79,9 @@ struct PointQuantity {
   double (*value)(const ContactPoint& point, const WheelsetSearch::Side& of, double side);
 };
 constexpr PointQuantity point_quantities[] = {
-    {"rail_y", "m", "on the rail's profile, in its own axes: to the field side positive",
+    {"rail_y", "m", "on the rail's profile, in its axes: to the field side positive",
      [](const ContactPoint& p, const WheelsetSearch::Side& of, double) { return of.rail.at(p.s_rail).value.y; }},
-    {"wheel_y", "m", "on the wheel's profile, in its own axes",
+    {"wheel_y", "m", "on the wheel's profile, in its axes",
      [](const ContactPoint& p, const WheelsetSearch::Side& of, double) { return of.wheel.at(p.s_wheel).value.y; }},
     {"rolling_radius", "m", "of the wheel there", [](const ContactPoint& p, const auto&, double) { return p.radius; }},
     {"contact_angle", "rad", "inclination of the surfaces against the track plane; positive rises to the left",
@@ -136,11 +136,11 @@ WheelsetContacts curve(const WheelsetGeometry& self, double from, double to, Rol
 }
 
 /// Gauges and other numbers that broadcast, with one curve of rolling radii for each gauge.
-class Maps {
+class GaugeBroadcast {
 public:
   /// `gauge` may be None: the track's. Throws Error unless the reach is positive.
-  Maps(const WheelsetGeometry& geometry, const py::object& gauge, RollRule roll, const char* name,
-       const py::object& numbers, int threads)
+  GaugeBroadcast(const WheelsetGeometry& geometry, const py::object& gauge, RollRule roll, const char* name,
+                 const py::object& numbers, int threads)
       : numbers_(real_array(name, numbers)) {
     const RealArray given = real_array("gauge", gauge.is_none() ? py::float_(geometry.track.gauge) : gauge);
     broadcast(shape_, name, numbers_);
@@ -194,9 +194,9 @@ double steering_index(const RollingRadiusDifference& difference, double lateral,
 constexpr double nonlinearity_reach = 4e-3; ///< [m], the larger amplitude of nonlinearity_parameter
 
 void bind_contacts(py::module_& module) {
-  auto contacts = py::class_<WheelsetContacts>(
-      module, "WheelsetContacts",
-      "Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact.");
+  auto contacts = py::class_<WheelsetContacts>(module, "WheelsetContacts",
+                                               "Where both wheels of a rigid wheelset touch: arrays of the shape of "
+                                               "the positions, NaN where there is no contact.");
   const auto add = [&](const std::string& name, const std::string& description, const char* unit, const auto& value) {
     contacts.def_property_readonly(
         name.c_str(),
@@ -318,17 +318,18 @@ void bind_wheelset_geometry(py::module_& module) {
            "threads"_a = 0,
            "The WheelsetContacts at lateral displacements [m] and yaw angles [rad] that broadcast. With roll\n"
            "\"equilibrium\" both wheels touch, with \"none\" the roll angle is zero as in EN 15302. Ctrl-C ends it.")
-      .def("curve", &curve, "lateral_from"_a, "lateral_to"_a, py::kw_only(), "roll"_a = RollRule::equilibrium,
-           "yaw"_a = 0.0,
-           "The WheelsetContacts over lateral displacements [m], 0 between or at an end: .1 mm apart and as fine as "
-           "the\n"
-           "rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two places closer than\n"
-           "1e-9 m. Ends early where a wheel leaves its rail; Error if there is no contact at 0.")
+      .def(
+          "curve", &curve, "lateral_from"_a, "lateral_to"_a, py::kw_only(), "roll"_a = RollRule::equilibrium,
+          "yaw"_a = 0.0,
+          "The WheelsetContacts over lateral displacements [m], 0 between or at an end: 0.1 mm apart and as fine as "
+          "the\n"
+          "rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two positions closer than\n"
+          "1e-9 m. Ends early where a wheel leaves its rail; Error if there is no contact at 0.")
       .def(
           "equivalent_conicity",
           [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
              int threads) {
-            return Maps(self, gauge, roll, "amplitude", amplitude, threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
                 .map([base = self.base()](const auto& dr, double a) { return conicity(dr, a, base); });
           },
           "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
@@ -338,7 +339,7 @@ void bind_wheelset_geometry(py::module_& module) {
           "wavelength",
           [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
              int threads) {
-            return Maps(self, gauge, roll, "amplitude", amplitude, threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
                 .map([base = self.base()](const auto& dr, double a) { return wavelength(dr, a, base); });
           },
           "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
@@ -346,7 +347,7 @@ void bind_wheelset_geometry(py::module_& module) {
       .def(
           "nonlinearity_parameter",
           [](const WheelsetGeometry& self, const py::object& gauge, RollRule roll, int threads) {
-            return Maps(self, gauge, roll, "amplitude", py::float_(nonlinearity_reach), threads)
+            return GaugeBroadcast(self, gauge, roll, "amplitude", py::float_(nonlinearity_reach), threads)
                 .map([base = self.base()](const auto& dr, double) {
                   return nonlinearity_parameter(dr, base).value_or(none);
                 });
@@ -358,7 +359,7 @@ void bind_wheelset_geometry(py::module_& module) {
           [](const WheelsetGeometry& self, const py::object& lateral, double curve_radius, const py::object& gauge,
              RollRule roll, int threads) {
             require_positive("curve_radius", curve_radius, "m");
-            return Maps(self, gauge, roll, "lateral", lateral, threads)
+            return GaugeBroadcast(self, gauge, roll, "lateral", lateral, threads)
                 .map([&, base = self.base()](const auto& dr, double y) {
                   return steering_index(dr, y, curve_radius, base);
                 });

@@ -240,7 +240,7 @@ void bind_wheelset_on_track(py::module_& module) {
            "friction"_a = py::float_(0.3), "theory"_a = "fastsim2", "shape"_a = py::none(), "grid"_a = 24,
            "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(), "fields"_a = false, "table"_a = py::none(),
            "The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with\n"
-           "profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the\n"
+           "different profiles, given as those of a left one. tolerance [-] is that of forces and moments over the\n"
            "load. Error for values out of range and profiles that do not fit the track or the wheelset.")
       .def(
           "solve",

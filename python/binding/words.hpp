@@ -7,7 +7,7 @@
 
 namespace microslip::python {
 
-/// What messages call an option.
+/// Name of an option in messages.
 template <class Option> constexpr const char* field_of = "option";
 template <> inline constexpr const char* field_of<TractionBound> = "bound";
 template <> inline constexpr const char* field_of<FlexibilityModel> = "flexibility";

@@ -20,18 +20,18 @@ def _needed(file):
 
 
 def _found(file):
-    """Where the loader finds each library of a file, and those that these need."""
+    """Paths at which the loader finds each library of a file, and those that these need."""
     return dict(re.findall(r"(\S+) => (/\S+)", _output("ldd", file)))
 
 
 def _carried_name(library):
-    """A name that no other library has: with another copy in the process, each caller gets its own."""
+    """A name that no other library has: with another copy in the process, each caller gets the right one."""
     stem, dot, rest = library.name.partition(".so")
     return f"{stem}-{hashlib.sha256(library.read_bytes()).hexdigest()[:8]}{dot}{rest}"
 
 
 def carry_libraries(binaries, folder):
-    """Copies the libraries into the folder, under names of their own, and lets binaries and copies look for them there."""
+    """Copies the libraries into the folder, under unique names, and lets binaries and copies look for them there."""
     if not shutil.which("patchelf"):
         raise FileNotFoundError("a wheel carries its libraries, which needs patchelf: install it (tools/setup)")
     folder.mkdir(exist_ok=True)

@@ -39,7 +39,7 @@ class AccurateContactSolver:
     """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and
     32, ... elements across, extrapolated, until the limit's error is estimated below it."""
     def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """accuracy in mu Fn [-], in [1e-5, .1];
+        """accuracy in mu Fn [-], in [1e-5, 0.1];
         direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
         CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
         'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
@@ -49,7 +49,7 @@ class AccurateContactSolver:
         add to the friction.
         Those that are solved classically take far more elements for the same accuracy."""
     def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact:
-        """Steady rolling with creepages, or force_x, force_y [N] on body 1 in their place. Returns
+        """Steady rolling with creepages, or force_x, force_y [N] on body 1 instead. Returns
         AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough."""
 
 class Bodies:
@@ -139,7 +139,7 @@ class ContactCase:
         """Why it was refused."""
     @property
     def notes(self) -> list[str]:
-        """What was left out or done in another way."""
+        """What was left out or done differently."""
     @property
     def status(self) -> Status:
         """How the calculation ended, a Status [-]."""
@@ -157,16 +157,16 @@ class ContactCase:
         """The TangentialSolution, SI units; None unless solved, and for a wheel."""
     @property
     def force_on_rail(self) -> list[float] | None:
-        """FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for a contact of its own."""
+        """FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for an independent contact."""
     @property
     def moment_on_rail(self) -> list[float] | None:
-        """About the rail's marker in the track's axes [N mm], shape (3,); None for a contact of its own."""
+        """About the rail's marker in the track's axes [N mm], shape (3,); None for an independent contact."""
     @property
     def patches(self) -> list[ContactPatch]:
-        """ContactPatch of each patch of a wheel [-]; empty for a contact of its own."""
+        """ContactPatch of each patch of a wheel [-]; empty for an independent contact."""
     @property
     def wheel_height(self) -> float | None:
-        """Z_WS of a wheel, as given or found [mm]; None for a contact of its own."""
+        """Z_WS of a wheel, as given or found [mm]; None for an independent contact."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -687,7 +687,7 @@ class EllipticContactSolver:
     def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ContactSolution:
         """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]
         (0: the elements' length) from zero tractions on; 'shift', a rigid shift with creepages
-        in [m], [m], [rad]. force_x, force_y [N] on body 1 take the place of the creepage in that
+        in [m], [m], [rad]. force_x, force_y [N] on body 1 replace the creepage in that
         direction. Returns ContactSolution; input out of range gives Status.invalid_input and NaN. Cost
         O(N log N) in the number of elements, 2 ms at 24 x 24."""
     def differentiate(self, contact: EllipticContact) -> ExactDerivatives:
@@ -767,7 +767,7 @@ class Fastsim(RowSolver):
         'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
         or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
         slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        right to 1e-5 of mu Fn. Error if an option is out of range.
+        accurate to 1e-5 of mu Fn. Error if an option is out of range.
         half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as
         in (F16)."""
 
@@ -780,7 +780,7 @@ class Fastsim2(RowSolver):
         'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
         or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
         slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        right to 1e-5 of mu Fn. Error if an option is out of range."""
+        accurate to 1e-5 of mu Fn. Error if an option is out of range."""
 
 class ForceArrays:
     """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""
@@ -951,7 +951,7 @@ class InteriorField:
         grid's elements, shape (my, mx), none: zero. Error for what is out of range or not finite."""
     def at(self, x: ArrayLike, y: ArrayLike, depth: ArrayLike) -> Any:
         """At points x, y [m], depth >= 0 below the surface [m]: numbers or arrays that broadcast to
-        shape (...). Returns InteriorStates. Cost .3 us for every point and element with tractions;
+        shape (...). Returns InteriorStates. Cost 0.3 us for every point and element with tractions;
         Ctrl-C ends it."""
     @property
     def grid(self) -> ElementGrid:
@@ -1152,7 +1152,7 @@ class PatchRolling:
         """The normal problem's NormalSolution."""
     def solve(self, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
         """friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
-        force_y [N] on body 1 in place of the creepage in that direction; rolling_speed V [m/s] for the
+        force_y [N] on body 1 instead of the creepage in that direction; rolling_speed V [m/s] for the
         frictional power; tolerance of the relative residual [-]. Returns ContactSolution."""
 
 class Profile:
@@ -1368,14 +1368,14 @@ class RowSolver:
         Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my)."""
     @overload
     def solve(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactForces:
-        """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
+        """The same with other creepages [-], [-] and spin [1/m] than those of the contact."""
     @overload
     def differentiate(self, contact: EllipticContact) -> ContactDerivatives:
         """Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],
         as ContactDerivatives: forward differentiation of the same code."""
     @overload
     def differentiate(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactDerivatives:
-        """The same with other creepages [-], [-] and spin [1/m] than the contact's own."""
+        """The same with other creepages [-], [-] and spin [1/m] than those of the contact."""
     def fields(self, contact: EllipticContact) -> ContactSolution:
         """Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution."""
     def patch_fields(self, y: ArrayLike, leading: ArrayLike, trailing: ArrayLike, pressure: ArrayLike, *, row_width: float, flexibilities: tuple[float, float, float], friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], rolling_speed: float = 1.0) -> ContactSolution:
@@ -1392,7 +1392,7 @@ class RowSolver:
         """Rows [-]."""
     def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
-        is a contact; fields that are given replace its own, as numbers or arrays that broadcast:
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
@@ -1400,7 +1400,7 @@ class RowSolver:
         of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
-        is a contact; fields that are given replace its own, as numbers or arrays that broadcast:
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
@@ -1573,7 +1573,7 @@ class TangentialProblem:
         5,900 bytes for an element at most."""
     def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
         """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;
-        creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 in place
+        creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 instead
         of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];
         previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:
         no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for
@@ -1667,15 +1667,15 @@ class ThermalBody:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class Track:
-    """A track in its nominal place, both rails alike."""
+    """A track in its nominal position, both rails alike."""
     def __init__(self, *, gauge: float = 1.435, gauge_height: float = 0.014, cant: float = 0.0, rail_origin: tuple[float, float] | None = None, roller_radius: float = 0.0) -> None:
         """gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the
         rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's
-        profile in track axes, in place of the gauge; roller_radius [m], nominal one of rollers in place of rails,
+        profile in track axes, instead of the gauge; roller_radius [m], nominal one of rollers instead of rails,
         negative of raceways, or 0. Values are checked where they are used."""
     @property
     def roller_radius(self) -> float:
-        """Of rollers in place of rails [m], or 0."""
+        """Of rollers instead of rails [m], or 0."""
     @property
     def gauge(self) -> float:
         """Between the gauge points of both rails [m]."""
@@ -1776,7 +1776,7 @@ class WheelRail:
             deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
             deflection_pitch_velocity [rad/s]: the same about the axle
             deflection_yaw_velocity [rad/s]: the same about z
-            deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            deviation_lateral [m]: of the rail from its nominal position, to the left positive
             deviation_vertical [m]: the same upwards
             deviation_roll [rad]: rotation of the rail about x, right-handed
             deviation_lateral_velocity [m/s]: velocity of that deviation to the left
@@ -1844,7 +1844,7 @@ class WheelRailArrays:
         """Y/Q: force on the wheel towards the track's centre over the vertical one, shape (...) [-]."""
     @property
     def nadal_limit(self) -> NDArray[numpy.float64]:
-        """Nadal's limit of Y/Q at the flange's steepest place, shape (...) [-]."""
+        """Nadal's limit of Y/Q at the flange's steepest point, shape (...) [-]."""
     @property
     def worn_mass_r8t(self) -> NDArray[numpy.float64]:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches, shape (...) [kg/m]."""
@@ -1865,10 +1865,10 @@ class WheelRailArrays:
         """Of each patch: of the contact plane against the track plane; positive rises to the left, shape (..., k) [rad]."""
     @property
     def patch_rail_y(self) -> NDArray[numpy.float64]:
-        """Of each patch: of the rail's profile there, in its own axes: to the field side positive, shape (..., k) [m]."""
+        """Of each patch: of the rail's profile there, in its axes: to the field side positive, shape (..., k) [m]."""
     @property
     def patch_wheel_y(self) -> NDArray[numpy.float64]:
-        """Of each patch: of the wheel's profile there, in its own axes, shape (..., k) [m]."""
+        """Of each patch: of the wheel's profile there, in its axes, shape (..., k) [m]."""
     @property
     def patch_rolling_radius(self) -> NDArray[numpy.float64]:
         """Of each patch: of the wheel there, shape (..., k) [m]."""
@@ -1946,7 +1946,7 @@ class WheelRailArrays:
         """Of each patch: surface fatigue index: traction coefficient less k over the largest pressure, shape (..., k) [-]."""
     @property
     def patch_shakedown_load(self) -> NDArray[numpy.float64]:
-        """Of each patch: largest pressure over the yield strength in shear: place on the shakedown map, shape (..., k) [-]."""
+        """Of each patch: largest pressure over the yield strength in shear: ordinate of the shakedown map, shape (..., k) [-]."""
     @property
     def patch_shakedown_limit(self) -> NDArray[numpy.float64]:
         """Of each patch: limit of that load at the traction coefficient, of a point contact, shape (..., k) [-]."""
@@ -2060,10 +2060,10 @@ class WheelRailPatch:
         """Of the contact plane against the track plane; positive rises to the left [rad]."""
     @property
     def rail_y(self) -> float | None:
-        """Of the rail's profile there, in its own axes: to the field side positive [m]."""
+        """Of the rail's profile there, in its axes: to the field side positive [m]."""
     @property
     def wheel_y(self) -> float | None:
-        """Of the wheel's profile there, in its own axes [m]."""
+        """Of the wheel's profile there, in its axes [m]."""
     @property
     def rolling_radius(self) -> float | None:
         """Of the wheel there [m]."""
@@ -2141,7 +2141,7 @@ class WheelRailPatch:
         """Surface fatigue index: traction coefficient less k over the largest pressure [-]."""
     @property
     def shakedown_load(self) -> float | None:
-        """Largest pressure over the yield strength in shear: place on the shakedown map [-]."""
+        """Largest pressure over the yield strength in shear: ordinate of the shakedown map [-]."""
     @property
     def shakedown_limit(self) -> float | None:
         """Limit of that load at the traction coefficient, of a point contact [-]."""
@@ -2204,7 +2204,7 @@ class WheelRailSolution:
         """Y/Q: force on the wheel towards the track's centre over the vertical one [-]."""
     @property
     def nadal_limit(self) -> float | None:
-        """Nadal's limit of Y/Q at the flange's steepest place [-]."""
+        """Nadal's limit of Y/Q at the flange's steepest point [-]."""
     @property
     def worn_mass_r8t(self) -> float | None:
         """Wear of wheel steel R8T by T-gamma per area, per metre rolled, all patches [kg/m]."""
@@ -2256,7 +2256,7 @@ class Wheelset:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelsetContacts:
-    """Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact."""
+    """Where both wheels of a rigid wheelset touch: arrays of the shape of the positions, NaN where there is no contact."""
     @property
     def lateral(self) -> NDArray[numpy.float64]:
         """Displacement of the wheelset's centre, to the left positive, shape (...) [m]."""
@@ -2274,16 +2274,16 @@ class WheelsetContacts:
         """Left less right inclination, each positive where it rises to the field side, shape (...) [rad]."""
     @property
     def left_rail_y(self) -> NDArray[numpy.float64]:
-        """Of the left wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
+        """Of the left wheel: on the rail's profile, in its axes: to the field side positive, shape (...) [m]."""
     @property
     def right_rail_y(self) -> NDArray[numpy.float64]:
-        """Of the right wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
+        """Of the right wheel: on the rail's profile, in its axes: to the field side positive, shape (...) [m]."""
     @property
     def left_wheel_y(self) -> NDArray[numpy.float64]:
-        """Of the left wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
+        """Of the left wheel: on the wheel's profile, in its axes, shape (...) [m]."""
     @property
     def right_wheel_y(self) -> NDArray[numpy.float64]:
-        """Of the right wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
+        """Of the right wheel: on the wheel's profile, in its axes, shape (...) [m]."""
     @property
     def left_rolling_radius(self) -> NDArray[numpy.float64]:
         """Of the left wheel: of the wheel there, shape (...) [m]."""
@@ -2352,8 +2352,8 @@ class WheelsetGeometry:
         """The WheelsetContacts at lateral displacements [m] and yaw angles [rad] that broadcast. With roll
         "equilibrium" both wheels touch, with "none" the roll angle is zero as in EN 15302. Ctrl-C ends it."""
     def curve(self, lateral_from: float, lateral_to: float, *, roll: Literal["equilibrium", "none"] = 'equilibrium', yaw: float = 0.0) -> WheelsetContacts:
-        """The WheelsetContacts over lateral displacements [m], 0 between or at an end: .1 mm apart and as fine as the
-        rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two places closer than
+        """The WheelsetContacts over lateral displacements [m], 0 between or at an end: 0.1 mm apart and as fine as the
+        rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two positions closer than
         1e-9 m. Ends early where a wheel leaves its rail; Error if there is no contact at 0."""
     def equivalent_conicity(self, amplitude: ArrayLike, *, gauge: ArrayLike | None = None, roll: Literal["equilibrium", "none"] = 'equilibrium', threads: int = 0) -> Any:
         """Equivalent conicity [-] by EN 15302 at amplitudes [m] and gauges [m], by default the track's, that
@@ -2370,7 +2370,7 @@ class WheelsetOnTrack:
     """Both wheels of a wheelset on their rails: finds height and roll for a load, the rolling speed for a torque. May be used from many threads, one call at a time."""
     def __init__(self, *, track: Track, rail: Profile, wheelset: Wheelset, wheel: Profile, right_rail: Profile | None = None, right_wheel: Profile | None = None, material: Material = Material(shear_modulus=82031250000.0, poisson_ratio=0.28), friction: FrictionLaw | float | tuple[ArrayLike, ArrayLike] = 0.3, theory: Literal["fastsim2", "exact", "table"] = 'fastsim2', shape: Literal["flat", "curved", "conformal"] | None = None, grid: int = 24, tolerance: float = 1e-06, strength: SurfaceStrength = SurfaceStrength(hardness=None, shear_yield_strength=None, wear_map=WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)), fields: bool = False, table: CreepForceTable | None = None) -> None:
         """The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with
-        profiles of its own, given as those of a left one. tolerance [-] is that of forces and moments over the
+        different profiles, given as those of a left one. tolerance [-] is that of forces and moments over the
         load. Error for values out of range and profiles that do not fit the track or the wheelset."""
     def solve(self, *, vertical: float = ..., roll: float = ..., lateral: float = 0.0, yaw: float = 0.0, forward_velocity: float, lateral_velocity: float = 0.0, vertical_velocity: float = 0.0, roll_velocity: float = 0.0, pitch_velocity: float = ..., yaw_velocity: float = 0.0, curvature: float = 0.0, longitudinal: float = 0.0, pitch: float = 0.0, left_deflection_longitudinal: float = 0.0, left_deflection_lateral: float = 0.0, left_deflection_vertical: float = 0.0, left_deflection_roll: float = 0.0, left_deflection_yaw: float = 0.0, left_deflection_longitudinal_velocity: float = 0.0, left_deflection_lateral_velocity: float = 0.0, left_deflection_vertical_velocity: float = 0.0, left_deflection_roll_velocity: float = 0.0, left_deflection_pitch_velocity: float = 0.0, left_deflection_yaw_velocity: float = 0.0, left_deviation_lateral: float = 0.0, left_deviation_vertical: float = 0.0, left_deviation_roll: float = 0.0, left_deviation_lateral_velocity: float = 0.0, left_deviation_vertical_velocity: float = 0.0, left_deviation_roll_velocity: float = 0.0, right_deflection_longitudinal: float = 0.0, right_deflection_lateral: float = 0.0, right_deflection_vertical: float = 0.0, right_deflection_roll: float = 0.0, right_deflection_yaw: float = 0.0, right_deflection_longitudinal_velocity: float = 0.0, right_deflection_lateral_velocity: float = 0.0, right_deflection_vertical_velocity: float = 0.0, right_deflection_roll_velocity: float = 0.0, right_deflection_pitch_velocity: float = 0.0, right_deflection_yaw_velocity: float = 0.0, right_deviation_lateral: float = 0.0, right_deviation_vertical: float = 0.0, right_deviation_roll: float = 0.0, right_deviation_lateral_velocity: float = 0.0, right_deviation_vertical_velocity: float = 0.0, right_deviation_roll_velocity: float = 0.0, vertical_force: float = ..., roll_moment: float = ..., vertical_force_left: float = ..., vertical_force_right: float = ..., axle_torque: float = ...) -> WheelsetSolution:
         """The WheelsetSolution in a state, given by keywords, 0 where they are left out:
@@ -2398,7 +2398,7 @@ class WheelsetOnTrack:
             left_deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
             left_deflection_pitch_velocity [rad/s]: the same about the axle
             left_deflection_yaw_velocity [rad/s]: the same about z
-            left_deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            left_deviation_lateral [m]: of the rail from its nominal position, to the left positive
             left_deviation_vertical [m]: the same upwards
             left_deviation_roll [rad]: rotation of the rail about x, right-handed
             left_deviation_lateral_velocity [m/s]: velocity of that deviation to the left
@@ -2415,7 +2415,7 @@ class WheelsetOnTrack:
             right_deflection_roll_velocity [rad/s]: angular velocity of that rotation about x
             right_deflection_pitch_velocity [rad/s]: the same about the axle
             right_deflection_yaw_velocity [rad/s]: the same about z
-            right_deviation_lateral [m]: of the rail from its nominal place, to the left positive
+            right_deviation_lateral [m]: of the rail from its nominal position, to the left positive
             right_deviation_vertical [m]: the same upwards
             right_deviation_roll [rad]: rotation of the rail about x, right-handed
             right_deviation_lateral_velocity [m/s]: velocity of that deviation to the left
@@ -2500,7 +2500,7 @@ def combine(body1: Material, body2: Material) -> CombinedMaterial:
 
 def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: Literal["kalker", "computed"] = 'kalker') -> CreepageCoefficients:
     """The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker'
-    (Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = .05 to 20). Beyond a table
+    (Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = 0.05 to 20). Beyond a table
     they tend to the limits of slender ellipses."""
 
 def friction_work(solution: ContactSolution) -> NDArray[numpy.float64]:
@@ -2513,7 +2513,7 @@ def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transve
     positive."""
 
 def hertz_from_approach(gap: GapCurvatures, material: CombinedMaterial, approach: float) -> HertzContact:
-    """The same from the approach [m] in place of the load."""
+    """The same from the approach [m] instead of the load."""
 
 def hertz_from_ellipse(a: float, b: float, material: CombinedMaterial, normal_force: float) -> HertzContact:
     """The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5]."""

@@ -124,7 +124,7 @@ def convergence_picture(result):
 def tractions_on_grid(result, folder="/exact/fields"):
     """The elements of a contact's fields as a regular grid with the tractions (px, py, pn) on it [Pa].
 
-    The leading element of a row has a length of its own, and rows may begin anywhere; tractions go to the cells that an
+    The leading element of a row has a different length, and rows may begin anywhere; tractions go to the cells that an
     element covers, by their share.
     """
     x, y, area, px, py, pn, state = result.arrays(

@@ -67,7 +67,7 @@ class ContactCells:
         nearest = rows[np.argmin(np.abs(self.row_y[rows] - y[:, None]), axis=1)]
         best = np.full((len(y), len(x)), np.inf)
         row_of, cell_of = np.zeros(best.shape, dtype=int), np.zeros(best.shape, dtype=int)
-        for row in rows:  # of its own row and of both beside it
+        for row in rows:  # of its row and of both next to it
             lines = np.flatnonzero(np.abs(nearest - row) <= 1)
             cell, away = self._nearest_in_row(row, x)
             aside = np.clip(np.abs(y[lines] - self.row_y[row]) / self.height - 0.5, 0, None)
@@ -133,7 +133,7 @@ class ContactCells:
         return self.outline.turned() if turned else self.outline.path
 
     def has_boundary(self):
-        """Whether there are adhesion and slip."""
+        """Returns whether there are adhesion and slip."""
         return bool((self.state == ADHESION).any() and (self.state == SLIP).any())
 
     def surface(self, values, vanishes):
@@ -168,7 +168,7 @@ class ContactCells:
         return result
 
     def true_to_scale(self):
-        """Whether one scale along x and y shows the contact well."""
+        """Returns whether one scale along x and y shows the contact well."""
         return SLIMMEST_TRUE_TO_SCALE <= self.a / self.b <= 1 / SLIMMEST_TRUE_TO_SCALE
 
     def sample(self):
@@ -227,7 +227,7 @@ def every(count, stride):
 
 def cells_of(fields, semi_axes=None):
     """The cells of a solution's fields, arrays (rows, cells of a row) in SI; `semi_axes` [m] of an ellipse, else the pressures
-    tell where the contact ends. For pictures of one's own: draw, draw_areas, draw_boundary, draw_outline, sample."""
+    tell where the contact ends. For other pictures: draw, draw_areas, draw_boundary, draw_outline, sample."""
     names = ("x", "y", "area", "bound", "px", "py", "sx", "sy")
     x, y, area, bound, px, py, sx, sy = (np.asarray(getattr(fields, name), dtype=float) for name in names)
     axes = None if semi_axes is None else [1e3 * axis for axis in semi_axes]

@@ -30,7 +30,7 @@ class Outline:
         return (*np.sort(points[:, 0])[[0, -1]], *np.sort(points[:, 1])[[0, -1]])
 
     def contain(self, x, y):
-        """Which points lie inside."""
+        """Selects the points that lie inside."""
         points = np.column_stack([np.ravel(x), np.ravel(y)])
         around = np.zeros(len(points), dtype=int)
         for part in self.parts:
@@ -58,7 +58,7 @@ def outline_of_rows(x, row_y, height, widths, pressure, inside):
 
 
 def row_intervals(x, widths, pressure, inside):
-    """Where unbroken runs of elements of a row are in contact: pairs of ends."""
+    """Intervals of unbroken runs of elements of a row in contact: pairs of ends."""
     cells = np.flatnonzero(inside)
     if x[0] > x[-1]:
         cells = cells[::-1]
@@ -73,7 +73,7 @@ def row_intervals(x, widths, pressure, inside):
 
 
 def reach(x, squares, width):
-    """How far contact goes beyond the first of these elements: the zero of a parabola through p_n^2 of the first ones, where
+    """Distance of the edge of contact beyond the first of these elements: the zero of a parabola through p_n^2 of the first ones, where
     the outermost one, of which the edge may cut off a part, counts for little."""
     if len(x) == 1 or squares[1] <= squares[0]:
         return width / 2

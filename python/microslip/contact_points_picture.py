@@ -1,4 +1,4 @@
-"""Wheel and rail in their own axes, drawn apart, with the points that touch joined by lines."""
+"""Wheel and rail in the axes of their profiles, drawn apart, with the points that touch joined by lines."""
 
 import numpy as np
 from matplotlib.collections import LineCollection

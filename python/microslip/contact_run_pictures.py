@@ -9,7 +9,7 @@ from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMIL
                                      shown, unit_for)
 from microslip.pressure_picture import pressure_picture
 
-# So many cases have a picture of their own.
+# So many cases have a separate picture.
 MOST_CASES = 12
 GRID_NAMES = ["x0", "y0", "dx", "dy"]
 # Forces and changes of a force that are smaller than this part of the normal force are what a solver leaves.
@@ -59,7 +59,7 @@ def forces_picture(result):
 
 
 def show_noise_as_a_line(axes):
-    """What changes by rounding only is drawn as a line in the middle."""
+    """Draws values that change by rounding only as a line in the middle."""
     low, high = axes.dataLim.intervaly
     far = max(abs(low), abs(high))
     if np.isfinite(far) and high - low < STEADY * far:

@@ -60,7 +60,7 @@ def creep_curve_picture(result, theories):
 
 
 def creepage_of_case(result, name):
-    """As given, or as found where a force is given."""
+    """Returns it as given, or as found where a force is prescribed."""
     return result.number(f"/creep_curve/{name}")
 
 

@@ -10,7 +10,7 @@ from microslip.solved_contacts import label_along_x, slip_unit
 
 
 def cut_picture(result, contacts, y=0.0):
-    """The row nearest to y [mm] by each theory, or of each patch that has one in its own frame."""
+    """The row nearest to y [mm] by each theory, or of each patch that has one in its frame."""
     reach = {key: one.cells.outline.limits()[2:] for key, one in contacts.items()}
     cells = {key: one.cells for key, one in contacts.items() if reach[key][0] <= y <= reach[key][1]}
     if not cells:

@@ -46,7 +46,7 @@ def check_field(name):
 
 
 def has_field(result, contact, name):
-    """Whether the file has what a field of a contact is made of."""
+    """Returns whether the file has what a field of a contact is made of."""
     return all(f"{contact.folder}/{part}" in result for part in FIELDS[name][2])
 
 

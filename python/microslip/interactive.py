@@ -1,4 +1,4 @@
-"""A field over a contact as a surface to turn and zoom, for notebooks and as a page of its own (Debian: python3-plotly)."""
+"""A field over a contact as a surface to turn and zoom, for notebooks and as a separate page (Debian: python3-plotly)."""
 
 from microslip.field_picture import FieldOfContacts
 from microslip.picture_style import THEORIES, label_of

@@ -35,8 +35,8 @@ def interior_points(result, folder):
 
 
 def panels_of(block):
-    """Of a block of points with three directions the planes y = const, nearest to the middle first; of others the block.
-    Each body has panels of its own: stresses jump at the surface."""
+    """Planes y = const of a block of points with three directions, nearest to the middle first; of others the block.
+    Each body has separate panels: stresses jump at the surface."""
     z = block[2]
     inside = [z >= 0, z < 0]
     if all(np.count_nonzero(which) > 1 for which in inside):

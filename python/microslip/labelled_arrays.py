@@ -63,7 +63,7 @@ def arrays_and_scalars(result):
 
 
 def origin_of(result):
-    """What the result is, and which version computed it."""
+    """Description of the result, and the version that computed it."""
     import microslip
     return {"result": type(result).__name__, "version": microslip.__version__}
 

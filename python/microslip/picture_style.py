@@ -1,4 +1,4 @@
-"""What all pictures share: colours that colour-blind readers can tell apart, font sizes, axes, numbers as text."""
+"""Style of all pictures: colours that colour-blind readers can tell apart, font sizes, axes, numbers as text."""
 
 import math
 import textwrap
@@ -48,7 +48,7 @@ LETTERS_PER_INCH = 9.5
 
 
 def label_of(contact):
-    """What pictures call a contact of a result file: the theory that solved it, or the patch."""
+    """Name of a contact of a result file in pictures: the theory that solved it, or the patch."""
     return THEORIES.get(contact, contact)
 
 
@@ -66,7 +66,7 @@ def put_title(figure, text):
 
 
 def bodies_of(result):
-    """What pictures call both bodies: those of a wheel on a rail if body 2 is straight where it rolls and body 1 is not."""
+    """Names of both bodies in pictures: those of a wheel on a rail if body 2 is straight where it rolls and body 1 is not."""
     if result.attribute("kind", "") in ("wheel_rail", "wheelset"):
         return "wheel", "rail"
     if any(f"/inputs/body{body}/rolling_radius" not in result for body in (1, 2)):
@@ -100,7 +100,7 @@ def unit_for(largest, unit):
 
 
 def shown(values, largest, noise=NOISE):
-    """Numbers without what is rounding beside the largest one: 0 in its place."""
+    """Numbers without what is rounding compared with the largest one, which becomes 0."""
     return np.where(np.abs(values) < noise * abs(largest), 0.0, values)
 
 

@@ -69,7 +69,7 @@ def pictures(result):
 
 def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
     """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], on rails in each
-    patch's own frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
+    patch's frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
     comparison with another open result file."""
     asked = {"--field": fields, "--surface": surfaces, "--cut": cut is not None, "--stresses": stresses is not None,
              "--creep-curves": spins is not None, "--convergence": convergence, "--compare": other}
@@ -126,7 +126,7 @@ def figures(path, **chosen):
 
 
 def is_creep_table(path):
-    """Whether a file is a creep-force table."""
+    """Returns whether a file is a creep-force table."""
     try:
         with open(path, "rb") as file:
             return file.read(len(CREEP_TABLE)) == CREEP_TABLE
@@ -157,8 +157,8 @@ def end_early(_number, _frame):
 
 @contextlib.contextmanager
 def ending_from_within():
-    """What Ctrl-C and SIGTERM end here can clean up behind itself. Elsewhere they end the program of pictures at once, also
-    in the midst of what other libraries do."""
+    """Lets what Ctrl-C and SIGTERM end clean up behind itself. Elsewhere they end the program of pictures at once, also
+    in the middle of the work of other libraries."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

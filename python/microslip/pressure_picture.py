@@ -28,7 +28,7 @@ def pressure_picture(title, grids, titles):
 
 
 def draw_panel(axes, grid, scale, colours, longest):
-    """A contact in its own limits."""
+    """A contact within its limits."""
     left, right, low, high = grid.outline.limits()
     axes.set_xlim(left - 0.1 * grid.a, right + 0.1 * grid.a)
     axes.set_ylim(low - 0.1 * grid.b, high + 0.1 * grid.b)

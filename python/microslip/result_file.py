@@ -81,7 +81,7 @@ class ResultFile:
             return _decoded(self._file[group].attrs[name])
 
     def assumption(self, group):
-        """What Hertz or a theory assumes that is not so in the case, as text; empty: nothing."""
+        """Assumption of Hertz or a theory that does not hold in the case, as text; empty: none."""
         with self._reading(group):
             has_one = group in self and "assumes" in self._file[group].attrs
         return self.group_attribute(group, "assumes") if has_one else ""
@@ -117,7 +117,7 @@ class ResultFile:
         return values
 
     def is_number(self, name):
-        """Whether a dataset has numbers, not texts."""
+        """Returns whether a dataset has numbers, not texts."""
         dataset = self._dataset(name)
         with self._reading(name):
             return dataset.dtype.kind in "iuf"

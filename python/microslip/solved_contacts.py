@@ -27,7 +27,7 @@ def read_contacts(result):
 
 
 def by_theory(result):
-    """Of two bodies: one contact by each theory."""
+    """Contacts of two bodies: one by each theory."""
     speed = 1 if is_shift(result) else result.number("/inputs/motion/rolling_speed")
     return {theory: SolvedContact(f"/{theory}/fields", read_cells(result, theory), speed)
             for theory in THEORIES if f"{theory}/fields" in result}
@@ -54,7 +54,7 @@ KINDS = {"rolling_contact": by_theory, "wheel_rail": patches_of_wheel, "wheelset
 
 
 def patch_cells(result, folder, at=(0.0, 0.0)):
-    """The cells of a patch in its own frame, or with its origin at x and y [mm]."""
+    """The cells of a patch in its frame, or with its origin at x and y [mm]."""
     names = ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state", "pressure")
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(f"{folder}/x")]
     x, y, area, bound, px, py, sx, sy, state, pressure = result.arrays([f"{folder}/{name}" for name in names], dimensions=2,
@@ -64,22 +64,22 @@ def patch_cells(result, folder, at=(0.0, 0.0)):
 
 
 def rolls_backward(result):
-    """Whether body 1 rolls against x."""
+    """Returns whether body 1 rolls against x."""
     if "/inputs/motion/direction" in result:
         return result.text("/inputs/motion/direction") == "backward"
     return "/states/forward_velocity" in result and bool(result.array("/states/forward_velocity")[0] < 0)
 
 
 def is_shift(result):
-    """Whether the bodies do not roll; slip is a length then."""
+    """Returns whether the bodies do not roll; slip is a length then."""
     return "/inputs/motion/kind" in result and result.text("/inputs/motion/kind") == "shift"
 
 
 def label_along_x(result):
-    """Of an axis in mm, with the direction of rolling."""
+    """Label of an axis in mm, with the direction of rolling."""
     return "x [mm]" if is_shift(result) else f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}"
 
 
 def slip_unit(result):
-    """Of the slip of ContactCells: for an axis, and as it follows a number."""
+    """Unit of the slip of ContactCells: for an axis, and as it follows a number."""
     return ("mm", " mm") if is_shift(result) else (r"$10^{-3}$", r"$\,\cdot\,10^{-3}$")

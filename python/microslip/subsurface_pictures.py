@@ -44,7 +44,7 @@ def draw_section(result):
 
 
 def section(result, case):
-    """Both bodies in one array, z ascending. The surface is there twice: each body has its own value."""
+    """Both bodies in one array, z ascending. The surface is there twice: each body has a value."""
     wheel, rail = result.arrays([f"/{case}/{body}/von_mises" for body in ("wheel", "rail")], dimensions=2)
     return np.concatenate([rail[::-1], wheel])
 

@@ -1,4 +1,4 @@
-"""What the workers of an executor run for microslip.sweep: a function that can be sent to other processes."""
+"""Work of the workers of an executor for microslip.sweep: a function that can be sent to other processes."""
 
 import threading
 

@@ -42,7 +42,7 @@ def sweep_pictures(result):
 
 
 def is_logarithmic(values):
-    """Whether positive values have rather constant ratios than constant differences."""
+    """Returns whether positive values have rather constant ratios than constant differences."""
     if len(values) < 4 or values.min() <= 0 or values.max() < 20 * values.min():
         return False
     return np.ptp(np.diff(np.log(values))) < np.ptp(np.diff(values)) / np.abs(np.diff(values)).max() * math.log(10)

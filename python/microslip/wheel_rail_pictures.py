@@ -81,7 +81,7 @@ def frame_of(patches):
 def patches_picture(result, patches):
     """Pressure, and adhesion with slip, on the unrolled rail head."""
     x, u = frame_of(patches)
-    x = (x[0] + MARGIN / 2, x[1] + 0.15 * (x[1] - x[0]))  # room for the texts
+    x = (x[0] + MARGIN / 2, x[1] + 0.15 * (x[1] - x[0]))  # space for the texts
     wide = u[1] - u[0] > 1.3 * (x[1] - x[0])
     scale = (9 if wide else 5) / (u[1] - u[0])
     height = scale * (x[1] - x[0])
@@ -273,7 +273,7 @@ def varied(result):
 
 
 def contact_points_picture(result):
-    """Wheel and rail in their own axes, drawn apart, with points that touch joined."""
+    """Wheel and rail in the axes of their profiles, drawn apart, with points that touch joined."""
     label, values = varied(result)
     (rail_y, rail_z), (wheel_y, wheel_z) = (
         [1e3 * part for part in result.arrays([f"/profiles/{body}/y", f"/profiles/{body}/z"])] for body in ("rail", "wheel"))

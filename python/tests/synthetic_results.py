@@ -8,7 +8,7 @@ G, CIRCLE_COEFFICIENTS = 82e9, (4.12, 3.67, 1.47)
 
 
 def fastsim(a, b, mx, my, creepage, limit, backward=False):
-    """Fields and totals on the ellipse's own grid; `limit` is mu Fn. The coefficients are those of a circle."""
+    """Fields and totals on the ellipse's grid; `limit` is mu Fn. The coefficients are those of a circle."""
     xi, eta, phi = creepage
     c11, c22, c23 = CIRCLE_COEFFICIENTS
     l1, l2, l3 = 8 * a / (3 * c11 * G), 8 * a / (3 * c22 * G), np.pi * a * np.sqrt(a / b) / (4 * c23 * G)

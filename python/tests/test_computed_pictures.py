@@ -63,7 +63,7 @@ class ComputedPicturesTest(unittest.TestCase):
     def test_stresses_have_hertzs_maximum(self):
         title = self.chosen(stresses=0.0).axes[0].get_title()
         peak = float(re.search(r"largest for all y: .*? ([\d.]+) MPa at", title)[1])
-        # Without traction .62 p0 for nu = .3; traction raises it a little.
+        # Without traction 0.62 p0 for nu = 0.3; traction raises it a little.
         self.assertAlmostEqual(peak / (1e-6 * self.result.hertz.peak_pressure), 0.65, delta=0.04)
 
     def solved(self, *changes):
@@ -84,7 +84,7 @@ class ComputedPicturesTest(unittest.TestCase):
         return figure, {line.get_label().split(",")[0]: line.get_xydata()[40] for line in lines}
 
     def check_curves(self, case, path):
-        """The curves are those of the case's own solvers. Returns the figure's title."""
+        """The curves are those of the case's solvers. Returns the figure's title."""
         figure, points = self.curves(path)
         limit = case.contact.friction.static_coefficient * case.contact.normal_force
         for name, solver in (("exact theory", case.exact_solver(cells=16)),

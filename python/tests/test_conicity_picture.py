@@ -14,7 +14,7 @@ from microslip.result_file import ResultFile
 
 
 def write_conicity(path, gauges, sides=1):
-    """Conicities of .06 and .2, the last one unknown; a rolling radius difference that jumps by 1 mm at 2 mm, where points of
+    """Conicities of 0.06 and 0.2, the last one unknown; a rolling radius difference that jumps by 1 mm at 2 mm, where points of
     contact move by 18 mm; the right side like the left one unless there are two sides."""
     lateral = np.array([-4e-3, 0, 2e-3, 2e-3 + 1e-9, 4e-3])
     with h5py.File(path, "w") as file:

@@ -30,7 +30,7 @@ class ContactTest(unittest.TestCase):
         self.assertIn("status=ok", repr(microslip.Fastsim2().solve(contact())))
 
     def test_coefficients_of_the_circle(self):
-        # Kalker 1990, table E.3, a/b = 1, nu = .25.
+        # Kalker 1990, table E.3, a/b = 1, nu = 0.25.
         c = microslip.creepage_coefficients(1, 0.25)
         for found, printed in zip((c.c11, c.c22, c.c23, c.c33), (4.12, 3.67, 1.47, 1.19)):
             self.assertAlmostEqual(found, printed, places=12)

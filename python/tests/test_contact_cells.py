@@ -127,7 +127,7 @@ class ContactCellsTest(unittest.TestCase):
                 self.assertAlmostEqual(covered, cells.widths[row, cells.state[row] == state].sum(), places=10)
 
     def test_fitted_leading_cells_have_their_own_length(self):
-        # A regular row of cells 1 long; the leading one begins at its neighbour's end and is .6 long.
+        # A regular row of cells 1 long; the leading one begins at its neighbour's end and is 0.6 long.
         x, y = np.array([[4.5, 3.3, 2.5, 1.5, 0.5]] * 2), np.array([[0.0] * 5, [1.0] * 5])
         area, state = np.array([[1, 0.6, 1, 1, 1]] * 2), np.array([[EXTERIOR, SLIP, SLIP, ADHESION, SLIP]] * 2)
         cells = ContactCells(x, y, area, *([np.zeros((2, 5))] * 5), state, (2, 1))

@@ -12,7 +12,7 @@ from tests.synthetic_results import write_model_problem
 
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
 
-# Draws a file with some bytes inverted here, then there, without writing the pictures; in a process of its own, as
+# Draws a file with some bytes inverted here, then there, without writing the pictures; in a separate process, as
 # HDF5 crashes over some or never returns.
 DRAW = """
 import contextlib, io, json, sys
@@ -34,7 +34,7 @@ for place in places:
 
 class DamagedFileTest(unittest.TestCase):
     def outcomes(self, path, places):
-        """What became of the file damaged at each of these places; None where HDF5 crashed or did not return."""
+        """What became of the file damaged at each of these offsets; None where HDF5 crashed or did not return."""
         found = {}
         while places:
             with subprocess.Popen([sys.executable, "-c", DRAW, path, json.dumps(places)], cwd=PYTHON_FOLDER,

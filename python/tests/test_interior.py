@@ -24,7 +24,7 @@ class InteriorTest(unittest.TestCase):
             np.testing.assert_allclose(stress, -part * self.pressure, atol=1e-5 * 1e9)
 
     def test_the_largest_shear_stress_is_hertzs(self):
-        # Johnson 1985, (3.46): .31 p0 at .48 a below the surface, nu = .3.
+        # Johnson 1985, (3.46): 0.31 p0 at 0.48 a below the surface, nu = 0.3.
         peak = microslip.InteriorLayers(self.field).find_largest(np.linspace(2e-4, 1e-3, 9), "tresca")
         self.assertAlmostEqual(peak.value / 2 / 1e9, 0.310, delta=0.002)
         self.assertAlmostEqual(peak.depth / 1e-3, 0.48, delta=0.01)

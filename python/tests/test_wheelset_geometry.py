@@ -12,7 +12,7 @@ CONE, DISTANCE, RADIUS = 0.05, 1.5, 0.46
 
 
 def head():
-    """A round head of .3 m."""
+    """A round head of 0.3 m."""
     y = np.linspace(-0.03, 0.03, 401)
     return microslip.Profile(y, np.sqrt(0.09 - y**2) - 0.3, "rail")
 

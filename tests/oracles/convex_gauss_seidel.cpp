@@ -52,7 +52,7 @@ public:
     forward_ = mx_ == 1 || kernel.xx.at(-1, 0) <= kernel.xx.at(1, 0);
   }
 
-  /// One sweep over all elements; returns the 2-norm of the steps to their own solutions.
+  /// One sweep over all elements; returns the 2-norm of the steps to their solutions.
   double sweep(Field& px, Field& py) {
     double sum = 0;
     for (const RowPart& row : rows_) {

@@ -8,13 +8,13 @@
 
 namespace microslip {
 
-/// How much of a step towards an element's own solution is taken, above 0 and below 2; 1 is the plain method.
+/// How much of a step towards an element's solution is taken, above 0 and below 2; 1 is the plain method.
 struct Relaxation {
   double adhesion = 1; ///< of the tractions (R10)
   double slip = 1;     ///< of their direction (R11)
 
-  /// min(.9, .7 r^2) with r = D_xx of an element on itself over that of the element ahead on it: .9 for shifts and
-  /// transient rolling, .7 for steady rolling with dq = dx (r = -1), less for a smaller dq, with which the element
+  /// min(0.9, 0.7 r^2) with r = D_xx of an element on itself over that of the element ahead on it: 0.9 for shifts and
+  /// transient rolling, 0.7 for steady rolling with dq = dx (r = -1), less for a smaller dq, with which the element
   /// ahead weighs more than the element itself. Found by trial.
   static Relaxation of(const TangentialKernel& kernel);
 };
@@ -31,7 +31,7 @@ struct GaussSeidelSolution : FrictionSolution {
 };
 
 /// ConvexGS, the block Gauss-Seidel method for the tangential problem (Vollebregt 1995; 2009, section 3): for one
-/// element after the other the tractions that solve its own problem while all others are fixed. In adhesion that is a
+/// element after the other the tractions that solve its problem while all others are fixed. In adhesion that is a
 /// linear equation, in slip one for the direction, solved by Newton's method. The plain reference beside
 /// FrictionNewton: O(N^2) operations for a sweep, a number of sweeps that grows with the grid, O(N) memory.
 ///

@@ -75,7 +75,7 @@ FrictionSolution solve_prescribed_force(const FrictionProblem& problem, double t
   if (!problem.force_x && !problem.force_y) return solve(problem, tolerance, start_px, start_py);
   GivenConstants search(problem, tolerance / 10, solve);
   FrictionSolution s = search.solve({0, 0}, start_px, start_py);
-  // Small against the slip that an element's own traction makes.
+  // Small against the slip that the traction of one element makes on itself.
   const double least =
       1e-4 * problem.slip_operator.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
   double small = least;

@@ -12,7 +12,7 @@ ORIGIN = {"compiler", "command_line", "files", "commit", "created", "seconds", "
 
 
 def numbers(value, place=""):
-    """All numbers and words with their places."""
+    """All numbers and words with their paths."""
     if isinstance(value, dict):
         for name, part in value.items():
             if name not in ORIGIN:
@@ -25,7 +25,7 @@ def numbers(value, place=""):
 
 
 def document(name):
-    """What a file holds; fields of a table that are numbers are numbers."""
+    """Contents of a file; fields of a table that are numbers are numbers."""
     with open(name, encoding="utf-8", newline="") as file:
         if not name.endswith(".csv"):
             return json.load(file)
@@ -41,7 +41,7 @@ def number(field):
 
 
 def differ(one, other):
-    """Whether two values are not the same but for rounding."""
+    """Returns whether two values are not the same but for rounding."""
     if isinstance(one, float) and isinstance(other, float):
         largest = max(abs(one), abs(other))
         return largest > ROUNDING and abs(one - other) > TOLERANCE * largest

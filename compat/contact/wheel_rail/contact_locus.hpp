@@ -20,7 +20,7 @@ struct GapLine {
   GapLine lowered(double depth) const;
 };
 
-/// At steps of .3 DS over the rail. `rail` is its profile in track coordinates; a roller is turned about its axle.
+/// At steps of 0.3 DS over the rail. `rail` is its profile in track coordinates; a roller is turned about its axle.
 GapLine find_gap_line(const Placement& placement, const ProfileCurve& rail, double ds);
 
 } // namespace microslip::contact_program

@@ -32,7 +32,7 @@ CurvedPatch::CurvedPatch(const PatchFrame& frame, const Placement& placement, co
 }
 
 CurvedPatch::Middle CurvedPatch::middle(double s) const {
-  constexpr int most_turns = 2; // of the place where a yawed wheel's profile has the reference's x
+  constexpr int most_turns = 2; // of the point where a yawed wheel's profile has the reference's x
   constexpr double faces = 0.9; // of the mean normal's length: the surfaces are within 52 degrees of one another
   const auto within = [](const ProfileCurve& curve, double at) { return std::clamp(at, curve.start(), curve.end()); };
   const double along = s + s_origin_;

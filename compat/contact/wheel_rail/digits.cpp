@@ -5,7 +5,7 @@
 namespace microslip::contact_program {
 namespace {
 
-/// All digits of module 1: what module 3 has alike, and its own.
+/// All digits of module 1: those that module 3 shares, and the others.
 struct AllDigits : Digits, WheelRailDigits {
   using WheelRailDigits::discns;
   using WheelRailDigits::force;

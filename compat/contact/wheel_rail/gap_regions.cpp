@@ -54,7 +54,8 @@ double weight_of(double overlap, double curvature) {
   return std::max(1e-10, sum);
 }
 
-/// Where the straight line between two points is zero, as a share of the way; nothing if that is not between them.
+/// Where the straight line between two points is zero, as a fraction of the distance; nothing if that is not between
+/// them.
 double crossing(double outside, double inside) {
   const double change = inside - outside;
   return outside * inside <= -1e-12 && std::abs(change) >= 1e-9 ? -outside / change : 0;

@@ -8,7 +8,7 @@
 namespace microslip::contact_program {
 
 /// The gap between wheel and rail over the whole of the wheel's lower side, seen from above: CONTACT's search by brute
-/// force, on a grid of 1.5 DX, for wheels that are not round 4 DX, by .75 DS, or for steep slopes of .3 DS.
+/// force, on a grid of 1.5 DX, for wheels that are not round 4 DX, by 0.75 DS, or for steep slopes of 0.3 DS.
 class GapSurface {
 public:
   /// With the wheelset at Z_WS = 0. `rail` in track coordinates, of slices the first one.

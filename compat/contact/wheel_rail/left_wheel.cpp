@@ -81,7 +81,7 @@ void mirror_slip(std::vector<double>& slip, int mx) {
   for (std::size_t k = 1; k < slip.size(); k += 2) slip[k] = 0 - slip[k];
 }
 
-/// Of a patch as a case of its own: what the fields and the totals show.
+/// Of a patch as a separate case: what the fields and the totals show.
 void mirror(Case& c) {
   c.y *= -1;
   c.phi *= -1;

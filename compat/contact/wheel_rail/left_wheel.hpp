@@ -5,8 +5,8 @@
 
 namespace microslip::contact_program {
 
-/// What was found for the right wheel that is the mirror image of a left one, for the left one: y changes its sign, and
-/// with it FY, moments about x and z, the angle, CETA and CPHI; rows of elements change places.
+/// Result for a left wheel, from that for the right one that is its mirror image: y changes its sign, and
+/// with it FY, moments about x and z, the angle, CETA and CPHI; rows of elements are reversed.
 void mirror_back(WheelOutcome& wheel);
 /// The same of what a patch has gone on from.
 void mirror_back(CarriedTractions& carried);

@@ -6,7 +6,7 @@
 
 namespace microslip::contact_program {
 
-/// What CONTACT's output file has of a wheel on a rail, as far as digit O asks for it. With O = 4 it has the moments,
+/// Text of CONTACT's output file about a wheel on a rail, as far as digit O asks for it. With O = 4 it has the moments,
 /// but not the profiles.
 std::string out_wheel(const Case& c, const Outcome& outcome);
 

@@ -141,9 +141,9 @@ WheelState<double> own_state(const Case& c, double distance) {
 }
 
 /// A wheel in the state of a case; where a total force is prescribed, in that which bears it.
-class OwnWheel {
+class LibraryWheel {
 public:
-  OwnWheel(const Case& c, const WheelOutcome& wheel)
+  LibraryWheel(const Case& c, const WheelOutcome& wheel)
       : case_(c), data_(*c.wheel_rail),
         solver_(own_bodies(c, wheel.placement), {.level = WheelRailLevel::exact, .shape = own_shape(c)}),
         state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
@@ -238,8 +238,8 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
     if (applies(c)) comparison.reasons.emplace_back(reason);
   if (!comparison.reasons.empty()) return comparison;
   try {
-    const OwnWheel own_wheel(c, wheel);
-    const WheelRailSolution& own = own_wheel.solution();
+    const LibraryWheel library_wheel(c, wheel);
+    const WheelRailSolution& own = library_wheel.solution();
     comparison.status = to_string(own.status);
     comparison.own_patches = static_cast<int>(own.patches.size());
     const auto add = [&](const char* name, const char* unit, double program, double of_own) {
@@ -247,9 +247,9 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
     };
     add("Z_WS", "mm", wheel.z, -own.vertical * per_m);
     if (d.digits.force == TotalForce::force_x)
-      add("VPITCH_WS", "rad/s", wheel.vpitch, -own_wheel.state().pitch_velocity);
+      add("VPITCH_WS", "rad/s", wheel.vpitch, -library_wheel.state().pitch_velocity);
     if (d.digits.force == TotalForce::rail_deflection)
-      add("DY_DEFL", "mm", wheel.dy_rail, -own_wheel.state().rail.lateral * per_m - d.rail_position.dy);
+      add("DY_DEFL", "mm", wheel.dy_rail, -library_wheel.state().rail.lateral * per_m - d.rail_position.dy);
     add("FX(TR)", "N", wheel.track.force.x, -own.force.x);
     add("FY(TR)", "N", wheel.track.force.y, own.force.y);
     add("FZ(TR)", "N", wheel.track.force.z, own.force.z);

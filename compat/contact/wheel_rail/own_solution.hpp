@@ -7,7 +7,7 @@
 
 namespace microslip::contact_program {
 
-// Cases of module 1 solved once more by the library's own geometry, patches and elements of second order (WheelRail),
+// Cases of module 1 solved once more by the library's geometry, patches and elements of second order (WheelRail),
 // which know neither CONTACT's grid nor its rules for patches: what differs is CONTACT's discretisation.
 
 /// A number by both, with CONTACT's name, unit and sign.
@@ -19,9 +19,9 @@ struct ComparedNumber {
 };
 
 struct OwnComparison {
-  std::vector<std::string> reasons = {}; ///< why there is none: what only CONTACT's way has, with its digit
+  std::vector<std::string> reasons = {}; ///< why there is none: what only CONTACT's method has, with its digit
   std::vector<ComparedNumber> numbers = {};
-  std::string status = {}; ///< of our own solution
+  std::string status = {}; ///< of the library's solution
   int own_patches = 0;     ///< patches are compared if there are as many
 };
 

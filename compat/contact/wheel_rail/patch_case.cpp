@@ -11,7 +11,7 @@ double roll_of(const Rotation<double>& axes) {
   return std::atan2(axes.ey.z, axes.ey.y);
 }
 
-/// One set of a patch in a plane; rows of a curved one have sets of their own where friction varies with the
+/// One set of a patch in a plane; rows of a curved one have separate sets where friction varies with the
 /// inclination.
 FrictionData friction_of(const Case& c, const PatchLocation& location, const PatchFrame& frame) {
   FrictionData friction = c.friction;
@@ -37,7 +37,7 @@ std::vector<double> sub_patches(const PatchFrame& frame) {
   return values;
 }
 
-/// Digits of module 3 in place of those that module 1 has otherwise.
+/// Digits of module 3 instead of those that module 1 has otherwise.
 void set_digits(Digits& d) {
   d.norm = Normal::approach;
   d.force = Prescribed::creepages;

@@ -14,7 +14,7 @@ std::vector<double> friction_at(const FrictionData& friction, double station);
 PatchLocation locate(const PatchFrame& frame, const Placement& placement);
 
 /// A patch as a case of module 3 with the approach and creepages given; `c` is the wheel's. Points inside are left to
-/// whoever wants them.
+/// those who want them.
 Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance& distance, const PatchMotion& motion,
                 const PatchLocation& location);
 

@@ -13,7 +13,7 @@ struct SurfaceRow {
   double angle = 0;   ///< of its plane [rad]
 };
 
-/// Where a patch lies and what its elements are [mm]. The frame's x runs along the track, its y (s) along the rail's
+/// Position and elements of a patch [mm]. The frame's x runs along the track, its y (s) along the rail's
 /// surface, its z into the rail.
 struct PatchFrame {
   Frame<double> reference; ///< at the weighted centre on the rail, turned about x by the mean angle
@@ -31,11 +31,11 @@ struct PatchFrame {
   double x1() const { return x0 + mx * dx; }
   double s1() const { return s0 + my * ds; }
   double row_s(int j) const { return s0 + (j + 0.5) * ds; }
-  /// Where a row's middle lies in the plane, and by how much the row is turned against that.
+  /// Position of a row's middle in the plane, and the angle of the row to it.
   double row_in_plane(int j) const { return rows.empty() ? row_s(j) : grid.inner(row_of(j).point).y; }
   /// y of its middle across the track.
   double row_in_track(int j) const { return grid.outer({0, row_in_plane(j), 0}).y; }
-  /// How far y across the track lies beyond the overlap.
+  /// Distance of y across the track from the overlap.
   double distance_across(double y) const { return std::max({y0 - y, y - y1, 0.0}); }
   double row_turn(int j) const { return rows.empty() ? 0 : row_of(j).angle - angle; }
 
@@ -51,7 +51,7 @@ struct PatchBox {
 /// Lets the elements reach far enough to cover a box as well.
 void cover(PatchFrame& frame, const PatchBox& box);
 
-/// How the elements of successive cases fit together.
+/// Alignment of the elements of successive cases.
 enum class GridOrigin {
   reference, ///< an element's centre is at the reference
   moving,    ///< fixed across the rail, and along the track to the wheelset: transient rolling

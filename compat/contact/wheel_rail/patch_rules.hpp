@@ -11,13 +11,13 @@ namespace microslip::contact_program {
 struct PatchRegion {
   GapRegion whole;              ///< the extent of all its parts, with their mean centre and angle
   std::vector<GapRegion> parts; ///< from the field side to the gauge side
-  /// How much parts i and j act on each other, 1 on themselves; index i count + j.
+  /// Weight with which parts i and j act on each other, 1 on themselves; index i count + j.
   std::vector<double> factors;
 };
 
 /// CONTACT's rules, from the field side to the gauge side: regions up to D_COMB apart whose angles differ by at most
 /// A_SEP become one; of what is then up to D_SEP apart a patch is made, whose parts act on each other by
-/// ((D_SEP - distance)/(D_SEP - D_COMB))^.8; patches up to D_TURN apart are turned towards their mean angle.
+/// ((D_SEP - distance)/(D_SEP - D_COMB))^0.8; patches up to D_TURN apart are turned towards their mean angle.
 std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const PatchRules& rules);
 
 } // namespace microslip::contact_program

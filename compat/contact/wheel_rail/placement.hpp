@@ -10,10 +10,10 @@ namespace microslip::contact_program {
 /// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
 WheelRailData mirrored(WheelRailData data);
 
-/// Where the gauge of a canted rail is measured: in the axes of its profile, turned by the cant, but with z up [mm].
+/// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [mm].
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
 
-/// How a rail that has given way lies off its place [mm], towards the field side and down.
+/// Displacement of a rail on springs from its position [mm], towards the field side and down.
 struct RailDeflection {
   double dy = 0, dz = 0;
 };

@@ -39,7 +39,7 @@ public:
 private:
   /// A part in which y is monotone.
   struct Branch {
-    double s0, s1; ///< in the spline's own parameter
+    double s0, s1; ///< in the spline's parameter
     double y0, y1;
   };
 

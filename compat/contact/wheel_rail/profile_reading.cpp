@@ -33,7 +33,7 @@ void drop_close_points(std::vector<ProfilePoint>& points) {
   points.erase(std::unique(points.begin(), points.end(), close), points.end());
 }
 
-/// The place of a point among all, counted from 1, over their number.
+/// The index of a point among all, counted from 1, over their number.
 double share_of(const std::vector<ProfilePoint>& points, std::vector<ProfilePoint>::const_iterator point) {
   return static_cast<double>(point - points.begin() + 1) / static_cast<double>(points.size());
 }

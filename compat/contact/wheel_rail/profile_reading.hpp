@@ -10,15 +10,15 @@ namespace microslip::contact_program {
 /// and a length outside 5 to 500 mm.
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role);
 
-/// The same; a file of slices (.slcs, .slcw) names one such profile for each of them, from its own folder on, and the
+/// The same; a file of slices (.slcs, .slcw) names one such profile for each of them, relative to its folder, and the
 /// surface joins them.
 ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role);
 
-/// A profile of points that are given in place of a file: columns of y and z, whose `file` is a name for messages.
+/// A profile of points that are given instead of a file: columns of y and z, whose `file` is a name for messages.
 std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoint> points, const ProfileRecord& record,
                                                           ProfileRole role);
 
-/// Whether a record names slices of a profile that varies, .slcs or .slcw.
+/// Returns whether a record names slices of a profile that varies, .slcs or .slcw.
 bool is_variable(const ProfileRecord& record);
 
 } // namespace microslip::contact_program

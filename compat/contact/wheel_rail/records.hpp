@@ -43,7 +43,7 @@ struct ProfileRecord {
   friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
 };
 
-/// Where the rails lie, or the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
+/// Position of the rails, or of the roller: GAUGHT > 0 by the gauge, else by RAILY0 and RAILZ0.
 struct TrackDimensions {
   double gauge_height = 0;         ///< GAUGHT
   double gauge_width = 0;          ///< GAUGWD
@@ -54,7 +54,7 @@ struct TrackDimensions {
   bool by_gauge() const { return gauge_height > 0; }
 };
 
-/// The current rail off its place: DYRAIL DZRAIL DROLLR VYRAIL VZRAIL VROLLR.
+/// The current rail off its position: DYRAIL DZRAIL DROLLR VYRAIL VZRAIL VROLLR.
 struct RailPosition {
   double dy = 0, dz = 0, roll = 0, vy = 0, vz = 0, vroll = 0;
 };
@@ -74,7 +74,7 @@ struct WheelsetDimensions {
 struct WheelsetPosition {
   double s = 0; ///< along the track, for rollers the roller's X
   double y = 0;
-  double z = 0; ///< Z_WS, > 0 below the nominal place; FZ with N = 1
+  double z = 0; ///< Z_WS, > 0 below the nominal position; FZ with N = 1
   double roll = 0, yaw = 0, pitch = 0;
 };
 
@@ -85,13 +85,13 @@ struct WheelsetVelocity {
   double vpitch = 0; ///< FX_WS with F = 1, MY_WS with F = 2
 };
 
-/// The wheel off its place in the wheelset, and its velocities.
+/// The wheel off its position in the wheelset, and its velocities.
 struct WheelDeflection {
   double dx = 0, dy = 0, dz = 0, droll = 0, dyaw = 0, dpitch = 0;
   double vx = 0, vy = 0, vz = 0, vroll = 0, vyaw = 0, vpitch = 0;
 };
 
-/// What a case of module 1 has besides the data of both modules.
+/// Data of a case of module 1 in addition to those of both modules.
 struct WheelRailData {
   WheelRailDigits digits;
   ContactSearch search = ContactSearch::keep; ///< D, of this case or before; never keep or form in a case to be run

@@ -16,7 +16,7 @@ struct SurfaceMotion {
   Vec velocity, rotation;
 };
 
-/// The wheel at q: the wheelset's motion, and the wheel's own in the wheelset. `by_pitch` is the part of the velocity
+/// The wheel at q: the wheelset's motion, and that of the wheel in the wheelset. `by_pitch` is the part of the velocity
 /// that the wheelset's rotation about its axle makes.
 SurfaceMotion wheel_motion(const WheelRailData& d, const Placement& p, const Vec& q, Vec& by_pitch) {
   const WheelsetVelocity& v = d.velocity;

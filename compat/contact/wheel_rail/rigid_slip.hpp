@@ -6,7 +6,7 @@
 
 namespace microslip::contact_program {
 
-/// How the bodies move over each other at a patch: in rolling creepages, in a shift the increments [mm], [rad].
+/// Relative motion of the bodies at a patch: in rolling creepages, in a shift the increments [mm], [rad].
 struct PatchMotion {
   double velocity = 1; ///< V [mm/s], the mean of both surfaces'; 1 in a shift
   bool backward = false;
@@ -18,7 +18,7 @@ struct PatchMotion {
 PatchMotion patch_motion(const WheelRailData& right, const Placement& placement, const PatchFrame& frame,
                          double approach, bool is_shift);
 
-/// Of the true surfaces at each element, across which particles are displaced by `rail_share` of the slip on the rail:
+/// Slip of the true surfaces at each element, across which `rail_share` of the slip on the rail displaces particles:
 /// the velocity relative to the mean particles' path along the track, in the row's plane. The creepages are those that
 /// fit best where the bodies overlap, and V is the wheelset's speed.
 PatchMotion surface_motion(const WheelRailData& right, const Placement& placement, const PatchFrame& frame,

@@ -11,7 +11,7 @@ public:
   /// The first step, of either sign, goes from the first point.
   explicit RootSearch(double first_step) : step_(first_step) {}
 
-  /// The place to look at next after this value.
+  /// The argument to try next after this value.
   double next(double x, double value);
   /// The length of the bracket; none before there is one.
   std::optional<double> width() const;

@@ -7,11 +7,11 @@
 
 namespace microslip::contact_program {
 
-/// What a case of module 1 asks for that cannot be solved, each by digit and meaning. This is the one place where it is
-/// refused for what it asks of wheel and rail; what it asks of each patch is refused as for module 3 (unsupported).
+/// Requests of a case of module 1 that cannot be solved, each by digit and meaning. This is the one list by which it
+/// is refused for what it asks of wheel and rail; what it asks of each patch is refused as for module 3 (unsupported).
 std::vector<std::string> unsupported_of_wheel(const Case& c);
 
-/// What it asks for that is left out or done in another way.
+/// Requests that are left out or done differently.
 std::vector<std::string> left_out_of_wheel(const Case& c);
 
 } // namespace microslip::contact_program

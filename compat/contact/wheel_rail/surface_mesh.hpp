@@ -8,7 +8,7 @@
 
 namespace microslip::contact_program {
 
-/// How z is interpolated in a quadrangle of a mesh; its place there is found bilinearly. Bicubic: from values and
+/// Interpolation of z in a quadrangle of a mesh; its position there is found bilinearly. Bicubic: from values and
 /// slopes at the corners, these from the differences of their neighbours (Catmull-Rom).
 enum class MeshInterpolation { bilinear, bicubic };
 
@@ -19,7 +19,7 @@ public:
               MeshInterpolation interpolation = MeshInterpolation::bilinear)
       : nx_(nx), ny_(ny), points_(std::move(points)), interpolation_(interpolation) {}
 
-  /// z over (x, y), by Newton's method from the place that was found last; none off the mesh.
+  /// z over (x, y), by Newton's method from the position that was found last; none off the mesh.
   std::optional<double> height(double x, double y);
 
   int columns() const { return nx_; }

@@ -161,7 +161,7 @@ private:
   double angle_ = 0;
 };
 
-/// The same of a rail made of slices: each column of elements has a section of its own.
+/// The same of a rail made of slices: each column of elements has a separate section.
 class VariedRailSurface {
 public:
   VariedRailSurface(const PatchFrame& f, const Placement& p)

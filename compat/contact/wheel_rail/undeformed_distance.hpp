@@ -16,7 +16,7 @@ struct UndeformedDistance {
 
 /// As CONTACT has it: the wheel's profile at steps of DS, revolved at steps of DX, and interpolated bilinearly to the
 /// elements' centres; the rail's spline. `rail` in track coordinates. A wheel that is not round is sampled at
-/// the points of its slices and interpolated bicubically, and a rail made of slices has a section of its own for each
+/// the points of its slices and interpolated bicubically, and a rail made of slices has a separate section for each
 /// column of elements. On a curved patch the distance along the frame's normal, times the cosine of the row's turn.
 UndeformedDistance undeformed_distance(const PatchFrame& frame, const Placement& placement, const ProfileCurve& rail);
 

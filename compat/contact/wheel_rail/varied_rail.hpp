@@ -8,7 +8,7 @@
 namespace microslip::contact_program {
 
 /// The cross-section of a rail made of slices at x [mm] of the track: the natural spline through its surface's points,
-/// in the track's axes, with s as in the rail's own. Nothing where the rail is interrupted.
+/// in the track's axes, with s as in those of the rail. Nothing where the rail is interrupted.
 std::optional<ProfileCurve> rail_section(const Placement& placement, double x);
 
 /// From the least to the greatest y [mm] of all its slices, across the track. `first` is the first of them there.

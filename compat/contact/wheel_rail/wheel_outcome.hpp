@@ -15,7 +15,7 @@ struct Wrench {
   Vec3<double> force, moment;
 };
 
-/// Where a patch lies [mm], as CONTACT prints it.
+/// Position of a patch [mm], as CONTACT prints it.
 struct PatchLocation {
   Vec3<double> track, rail, wheel; ///< XCP YCP ZCP in the axes of the track, the rail's and the wheel's profile
   double angle = 0;                ///< DELTCP in the track's axes [rad]
@@ -28,13 +28,13 @@ struct WheelPatch {
   Case contact;                      ///< it as a case of module 3
   std::shared_ptr<Outcome> solution; ///< and what became of it
   Wrench track, wheelset;            ///< its part of the wheel's
-  /// Of the right wheel that was solved, a left one's mirror image: PatchFrame's.
+  /// Frame of the right wheel that was solved, a left one's mirror image: PatchFrame's.
   Frame<double> reference, grid;
   double s_rail = 0;              ///< [mm]
   std::vector<int> previous = {}; ///< numbers, from 1, of the patches of the case before that it goes on from
 };
 
-/// What was counted.
+/// Counts of the solution.
 struct WheelEffort {
   int geometry = 0, normal = 0, tangential = 0; ///< analyses of the geometry, and solved problems of either kind
 };
@@ -43,7 +43,7 @@ struct WheelEffort {
 struct WheelOutcome {
   double z = 0;                    ///< Z_WS [mm]
   double vpitch = 0;               ///< VPITCH_WS [rad/s]
-  double dy_rail = 0, dz_rail = 0; ///< what the rail gives way, with F = 3 [mm]
+  double dy_rail = 0, dz_rail = 0; ///< deflection of the rail, with F = 3 [mm]
   Wrench track;                    ///< in the track's axes, moment about the rail's marker
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;

@@ -147,7 +147,7 @@ PatchMotion motion_of(const Case& right, const Placement& placement, const Patch
 constexpr int most_steps = 60;
 constexpr double least_step = 1e-12;
 
-/// Whether a search ends: what it looks for is there, or cannot be brought any nearer.
+/// Returns whether a search ends: what it looks for is there, or cannot be brought any nearer.
 bool ends(const PrescribedForce& force, int step, std::optional<double> width, double least_width) {
   return force.is_reached() || step == most_steps || (width && *width < least_width);
 }
@@ -234,8 +234,8 @@ Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& d
   return outcome;
 }
 
-/// F = 3: how far a rail on springs moves aside, so that the forces on it are in balance; at each place it has sunk as
-/// far as its other spring lets it.
+/// F = 3: how far a rail on springs moves aside, so that the forces on it are in balance; at each position it has sunk
+/// as far as its other spring lets it.
 Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& progress) {
   const RailSupport& support = right.wheel_rail->support;
   const auto under_force = [&](double fz) { return support.kz != 0 ? (fz + support.fz) / support.kz : 0; };
@@ -254,9 +254,9 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
   }
 }
 
-/// With the wheel's height and the rail's place across the track given: how far the rail's spring below gives way. What
-/// grows with the wheel's depth over the unmoved rail is the contact's force and what the spring takes less of. `depth`
-/// is that from the first touch on, of the last place and of this one.
+/// With the wheel's height and the rail's position across the track given: the deflection of the rail's spring below.
+/// What grows with the wheel's depth over the unmoved rail is the contact's force and what the spring takes less of.
+/// `depth` is that from the first touch on, of the last position and of this one.
 Outcome WheelRailSolver::find_settlement(const Case& right, double dy, std::optional<double>& depth,
                                          const Progress& progress) {
   constexpr double share_of_tolerance = 0.1; // so that the search for dy sees a smooth force

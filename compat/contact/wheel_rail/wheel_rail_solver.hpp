@@ -21,14 +21,14 @@ public:
   /// `progress` as Run's.
   Outcome run(const Case& c, const Progress& progress = {});
 
-  /// What a patch of the last case, from 0, has gone on from, in shifts and transient rolling.
+  /// State from which a patch of the last case, from 0, began, in shifts and transient rolling.
   CarriedTractions started_from(std::size_t patch) const;
 
   /// A profile as it is used; files are read once. Throws Error as read_profile_shape does.
   ProfileShape profile(const ProfileRecord& record, ProfileRole role);
 
 private:
-  /// What a patch takes over of one of the case before: the elements between two lines of s [mm].
+  /// Part that a patch takes over of one of the case before: the elements between two lines of s [mm].
   struct Part {
     std::size_t origin = 0; ///< which patch
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -50,13 +50,13 @@ private:
     bool taken = false;
     std::vector<Part> parts = {};
     std::optional<Vec3<double>> force_before = {}; ///< what the patches that it goes on from bore [N]
-    /// Of a case before: its origin of elements, where the reference lay along the rail, from the wheelset and along
+    /// Data of a case before: origin of elements, where the reference lay along the rail, from the wheelset and along
     /// the profile, the elements' sides, those in contact, and what it has left.
     GridOrigin origin = GridOrigin::reference;
     double place = 0, x = 0, s_rail = 0, dx = 0, ds = 0;
     std::optional<PatchBox> contact = {};
     CarriedTractions carried = {};
-    Vec3<double> force = {}; ///< what it bore, in its own axes [N],
+    Vec3<double> force = {}; ///< what it carried, in its axes [N],
     std::vector<RowLoad> rows = {};
   };
 

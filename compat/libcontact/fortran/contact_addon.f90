@@ -1,4 +1,4 @@
-! The functions of contact_addon.h for Fortran: the same calls as with CONTACT's own interface file. What each does, and
+! The functions of contact_addon.h for Fortran: the same calls as with CONTACT's interface file. What each does, and
 ! the codes, are told there.
 module contact_addon
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int

@@ -1,6 +1,6 @@
 /* libcontact: the functions of the program CONTACT's library, for vehicle codes that call it (C, Fortran, Python's
  * ctypes, MATLAB's loadlibrary). Names, arguments, units, codes and signs are CONTACT's of version 25.1; a program that
- * is written for it runs with this library in its place. Each name exists with an underscore behind it as well.
+ * is written for it runs with this library instead. Each name exists with an underscore behind it as well.
  *
  * ire     result element, 1 to 999: a wheel on its rail (module 1) or up to nine contact problems (module 3)
  * icp     contact problem 1 to 9; in module 1, -1 is the wheel as a whole and 1, 2, ... are its contact patches

@@ -1,6 +1,6 @@
 #pragma once
 
-// Calls as programs make them, with whole numbers and lists in place of pointers.
+// Calls as programs make them, with whole numbers and lists instead of pointers.
 
 #include "contact_addon.h"
 #include "paths.hpp"
@@ -112,8 +112,8 @@ inline int set_profile(int ire, const std::string& file, int type) {
   return cntc_setprofileinputfname(&ire, file.c_str(), &length, &ints, choices, &reals, numbers);
 }
 
-/// What a wheel of a wheelset needs once: 60E1 and S1002, elements of .5 mm, steel. Returns the first code other than
-/// 0.
+/// Makes the calls that a wheel of a wheelset needs once: 60E1 and S1002, elements of 0.5 mm, steel. Returns the first
+/// code other than 0.
 inline int set_up_wheel(int ire, bool is_right, double force = 80e3) {
   const int codes[] = {
       set_flag(ire, whole, CNTC_ic_config, is_right ? 1 : 0),

@@ -223,7 +223,7 @@ TEST_F(ContactProblems, CountTheElementsOfALayerThatYields) {
   std::vector<int> division(441);
   ASSERT_EQ(cntc_getelementdivision(&ire, &icp, &count, division.data()), 0);
   for (const int state : division) ++counts[state];
-  const Values areas = scalars(cntc_getcontactpatchareas, 7, 1); // elements of .01 mm2
+  const Values areas = scalars(cntc_getcontactpatchareas, 7, 1); // elements of 0.01 mm2
   EXPECT_NEAR(areas[0], 0.01 * (441 - counts[0]), 1e-9);
   EXPECT_NEAR(areas[1], 0.01 * counts[1], 1e-9);
   EXPECT_NEAR(areas[2], 0.01 * counts[2], 1e-9);

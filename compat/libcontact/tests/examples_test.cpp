@@ -1,5 +1,5 @@
 // The Manchester benchmark in C, Fortran and Python: the same numbers, on the profiles of the examples; and those that
-// CONTACT has stored, on its own profiles.
+// CONTACT has stored, on its profiles.
 
 #include "paths.hpp"
 #include "tests/temporary_folder.hpp"
@@ -115,7 +115,7 @@ void expect_near(double found, const validation::PrintedNumbers& printed, const 
   EXPECT_NEAR(found, wanted.value, wanted.rounding + share) << where << ": " << name;
 }
 
-/// Where CONTACT's own result is two merged patches whose coupling it damps (right, state 11), FX differs.
+/// Where CONTACT's result is two merged patches whose coupling it damps (right, state 11), FX differs.
 class Stored : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Results, Stored, ::testing::Values(1, 2),
                          [](const auto& wheel) { return wheel.param == 1 ? "Left" : "Right"; });
@@ -132,7 +132,7 @@ TEST_P(Stored, AreFound) {
     ASSERT_EQ(lines.count("wheel " + where + " 1"), 1u) << where;
     const auto& totals = lines.at("wheel " + where + " 1");
     const auto& patch = lines.at("patch " + where + " 1");
-    const double friction = 0.003 * 10e3; // .3 % of what friction bears
+    const double friction = 0.003 * 10e3; // 0.3 % of what friction bears
     expect_near(totals[0], wheel.totals, "Z_WS", 3e-4, where);
     expect_near(totals[1], wheel.totals, "FX(TR)", friction, where);
     expect_near(totals[2], wheel.totals, "FY(TR)", friction, where);

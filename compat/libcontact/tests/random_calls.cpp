@@ -3,7 +3,7 @@
 //
 //   libcontact_random_calls [--seed N] [--rounds N | --seconds S | --round K]
 //
-// A round is a process of its own, whose calls depend on the seed and its number only. The first that fails ends the
+// A round is a separate process, whose calls depend on the seed and its number only. The first that fails ends the
 // program, which prints how to make it again: --round K runs it in this process and prints each call before
 // it is made, and which of its numbers are other than those that programs give.
 
@@ -492,7 +492,7 @@ int run_round(unsigned seed, unsigned round, bool tells) {
 
 enum class End { well, given_up, failed };
 
-/// In a process of its own. One that takes long is given up: some wheels that lie far from how wheels lie on rails,
+/// In a separate process. One that takes long is given up: some wheels that lie far from how wheels lie on rails,
 /// such as one turned on its side, keep the search for their contact busy for minutes.
 End end_of(unsigned seed, unsigned round) {
   constexpr rlimit most_seconds{20, 30}; // of the processor

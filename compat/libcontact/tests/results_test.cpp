@@ -1,4 +1,4 @@
-// What calls that are refused leave in the places for results, for programs that look at no code: zeros, and one
+// What calls that are refused leave in the arrays for results, for programs that look at no code: zeros, and one
 // element where there is no potential contact.
 
 #include "compat/libcontact/tests/calls.hpp"

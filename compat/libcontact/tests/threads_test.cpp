@@ -1,4 +1,4 @@
-// Result elements on threads of their own have the bits that they have alone; two threads on one element get a code.
+// Result elements on separate threads have the bits that they have alone; two threads on one element get a code.
 
 #include "compat/libcontact/tests/calls.hpp"
 #include "tests/temporary_folder.hpp"

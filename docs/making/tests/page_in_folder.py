@@ -1,4 +1,4 @@
-"""A page in a folder of its own, for the tests."""
+"""A page in a temporary folder, for the tests."""
 
 import tempfile
 import unittest

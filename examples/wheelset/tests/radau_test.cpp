@@ -61,7 +61,7 @@ TEST(Radau, ReproducesItsStabilityFunction) {
 }
 
 TEST(Radau, CrossesJumps) {
-  // z' = 1, from z = .33 on 3.
+  // z' = 1, from z = 0.33 on 3.
   Radau<1> integrator({1});
   Vector<1> z = {0};
   for (int k = 0; k < 10; ++k)

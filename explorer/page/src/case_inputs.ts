@@ -1,4 +1,4 @@
-// Case files of the program as states of the page. The core reads them and tells what they say, by their own keys; what the
+// Case files of the program as states of the page. The core reads them and tells what they say, by their keys; what the
 // page then says of its state has to be the same, or the case is refused with the keys that the page does not have.
 
 import { contactCase, ofExact, ofFastsim, railCase, startCase } from "./case_text.ts";
@@ -14,7 +14,7 @@ interface Inputs { kind: "rolling_contact" | "wheel_rail" | "wheelset"; inputs: 
 /** What the program hands over: a case with the files that it names, or files alone. */
 export interface Start { case?: string; files?: Record<string, string> }
 
-/** Of wheels on rails the page takes over what has no field, but for what stands in place of one. */
+/** Of wheels on rails the page takes over what has no field, except for what replaces one. */
 const carried = /^(track|rail|wheelset|wheel|material)\.|^solution\.(grid|tolerance)$/;
 const notCarried = /\.profile$|^wheel\.(side|vertical)$|^material\.shear_modulus$|^track\.rail_[yz]$/;
 

@@ -65,7 +65,7 @@ export function railCase(state: RailState, theory: "exact" | "fastsim2"): string
   });
 }
 
-/** What the running of a wheelset depends on: no load, speed, friction or place of a wheel. */
+/** What the running of a wheelset depends on: no load, speed, friction or position of a wheel. */
 export function runningCase(state: RailState): string {
   const ofRunning = (key: string) => /^(track|rail|wheelset)\./.test(key), { values } = initialState().rail;
   const kept = <Kept>(of: Record<string, Kept>) => Object.fromEntries(Object.entries(of).filter(([key]) => ofRunning(key)));

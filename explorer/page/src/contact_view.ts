@@ -247,7 +247,7 @@ export class ContactView {
     return true;
   }
 
-  /** The other way to give the contact, which stays the same one. */
+  /** The other input form of the contact, which stays the same one. */
   #give(way: ContactState["given"]): void {
     const { values } = this.state;
     this.state.given = way;
@@ -258,7 +258,7 @@ export class ContactView {
     this.changed();
   }
 
-  /** Whether a newer request has not taken this one's place. */
+  /** Whether no newer request has replaced this one. */
   async #ask(theory: "fastsim2" | "exact"): Promise<boolean> {
     const reply = await this.core.ask<SolveResult>(`contact ${theory}`, {
       call: "solve", case: contactCase(this.state, theory), fields: true, extent: "solution",

@@ -62,7 +62,7 @@ export class Core {
     return new Core();
   }
 
-  /** The reply, or undefined if a newer request of the same channel took this one's place before it began. */
+  /** The reply, or undefined if a newer request of the same channel replaced this one before it began. */
   ask<Result>(channel: string, request: Request): Promise<Reply<Result> | undefined> {
     return new Promise((resolve) => {
       this.#waiting.get(channel)?.done(undefined as never);

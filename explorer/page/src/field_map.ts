@@ -28,7 +28,7 @@ export function rowHeight(y: number[]): number {
   return rows.length > 1 ? (rows.at(-1)! - rows[0]!) / (rows.length - 1) : 1e-3;
 }
 
-/** Canvas pixels of a length, and of places: x to the right, y upwards, the contact in the middle. */
+/** Canvas pixels of a length, and of positions: x to the right, y upwards, the contact in the middle. */
 interface Place { scale: number; at: (x: number, y: number) => [number, number] }
 
 function place(canvas: HTMLCanvasElement, content: MapContent): Place {
@@ -134,7 +134,7 @@ function drawArrows(context: CanvasRenderingContext2D, { cells, arrows }: MapCon
   }
 }
 
-/** The size of the picture, and which way the contact rolls. */
+/** The size of the picture, and the direction in which the contact rolls. */
 function drawFrame(context: CanvasRenderingContext2D, content: MapContent, { scale, at }: Place): void {
   const pixel = devicePixelRatio, { width, height } = context.canvas;
   context.strokeStyle = context.fillStyle = ink();

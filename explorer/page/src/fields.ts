@@ -1,4 +1,4 @@
-// Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's own words where it refuses.
+// Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's message where it refuses.
 
 import { element, sentence } from "./elements.ts";
 import { limits, type Values } from "./state.ts";

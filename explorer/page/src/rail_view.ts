@@ -169,7 +169,7 @@ export class RailView {
       if (!this.#grabbed) return;
       const { x, y, lateral, yaw } = this.#grabbed;
       const across = event.clientX - x, up = y - event.clientY, turns = event.shiftKey || Math.abs(up) > 2 * Math.abs(across);
-      // The picture's left is the track's left: a drag to the left moves the wheel to positive y, by a tenth of the way.
+      // The picture's left is the track's left: a drag to the left moves the wheel to positive y, by a tenth of the distance.
       if (turns) this.#change("wheel.yaw", yaw + 5e-5 * (event.shiftKey ? -across : up));
       else this.#change("wheel.lateral", lateral - 2e-5 * across);
     });

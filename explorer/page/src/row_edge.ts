@@ -46,7 +46,7 @@ function runsOf(f: RowFields): Run[][] {
   });
 }
 
-/** Chords from the middle of a row half the way to the next one, which may end there; `height` is negative downwards. */
+/** Chords from the middle of a row half the distance to the next one, which may end there; `height` is negative downwards. */
 function chords(here: Run, next: Run | undefined, before: Run | undefined, height: number): Chord[] {
   const start: Chord = [here.y, here.left, here.right];
   if (next) return [start, [here.y + height / 2, (here.left + next.left) / 2, (here.right + next.right) / 2]];

@@ -37,7 +37,7 @@ export type Law = keyof typeof laws;
 export const shapes = { true: "true (left out)", flat: "flat", curved: "curved", conformal: "conformal" };
 export type Shape = keyof typeof shapes;
 
-/** Creepages beyond these are mistaken: of bodies that roll the same way their speeds differ by twice the mean at most. */
+/** Creepages beyond these are mistaken: of bodies that roll in the same direction their speeds differ by twice the mean at most. */
 const largestCreepage = 2;
 export const limits: Record<string, number> = {
   "motion.creepage_longitudinal": largestCreepage, "motion.creepage_lateral": largestCreepage,
@@ -100,7 +100,7 @@ export async function encode(state: State): Promise<string> {
 }
 
 const isOne = (value: unknown) => typeof value === "number" || typeof value === "string";
-/** Members that have names of their own, and what may be there. */
+/** Members with names of the user's, and what may be there. */
 const open: Record<string, (value: unknown) => boolean> = {
   files: (value) => typeof value === "string",
   more: (value) => isOne(value) || (Array.isArray(value) && value.every(isOne)),

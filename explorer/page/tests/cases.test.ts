@@ -1,4 +1,4 @@
-// Case files and links as states of the page, by the native core: nothing is lost on the way, or it is refused by its name.
+// Case files and links as states of the page, by the native core: nothing is lost, or it is refused by its name.
 //   MICROSLIP_ANSWERS the native core; MICROSLIP the program; EXAMPLES folder of case files
 
 import assert from "node:assert/strict";

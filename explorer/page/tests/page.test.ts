@@ -245,7 +245,7 @@ test("empty, absurd and misread fields are refused where they stand, and results
   await field(page, "motion.creepage_longitudinal", "0.1 %");
   await faint.waitFor({ state: "detached" });
   await field(page, "friction.coefficient", "-0.3");
-  await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").first().waitFor(); // the reader's own words
+  await page.getByText("friction.coefficient = -0.3 [-]: must be in [0, 10]").first().waitFor(); // the reader's message
   await field(page, "friction.coefficient", "0.3");
   await settled(page);
   assert.equal(await page.getByText("must be in").filter({ visible: true }).count(), 0);
@@ -451,7 +451,7 @@ test("profiles dropped together are both taken; one of the same name takes the p
   const give = (name: string) => page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(steeper) });
   await give("own.prw");
   await page.waitForFunction(() => (window as unknown as Counting).asked.includes("conicity"), undefined, { timeout: 20000 });
-  await give("s1002.prw"); // a file of one's own with a built-in name, which the button puts away
+  await give("s1002.prw"); // a user's file with a built-in name, which the button puts away
   await page.getByText("Wheel s1002.prw on rail own.prr").waitFor();
   await page.getByRole("button", { name: "S1002 on 60E1 again" }).click();
   await page.getByText("Wheel s1002.prw on rail 60e1.prr").waitFor();

@@ -10,17 +10,17 @@
 
 namespace microslip {
 
-/// What a normal and a tangential problem on one grid have found together. Pressure, gap and approach are those of
+/// Joint solution of a normal and a tangential problem on one grid. Pressure, gap and approach are those of
 /// `normal` times `load`, for a normal problem that was solved for 1 N; `motion` is what the tangential problem was
 /// given. The frictional power of steady rolling is that on the slip at the elements' centres, (E23a), which converges
 /// better than that on the slip of the equations.
 ContactSolution contact_solution(const ElementGrid& grid, TangentialSolution tangential, const NormalSolution& normal,
                                  double load, const TangentialInput& motion);
 
-/// What history keeps of a step of transient rolling.
+/// Entry of the history for a step of transient rolling.
 SolutionStep solution_step(const ContactSolution& step);
 
-/// Whether transient rolling was ended before its last step, and nothing else was wrong.
+/// Returns whether transient rolling was ended before its last step, and nothing else was wrong.
 bool is_cut_short(const std::vector<SolutionStep>& history, int steps, Status status);
 
 /// Progress of the step that follows those of `history`; it counts only as a whole.

@@ -14,13 +14,13 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Of a step, with all that is tried on the way: nearly all take some tens, those of the study random-problems that
+/// Of a step, with all attempts counted: nearly all take some tens, those of the study random-problems that
 /// have a solution at most 200, nearly frictionless unlike cylinders that roll freely more than 400.
 constexpr int most_newton_steps_of_a_step = 800;
 constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
 constexpr double tolerance_of_pressure = 1e-10; // of viscoelastic bodies; Newton's last steps cost little
 
-/// Whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
+/// Returns whether the bodies' elastic problems are the same; a layer's yield stress is the business of friction.
 bool same_elasticity(const Bodies& a, const Bodies& b) {
   return a.material == b.material && a.retarded == b.retarded && a.layer.flexibility == b.layer.flexibility;
 }
@@ -31,7 +31,7 @@ bool same_elements(const ElementGrid& a, ElementGrid b) {
   return a == b;
 }
 
-/// Whether tractions change the pressure, or pressure the slip.
+/// Returns whether tractions change the pressure, or pressure the slip.
 bool is_coupled(const ContactStep& step) {
   return !step.response.is_half_space() || (!step.frictionless && step.bodies.are_coupled());
 }
@@ -41,13 +41,13 @@ bool same_normal_problem(const ContactStep& a, const ContactStep& b) {
          a.excluded == b.excluded && a.load.given == b.load.given && a.load.value == b.load.value;
 }
 
-/// Where a centre of the new grid lies among those of the old one.
-struct Place {
+/// Position of a centre of the new grid among those of the old one.
+struct GridPosition {
   int index;    ///< of the centre below
   double above; ///< share of the next one
 };
 
-Place place(double position, double first, double spacing) {
+GridPosition grid_position(double position, double first, double spacing) {
   constexpr double as_good_as_equal = 1e-3; // coordinates from files have few digits
   const double elements = (position - first) / spacing, nearest = std::round(elements);
   if (std::abs(elements) > 1e9) return {-2, 0};
@@ -63,9 +63,9 @@ Field moved(const ElementGrid& to, const Field& values, const ElementGrid& from)
   Field result;
   result.reserve(to.count());
   for (int j = 0; j < to.my; ++j) {
-    const auto [row, up] = from.my == 1 && to.my == 1 ? Place{0, 0} : place(to.y(j), from.y0, from.dy);
+    const auto [row, up] = from.my == 1 && to.my == 1 ? GridPosition{0, 0} : grid_position(to.y(j), from.y0, from.dy);
     for (int i = 0; i < to.mx; ++i) {
-      const auto [column, right] = place(to.x(i), from.x0, from.dx);
+      const auto [column, right] = grid_position(to.x(i), from.x0, from.dx);
       double value = (1 - right) * (1 - up) * at(column, row);
       if (right > 0) value += right * (1 - up) * at(column + 1, row);
       if (up > 0) value += (1 - right) * up * at(column, row + 1);
@@ -128,7 +128,7 @@ Field first_slip(const ContactStep& step, const TangentialState& start) {
   return Field(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
 }
 
-/// Time that passes in a step, or in steady rolling on the way of an element [s]. A shift takes a second.
+/// Time that passes in a step, or in steady rolling over an element's length [s]. A shift takes a second.
 double time_of(const ContactStep& step) {
   const TangentialInput& m = step.motion;
   if (m.motion == ContactMotion::shift) return 1;
@@ -171,7 +171,7 @@ Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
   return v;
 }
 
-/// Whether the forces given are beyond what any slip lets friction bear.
+/// Returns whether the forces given are beyond what any slip lets friction bear.
 bool is_beyond(const ContactStep& step, const SlipFriction& law, const Field& pressure) {
   Field bound(pressure.size());
   law.largest(pressure, bound);
@@ -327,7 +327,7 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
 
 /// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs
 /// to begin near one: rounds, each with the bound that the slip of the last one has, lead from the start to the
-/// solution that belongs to it, and Newton's method is tried on the way. Without such friction it is tried before.
+/// solution that belongs to it, and Newton's method is tried in between. Without such friction it is tried before.
 ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& step, SlipFriction& law,
                                                           const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 256, most_steps_of_a_round = 50, most_steps_of_a_trial = 12;

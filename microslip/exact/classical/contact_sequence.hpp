@@ -27,9 +27,9 @@ public:
     TangentialState tractions;
   };
 
-  /// What the last step has left to the next one.
+  /// State at the end of the last step, for the next one.
   const State& carried() const { return after_; }
-  /// What the last step has gone on from.
+  /// State from which the last step began.
   const State& started_from() const { return before_; }
   /// The next step goes on from this in place of it.
   void carry(State state) { after_ = std::move(state); }

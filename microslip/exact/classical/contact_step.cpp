@@ -55,7 +55,7 @@ NormalSolution given_normal(const ContactStep& step) {
   return s;
 }
 
-/// Elements out of the question are as far away as the pressure can never reach.
+/// Excluded elements get a gap too large to close.
 NormalSolution solve_normal(NormalProblem& problem, const ContactStep& step) {
   if (step.excluded.empty()) return problem.solve(step.gap, step.load, normal_tolerance, step.motion.progress);
   const auto [low, high] = std::minmax_element(step.gap.begin(), step.gap.end());

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// What a step of a sequence starts from.
+/// Initial state of a step of a sequence.
 enum class StepStart {
   fresh,    ///< no tractions
   previous, ///< those at the end of the step before
@@ -26,7 +26,7 @@ struct GivenPressure {
   std::vector<double> displacement = {}; ///< u_n [m]; empty: that of the half-space
 };
 
-/// How the coupled normal and tangential problems of dissimilar materials are solved.
+/// Solver of the coupled normal and tangential problems of dissimilar materials.
 enum class Coupling {
   newton,      ///< both simultaneously, CoupledNewton
   alternating, ///< in turn until neither changes (Panagiotopoulos 1975); elastic bodies
@@ -36,7 +36,7 @@ enum class Coupling {
 struct ContactStep {
   ElementGrid grid;
   Bodies bodies = {};
-  /// Of elastic bodies without a layer, and without a pressure that is given; the bodies then only tell the size of
+  /// Only for elastic bodies without a layer, and without a given pressure; the bodies then only set the size of
   /// displacements. In rolling steps are whole elements along x.
   ElementResponse response = {};
   std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
@@ -47,7 +47,7 @@ struct ContactStep {
   FrictionMemory friction_memory = {};       ///< of friction that depends on the slip
   SlipStart slip_start = SlipStart::below;   ///< where the slip of such friction begins
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures, in steady rolling
-  /// What these add to the friction of each row; one: the same for all; empty: nothing. Not with a layer that yields.
+  /// Effect of these on the friction of each row; one: the same for all; empty: nothing. Not with a layer that yields.
   std::vector<TemperatureEffect> temperature_effect = {};
   bool frictionless = false;          ///< the normal problem only; tractions are zero
   StepStart start = StepStart::fresh; ///< of shifts and transient rolling

@@ -31,7 +31,7 @@ bool is_trial(const ContactStep& step) {
   return step.motion.most_steps < most_newton_steps;
 }
 
-/// Whether the forces given are beyond what these pressures let friction bear.
+/// Returns whether the forces given are beyond what these pressures let friction bear.
 bool is_beyond(const ContactStep& step, const ElementFriction& friction, const Field& pressure) {
   Field bound = pressure;
   if (friction.slip_dependent)
@@ -75,7 +75,7 @@ CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion,
   return *coupled_operator_;
 }
 
-/// What a particle loses of its previous displacement, over the way.
+/// What a particle loses of its previous displacement, over the step.
 void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous,
                                   Field& cx, Field& cy) {
   const auto n = grid_.count();

@@ -53,7 +53,7 @@ private:
   std::unique_ptr<CoupledOperator> coupled_operator_; ///< kept for the next problem of the same motion and step
   ContactMotion motion_ = ContactMotion::shift;
   Vec2 step_ = {};
-  std::unique_ptr<CoupledOperator> ahead_; ///< displacements further on, kept for the next step of the same way
+  std::unique_ptr<CoupledOperator> ahead_; ///< displacements further on, kept for the next step of the same length
   Vec2 way_ = {};                          ///< of it
   CoupledNewton newton_;
 };

@@ -19,7 +19,7 @@ struct MarchedSolution {
 };
 
 /// Rolls on in steps from `input.previous` (none: from no tractions) with everything else kept, until the tractions
-/// stay: Kalker's way in DUVOROL to the steady state, by transient rolling. Status not_converged if they do not within
+/// stay: as Kalker's DUVOROL finds the steady state, by transient rolling. Status not_converged if they do not within
 /// the limits.
 MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& grid, std::span<const double> bound,
                                 TangentialInput input, const MarchingLimits& limits = {});

@@ -178,7 +178,7 @@ void SlipFriction::largest(std::span<const double> pressure, std::span<double> b
 
 /// The steepest fall of mu p_n and tau_c with the slip, and a little more.
 double SlipFriction::least_rho(std::span<const double> pressure) const {
-  constexpr double more = 1.2, lowest = 1e-4, highest = 1e4, ratio = 1.6; // slip velocities over the laws' own
+  constexpr double more = 1.2, lowest = 1e-4, highest = 1e4, ratio = 1.6; // slip velocities over those of the laws
   using Dual1 = Dual<double, 1>;
   const double peak = pressure.empty() ? 0 : *std::max_element(pressure.begin(), pressure.end());
   double steepest = std::max(0.0, -hardening_);

@@ -13,7 +13,7 @@
 
 namespace microslip {
 
-/// How fast the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu -
+/// Rate at which the coefficient of friction follows a change of the slip velocity s: d mu/dt = -max(s, s0)/d (mu -
 /// mu_law(s)) (Vollebregt & Schuttelaars 2012; (B6)). Without it friction follows the slip without delay.
 struct FrictionMemory {
   double distance = 0; ///< d [m], >= 0; 0: no memory
@@ -22,8 +22,8 @@ struct FrictionMemory {
   friend bool operator==(const FrictionMemory&, const FrictionMemory&) = default;
 };
 
-/// Where the slip velocity begins when the friction depends on it. With friction that falls there may be several
-/// solutions; which one is found depends on this.
+/// Initial slip velocity of the iteration when the friction depends on it. With friction that falls there may be
+/// several solutions; which one is found depends on this.
 enum class SlipStart {
   below, ///< zero: friction is static everywhere
   above, ///< rolling speed: friction is that of full sliding
@@ -46,7 +46,7 @@ struct FrictionHeating {
 /// with heating O(mx^2 my).
 class SlipFriction : public SlipDependentBound {
 public:
-  /// How a particle's time passes from one element to the next, or from one step to the next.
+  /// Time of a particle from one element to the next, or from one step to the next.
   struct Passage {
     double time = 0;         ///< of a step, or from element to element in steady rolling [s]
     double speed = 1;        ///< V [m/s], by which a slip is a velocity; 1 in a shift
@@ -56,7 +56,7 @@ public:
     std::vector<double> before = {}, deformation_before = {};
   };
 
-  /// What the slip has made of friction and layer, of the elements.
+  /// State of friction and layer of the elements after their slip.
   struct State {
     std::vector<double> friction;    ///< mu [-], as memory carries it on
     std::vector<double> bound;       ///< q [Pa]
@@ -69,9 +69,9 @@ public:
   SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw> laws, const FrictionMemory& memory,
                const InterfaceLayer& layer, Passage passage, std::optional<FrictionHeating> heating = {});
 
-  /// Whether the bound depends neither on the slip nor on the temperature.
+  /// Returns whether the bound depends neither on the slip nor on the temperature.
   bool is_constant() const;
-  /// Whether friction changes with the slip or the temperature, so that there may be several solutions.
+  /// Returns whether friction changes with the slip or the temperature, so that there may be several solutions.
   bool falls() const;
   /// At rest and cold.
   std::vector<double> static_coefficients() const;
@@ -88,13 +88,13 @@ public:
              std::span<double> bound_change) const override;
 
 private:
-  /// What a particle has as it enters an element.
+  /// State of a particle as it enters an element.
   struct Particle {
     double friction = 0;    ///< mu [-]
     double deformation = 0; ///< u_pl [m]
     double temperature = 0; ///< by the heat of the elements ahead [deg C]; 0 without heating
   };
-  /// What it has there. Without slip the bound is what it bears at most.
+  /// State in the element. Without slip the bound is the largest traction that it can carry.
   struct Element {
     double slip = 0, friction = 0, bound = 0, deformation = 0;
     bool yields = false;

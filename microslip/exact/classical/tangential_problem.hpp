@@ -19,18 +19,18 @@ namespace microslip {
 struct TangentialState {
   std::vector<double> px, py;        ///< [Pa]; empty: none
   std::vector<double> pressure = {}; ///< p_n [Pa], which matters for dissimilar materials; empty: none
-  /// What friction that depends on the slip has lost, static minus present coefficient [-], and the slip velocity
+  /// Loss of friction that depends on the slip, static minus present coefficient [-], and the slip velocity
   /// [m/s]; empty: nothing.
   std::vector<double> friction_drop = {}, slip_velocity = {};
   std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
 };
 
-/// What drives the tangential problem.
+/// Input of the tangential problem.
 struct TangentialInput {
   ContactMotion motion = ContactMotion::steady;
   Creepage creepage; ///< xi [-], eta [-], phi [1/m]; where a force is given its creepage is an unknown
   std::optional<double> force_x, force_y; ///< [N], on body 1
-  double step = 0;                        ///< dq [m], the way rolled in a step; 0: the elements' length
+  double step = 0;                        ///< dq [m], the distance rolled in a step; 0: the elements' length
   double spin_offset = 1.0 / 6; ///< where in the step the rigid slip is taken, 0 to 1 from the element's centre on
   RollingDirection direction = RollingDirection::forward;
   /// The angle from the direction along x to that of rolling, towards +y with forward [rad].
@@ -39,26 +39,26 @@ struct TangentialInput {
   double rolling_speed = 1;                ///< V [m/s], for the frictional power
   /// Slip of each element on top of the rigid slip of the creepages; empty: none. In a shift [m], else [-].
   std::span<const double> extra_x = {}, extra_y = {};
-  /// In place of the bound, which then is its largest; of the pressure p_n [Pa].
+  /// Instead of the bound, which then is its largest; of the pressure p_n [Pa].
   SlipDependentBound* slip_dependent = nullptr;
   std::span<const double> pressure = {};
   const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
   const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
-  /// Of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step makes, see
-  /// FrictionNewton::Options::before.
+  /// Tolerance of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step
+  /// makes, see FrictionNewton::Options::before.
   double tolerance = 1e-6;
   int most_steps = most_newton_steps;
   NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
-  /// Is told of the Newton steps; false ends the iteration, with status not_converged. While influence coefficients
+  /// Called after each Newton step; false ends the iteration, with status not_converged. While influence coefficients
   /// are computed false ends with Stopped.
   Progress progress = {};
 };
 
 /// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
-/// it is with bilinear elements. With constant ones it is except for steady rolling with a step below .55 dx on
+/// it is with bilinear elements. With constant ones it is except for steady rolling with a step below 0.55 dx on
 /// elements that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes
-/// within an element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of .05 to .5 dx,
-/// a/b of .1 to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
+/// within an element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of 0.05 to 0.5 dx,
+/// a/b of 0.1 to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
 
 struct TangentialSolution {
@@ -101,7 +101,7 @@ private:
   SlipOperator& displacement(const Progress& progress);
   SlipOperator& difference(const TangentialInput& input, double step);
 
-  /// What the solution on coarser elements hands over; no tractions if there is none.
+  /// Start from the solution on coarser elements; no tractions if there is none.
   struct CoarseStart {
     VectorField tractions;
     std::optional<Vec2> constants;
@@ -123,7 +123,7 @@ private:
   std::optional<RollingDifference> rolling_;   ///< of elastic bodies with steps of whole elements
   Vec2 step_ = {};                             ///< of it
   std::unique_ptr<TangentialProblem> coarser_; ///< on elements twice as long and wide, for steady rolling
-  std::optional<TangentialOperator> ahead_;    ///< displacements further on, kept for the next step of the same way
+  std::optional<TangentialOperator> ahead_;    ///< displacements further on, kept for the next step of the same length
   Vec2 way_ = {};                              ///< of it
   FrictionNewton newton_;
 };

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// dq: the way rolled in a step [m], as given or the elements' length; negative along -x.
+/// dq: the distance rolled in a step [m], as given or the elements' length; negative along -x.
 double signed_step(const TangentialInput& input, const ElementGrid& grid);
 
 /// Its parts along x and y; they differ from (step, 0) with a heading only.

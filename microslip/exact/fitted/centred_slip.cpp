@@ -15,7 +15,7 @@ CentredSlip<Real>::CentredSlip(const FittedContact& contact, std::span<const cha
     const double own = way(k), ahead = way(k + 1);
     if (e.trails) {
       ahead_[k] = static_cast<Real>(-own / (own + ahead));
-    } else { // the derivative of the cubic through the displacement's growth from way to way, in Newton's form
+    } else { // the derivative of the cubic through the displacement's growth from path to path, in Newton's form
       const double behind = way(k - 1), third = behind * own / (behind + own + ahead);
       behind_[k] = static_cast<Real>((own - third) / (behind + own));
       ahead_[k] = static_cast<Real>(-third / (own + ahead));

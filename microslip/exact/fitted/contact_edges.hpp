@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// Elements of a row that follow one another in contact, with the place of the edges on either side.
+/// Elements of a row that follow one another in contact, with the positions of the edges on either side.
 struct ContactRun {
   int row = 0;
   int first = 0, last = 0;  ///< columns
@@ -23,7 +23,7 @@ struct ContactRun {
 /// quadratic ones are better for Hertz, where p_n squared is one, but lose by far for other shapes. In a line contact
 /// there are no other rows: the fit is cubic in x, with p_n^4 as weights and 3 sqrt(n) elements.
 ///
-/// Where a patch is too small for that fit, a quadratic one along the row takes its place, and for runs below three
+/// Where a patch is too small for that fit, a quadratic one along the row replaces it, and for runs below three
 /// elements the edge is the outermost element's side. An edge lies at most 1.5 elements outward of the outermost centre
 /// and half of one inward. Cost O(N + e n), e being the number of runs. `pressure` is that of the normal problem.
 std::vector<ContactRun> contact_runs(const ElementGrid& grid, std::span<const double> pressure);

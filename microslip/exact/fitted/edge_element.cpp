@@ -46,7 +46,7 @@ double edge_distance(double omega) {
 double leading_element_width(double distance) {
   require_between("distance", distance, "-", edge_distance(narrowest_leading_element),
                   edge_distance(widest_leading_element));
-  // |beta'| < .07, so each step of omega = distance - beta(omega) gains more than a digit.
+  // |beta'| < 0.07, so each step of omega = distance - beta(omega) gains more than a digit.
   double omega = distance, previous;
   do {
     previous = omega;

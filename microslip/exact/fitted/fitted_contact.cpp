@@ -23,10 +23,10 @@ constexpr int margin = 3; // interpolation and moments of the fitted elements re
 struct LeadingFit {
   double nearest; ///< the distance from their rear sides to the edge is between this and 1 more [elements]
   double (*width)(double distance);
-  bool by_centres; ///< displacements are taken at their own centres, else at those of the grid's elements
+  bool by_centres; ///< displacements are taken at their centres, else at those of the grid's elements
 };
 
-/// Widths of .6 to 1.57.
+/// Widths of 0.6 to 1.57.
 constexpr LeadingFit in_steady_rolling = {0.92, leading_element_width, true};
 constexpr LeadingFit in_steps = {nearest_edge_of_step, leading_element_width_of_step, false};
 

@@ -16,7 +16,7 @@ struct FittedElement {
   std::size_t cell = 0;       ///< of the grid: where results on the grid have it
   double left = 0, right = 0; ///< [m]
   double point = 0;           ///< where its displacement is taken: its centre; in steps, that of the grid's element [m]
-  double end = 0;             ///< its slip is that of the way from `point` to here [m]
+  double end = 0;             ///< its slip is that of the path from `point` to here [m]
   bool fitted = false;        ///< is not one of the grid's elements
   bool leads = false;         ///< is the first one that particles enter
   bool trails = false;        ///< is the last one
@@ -47,7 +47,7 @@ FittedContact stretched(FittedContact contact, double along, double across);
 FittedContact fit_line(double a, int n, double length = 1);
 
 /// Any contact area, from the pressure [Pa] of the normal problem at a grid's elements (only its shape matters); the
-/// edges by contact_runs. Every run of elements in contact is a row of its own, as in contacts of several patches. The
+/// edges by contact_runs. Every run of elements in contact is a separate row, as in contacts of several patches. The
 /// bound has along a run the shape sqrt((x - x_t)(x_l - x)) times a factor that is the pressure's (its mean over the
 /// element, E38) 1.5 elements or more inside, and goes on linearly from there to the edges, where the pressures of
 /// elements are bad; a run's share of the load is the normal problem's, so that the shares times the areas have the sum

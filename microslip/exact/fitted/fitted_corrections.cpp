@@ -137,7 +137,8 @@ private:
     }
   }
 
-  /// The half strips for some leading elements, once for those of the same place, as in rows that mirror one another.
+  /// The half strips for some leading elements, once for those in the same position, as in rows that mirror one
+  /// another.
   void find_strips(std::size_t begin, std::size_t end) {
     shapes_.clear();
     shape_of_.clear();
@@ -187,7 +188,7 @@ private:
     next_pair_.assign(static_cast<std::size_t>(table_rows_), 0);
   }
 
-  /// Room for one more run, a multiple of the lanes; behind what is not needed there are zeros.
+  /// Makes space for one more run, a multiple of the lanes; behind what is not needed there are zeros.
   std::array<double*, 3> add_run(Product::Corrections& to, std::size_t point, std::size_t element, std::size_t count) {
     const std::size_t whole = (count + Product::lanes - 1) / Product::lanes * Product::lanes, size = to.xx.size();
     to.runs.push_back({point, element, whole});
@@ -238,7 +239,7 @@ private:
     for (std::size_t c = 0; c < 3; ++c) {
       const double* strips = strips_->row(c, offset) + shape.in_table[which] + (first_column - shape.first);
       const double* kernel = kernel_.from(c, offset, first_column - point.first_node); // from node to element:
-      const double side = c == component::xy ? 1 : -1;                                 // the other way round
+      const double side = c == component::xy ? 1 : -1;                                 // in the opposite direction
       fill(count, c, out, [&](int k) {
         Lanes sum = Lanes(strips + k, unaligned) - Lanes(strips + k + 1, unaligned);
         for (int i = 0; i < tables_.nodes; ++i) sum += side * point.nodes[i] * Lanes(kernel + k - i, unaligned);
@@ -279,8 +280,8 @@ private:
     });
   }
 
-  /// At `count` of the grid's points. The strip table has the leading element's sides from there: the other way round,
-  /// where xx and yy are the same and xy changes its sign.
+  /// At `count` of the grid's points. The strip table has the leading element's sides from there: in the opposite
+  /// order, where xx and yy are the same and xy changes its sign.
   void correct_for_regular(const Shape& shape, const LeadingElement& e, int offset, int first_column, int count,
                            Block& out) const {
     const int first = first_column - shape.first + 1;
@@ -305,7 +306,7 @@ private:
   std::vector<LeadingElement> leading_;
   Product::Tables& tables_;
   const Progress& progress_;
-  std::vector<std::size_t> leading_of_;   ///< each element's place in leading_
+  std::vector<std::size_t> leading_of_;   ///< each element's index in leading_
   std::vector<std::size_t> first_of_row_; ///< elements, and behind them the number of all
   std::vector<double> centre_;            ///< of all elements, in units of dx from the first column's
   int lowest_ = std::numeric_limits<int>::max(), highest_ = 0; ///< columns with elements

@@ -18,7 +18,7 @@ struct LeadingElement {
   double left, right;
   int first_moment; ///< column of the first of the grid's elements that stand for it
   std::array<double, 3> moments;
-  /// Where its displacement is taken, and the end of its slip.
+  /// Points where its displacement is taken and where its slip ends.
   struct Point {
     std::size_t point;
     double x;

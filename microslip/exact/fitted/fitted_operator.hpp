@@ -17,12 +17,12 @@ namespace microslip {
 template <class Real>
 RollingPreconditioner<Real> rolling_preconditioner(const FittedContact& contact, const TransformPlans& plans = {});
 
-/// What the tractions of a fitted contact contribute to the slip in steady rolling along +x, (E25): D p =
+/// Contribution of the tractions of a fitted contact to the slip in steady rolling along +x, (E25): D p =
 /// (u(centre) - u(end))/(end - centre), with one number for each element. The regular grid's part goes by fast
 /// transforms: a fitted element stands there as three of the grid's with its moments of orders 0 to 2, and u between
 /// the grid's points comes from polynomials of degree 5. What that misses is corrected exactly within a few elements;
-/// beyond, it is below 1e-4 of an element's own influence. Elastically similar bodies. Memory O(N), cost one transform
-/// there and back. Preconditioned by RollingPreconditioner.
+/// beyond, it is below 1e-4 of an element's influence on itself. Elastically similar bodies. Memory O(N), cost one
+/// transform there and back. Preconditioned by RollingPreconditioner.
 class FittedOperator : public SlipOperator {
 public:
   /// Throws Stopped if `progress` returns false.

@@ -16,7 +16,7 @@ public:
   static constexpr int most_nodes = 6;
   static constexpr std::size_t lanes = 4; ///< numbers that are corrected together
 
-  /// An element of the grid: its place in the transforms' field.
+  /// An element of the grid: its index in the transforms' field.
   struct Place {
     std::size_t element, cell;
   };
@@ -35,7 +35,7 @@ public:
   struct Run {
     std::size_t point, element, count;
   };
-  /// What elements do to points less what the transforms make of it, run after run.
+  /// Influence of elements on points minus that of the transforms, run after run.
   struct Corrections {
     std::vector<Run> runs;
     std::vector<Real> xx, xy, yy;
@@ -95,7 +95,7 @@ private:
   Tables tables_;
   SymmetricToeplitz<Real> transform_;
   double compliance_;
-  std::vector<Real> px_, py_, ux_, uy_; ///< with room for `lanes` more
+  std::vector<Real> px_, py_, ux_, uy_; ///< with `lanes` spare numbers
 };
 
 } // namespace microslip

@@ -10,7 +10,7 @@ namespace microslip {
 /// The mirror image in x of a grid's coordinates.
 ElementGrid mirrored(ElementGrid grid);
 
-/// What is known of a contact besides its elements and what SecondOrderRolling has found on them.
+/// Data of a contact in addition to its elements and to the solution of SecondOrderRolling on them.
 struct FittedLoad {
   std::span<const double> bound; ///< g of the elements [Pa]
   double normal_force = 0;       ///< [N]

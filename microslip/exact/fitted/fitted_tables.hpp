@@ -14,7 +14,7 @@ namespace microslip {
 /// displacements are 0 at a distance that the grid tells.
 FittedContact without_spare_elements(const FittedContact& contact);
 
-/// What FittedProduct needs besides the transforms, for similar bodies. `memory`: tables that are not needed any
+/// Tables of FittedProduct in addition to the transforms, for similar bodies. `memory`: tables that are not needed any
 /// more. Throws Stopped if `progress` returns false.
 FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedContact& contact,
                                             const GridKernel& kernel, const Progress& progress,

@@ -31,7 +31,7 @@ public:
   SymmetricToeplitz<double> transform(const TransformPlans& plans,
                                       std::optional<SymmetricToeplitz<double>> memory = {}) const;
 
-  /// The map near the inverse that SymmetricToeplitz has, and the displacement that it goes with: middle_eigenvalue.
+  /// The map near the inverse that SymmetricToeplitz has, and the displacement that belongs to it: middle_eigenvalue.
   SymmetricToeplitz<double> near_inverse(const TransformPlans& plans) const;
   double middle() const;
 

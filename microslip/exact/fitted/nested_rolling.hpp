@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What a simpler theory says of a contact, to begin with.
+/// Start from a simpler theory.
 struct RollingEstimate {
   /// Tractions of the elements [Pa] with these creepages, where friction's bound is g [Pa].
   std::function<VectorField(const FittedContact& contact, std::span<const double> bound, const Creepage& creepage)>
@@ -44,8 +44,8 @@ public:
     return friction_bound(contact(), capacity, variation);
   }
 
-  /// `input` without start. Newton steps and products are those on the finest grid. Its progress is told of all grids;
-  /// false ends the solve with status not_converged.
+  /// `input` without start. Newton steps and products are those on the finest grid. Its progress is called on all
+  /// grids; false ends the solve with status not_converged.
   SecondOrderSolution solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate);
 
   /// As SecondOrderRolling::differentiate.

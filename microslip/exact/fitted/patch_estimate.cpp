@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// FASTSIM on the cells of a fitted contact; the bound takes the place of the pressure, and friction is 1.
+/// FASTSIM on the cells of a fitted contact; the bound replaces the pressure, and friction is 1.
 class FastsimOnCells {
 public:
   FastsimOnCells(const CombinedMaterial& material, const FittedContact& contact, std::span<const double> bound,

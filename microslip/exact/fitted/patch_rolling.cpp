@@ -81,7 +81,7 @@ std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const Pr
                                          progress, plans);
 }
 
-/// For a contact whose x axis points the other way where `side` is -1.
+/// For a contact whose x axis points in the opposite direction where `side` is -1.
 RowVariation turned(RowVariation variation, double side) {
   if (side < 0 && variation.creepage)
     variation.creepage = [given = variation.creepage](double y) {
@@ -102,7 +102,8 @@ void require_similar(const CombinedMaterial& material) {
                 "0: rolling of patches is for elastically similar bodies");
 }
 
-/// Tractions that are known on the grid's cells, along an x axis that points the other way where `side` is -1.
+/// Tractions that are known on the grid's cells, along an x axis that points in the opposite direction where `side` is
+/// -1.
 RollingEstimate known_tractions(const VectorField& tractions, double side) {
   return {.tractions =
               [&tractions, side](const FittedContact& contact, std::span<const double>, const Creepage&) {

@@ -15,7 +15,7 @@
 
 namespace microslip {
 
-/// How a contact rolls: creepages and spin about the origin of the grid's coordinates, or forces in their place.
+/// Rolling motion of a contact: creepages and spin about the origin of the grid's coordinates, or prescribed forces.
 struct PatchRollingMotion {
   double friction = 0; ///< mu [-], > 0
   Creepage creepage = {};
@@ -26,7 +26,7 @@ struct PatchRollingMotion {
   double tolerance = 1e-6;            ///< of the residual, as in FrictionSolution
   VectorField start = {};             ///< tractions of the grid's elements near the solution [Pa]; empty: FASTSIM's
   bool near_last = false;             ///< so near the last solution that the same elements may count as sliding ones
-  Progress progress = {};             ///< is told of the Newton steps; false ends the iteration, as not converging
+  Progress progress = {};             ///< called after each Newton step; false ends the iteration, as not converging
 };
 
 /// Steady rolling of elastically similar bodies of any shape, cylinders too, at second order (SecondOrderRolling): the
@@ -34,12 +34,12 @@ struct PatchRollingMotion {
 /// problem on them, started from coarser elements (NestedRolling). Where the edge is smooth the error of the forces
 /// falls with a mean order of 1.7 to 2, and is that of a Hertzian contact whose ellipse is known. It is only so
 /// on grids that resolve how p_n grows from the edge: beside a side where the gap steepens abruptly the edge is located
-/// badly on coarse grids, with errors of .03 at 12 elements across and .003 at 32. A gap between patches shorter than
+/// badly on coarse grids, with errors of 0.03 at 12 elements across and 0.003 at 32. A gap between patches shorter than
 /// two elements, or a neck, is resolved by its elements alone, without an order.
 class PatchRolling {
 public:
   /// `gap` is h [m] at the elements' centres. Throws Error as NormalProblem and fit_contact do, for dissimilar bodies,
-  /// with columns to spare on the side that particles come from. `progress` is told of the normal problem and of what
+  /// with columns to spare on the side that particles come from. `progress` is called in the normal problem and in what
   /// prepares for the tangential one; false ends them, and solve() gives not_converged.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,

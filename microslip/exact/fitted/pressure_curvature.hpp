@@ -8,7 +8,7 @@
 
 namespace microslip {
 
-/// What the pressures p of the normal problem's constant elements tell about the pressure itself. With
+/// Estimates the pressure itself from the pressures p of the normal problem's constant elements. With
 /// c = dx^2 d^2p/dx^2 + dy^2 d^2p/dy^2 it is p + c/24 at an element's centre and has the mean p + c/12 over it (E38).
 ///
 /// c [Pa] of each element, by differences of p^2, which is smooth up to the edge; without the part of an axis along

@@ -111,7 +111,7 @@ RollingDerivative::Change RollingDerivative::solve(std::span<const double> dcx, 
   auto& [equations, gmres, linearised, change, slip, right] = *solver_;
   const long products_before = equations.products();
   const double most_slip = std::max(largest(dcx), largest(dcy));
-  const double unit = most_slip > 0 ? most_slip : 1; // of slip: single precision has no room for small lengths' squares
+  const double unit = most_slip > 0 ? most_slip : 1; // of slip: squares of small lengths underflow in single precision
   std::fill(change.begin(), change.end(), 0.0F);
   join(dcx, dcy, -1 / unit, slip);
   equations.derivative(change, slip, 0, right);

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// What differs from row to row where the surfaces are not flat: functions of y [m]; empty ones say nothing differs.
+/// Differences from row to row where the surfaces are not flat: functions of y [m]; empty: no difference.
 struct RowVariation {
   /// Creepages of the row about (0, y), on top of those of the contact: w += (xi(y), eta(y) + phi(y) x).
   std::function<Creepage(double y)> creepage = {};

@@ -36,7 +36,7 @@ void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
   operator_.rescale(contact_.grid.dx, shear_modulus);
 }
 
-/// With the slip on the elements' ways, roughly, unless it is known which of them slide; then with that at the centres
+/// With the slip on the elements' paths, roughly, unless it is known which of them slide; then with that at the centres
 /// of these.
 void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                      SecondOrderSolution& out) {

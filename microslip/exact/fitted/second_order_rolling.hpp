@@ -20,7 +20,7 @@ struct SecondOrderInput {
   std::optional<double> force_x, force_y; ///< [N], on body 1; the creepage in that direction is an unknown then
   FrictionStart start;                    ///< for each element; the constants are the creepages where a force is given
   std::span<const char> centred = {};     ///< of a solution near the start (SecondOrderSolution); empty: to be found
-  Progress progress = {};  ///< is told of the Newton steps; false ends the iteration, with status not_converged
+  Progress progress = {};  ///< called after each Newton step; false ends the iteration, with status not_converged
   double tolerance = 1e-6; ///< of the residual, as in FrictionSolution
 };
 
@@ -34,7 +34,7 @@ struct SecondOrderSolution {
 
 /// Steady rolling along +x with forces of second order in the elements' size. Three measures make it so: leading
 /// elements fitted to the edge (FittedContact), the traction bound averaged over each element's area, and slip taken
-/// where the traction is. Slip is computed over the way between the centres of two elements and belongs to its middle;
+/// where the traction is. Slip is computed over the path between the centres of two elements and belongs to its middle;
 /// at the centre of a sliding element it is interpolated (CentredSlip). Which elements slide is found roughly with the
 /// slip as it is; then the problem is solved with the slip of those at their centres. If this set were updated during
 /// the iteration, Newton's method would occasionally stall.

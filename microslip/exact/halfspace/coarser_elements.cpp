@@ -16,11 +16,11 @@ int coarser(int m) {
 }
 
 /// The coarser element around an element, its neighbour on the side where the element lies, and that one's share.
-struct Place {
+struct Interpolation {
   int around, beside;
   double share;
 };
-Place place_of(int i, int m) {
+Interpolation interpolation_at(int i, int m) {
   if (m == 1) return {0, 0, 0};
   return {i / 2, std::clamp(i / 2 + (i % 2 == 0 ? -1 : 1), 0, coarser(m) - 1), 0.25};
 }
@@ -64,7 +64,7 @@ std::vector<double> pressure_from_coarser(const ElementGrid& grid, std::span<con
   std::vector<double> fine(grid.count());
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
-      const Place x = place_of(i, grid.mx), y = place_of(j, grid.my);
+      const Interpolation x = interpolation_at(i, grid.mx), y = interpolation_at(j, grid.my);
       const double around = (1 - x.share) * square(x.around, y.around) + x.share * square(x.beside, y.around);
       const double beside = (1 - x.share) * square(x.around, y.beside) + x.share * square(x.beside, y.beside);
       fine[static_cast<std::size_t>(j) * grid.mx + i] = peak * std::sqrt((1 - y.share) * around + y.share * beside);

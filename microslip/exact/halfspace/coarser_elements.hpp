@@ -7,8 +7,8 @@
 
 namespace microslip {
 
-/// Elements twice as long and wide, on the same place; a single row or column stays as wide as it is. Where the number
-/// of elements is odd the last coarse ones reach half their length beyond the grid.
+/// Elements twice as long and wide, at the same position; a single row or column stays as wide as it is. Where the
+/// number of elements is odd the last coarse ones reach half their length beyond the grid.
 ElementGrid coarser_grid(const ElementGrid& grid);
 
 /// The mean of a field over the elements of `grid` in each coarser one; of an empty field nothing.

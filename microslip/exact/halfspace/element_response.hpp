@@ -15,7 +15,7 @@ struct FullInfluence {
 };
 
 /// The influence of an element on those i columns and j rows further, known for 0 <= i < mx and |j| < my. Bodies are
-/// their own mirror images in x: the influence on the element -i columns further has xy, xz, yx and zx with the
+/// symmetric in x: the influence on the element -i columns further has xy, xz, yx and zx with the
 /// opposite sign.
 class InfluenceTable {
 public:
@@ -66,7 +66,7 @@ struct RowInclination {
   friend bool operator==(const RowInclination&, const RowInclination&) = default;
 };
 
-/// What makes elements act on each other otherwise than on two half-spaces.
+/// Deviations from the influence of elements on one another on two half-spaces.
 struct ElementResponse {
   std::shared_ptr<const InfluenceTable> table; ///< in place of the half-spaces' coefficients
   WeightedPatches patches;

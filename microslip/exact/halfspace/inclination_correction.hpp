@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// What the inclination of rows adds to the displacements of a half-space, (B - A) p (RowInclination), at the centres
+/// Addition of the inclination of rows to the displacements of a half-space, (B - A) p (RowInclination), at the centres
 /// of a grid's elements. B - A is small beside A, and bounded where A is singular: it may be taken from the tractions
 /// of the last iteration. Cost of a product and of an InclinedProduct.
 class InclinationCorrection {

@@ -9,12 +9,12 @@
 
 namespace microslip {
 
-/// Where particles enter the contact. They build up traction only over the part of a step that they spend in contact
-/// (Vollebregt 2009, section 4; (E24)).
+/// Edge where particles enter the contact. They build up traction only over the part of a step that they spend in
+/// contact (Vollebregt 2009, section 4; (E24)).
 struct LeadingEdge {
   /// Distance of the edge from the centre of a row's leading element, over that to the element ahead, 0 to 1 (R14).
   double theta = 0.5;
-  /// Or its true place, x for each row of the grid [m]; empty: by theta. For rows with one interval of contact.
+  /// Or its true position, x for each row of the grid [m]; empty: by theta. For rows with one interval of contact.
   std::span<const double> true_edge = {};
   bool where_possible = false; ///< whether rows without two elements ahead of the contact are left uncorrected
 };

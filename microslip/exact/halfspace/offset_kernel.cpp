@@ -149,7 +149,7 @@ InclinedKernel inclined_kernel(const Bodies& bodies, const ElementGrid& grid, co
   return kernel;
 }
 
-/// Columns or rows to a place [m] that is a whole number of elements away.
+/// Columns or rows to a position [m] that is a whole number of elements away.
 int whole_elements(const char* field, double way, double size) {
   constexpr double rounding = 1e-6;
   const double count = std::round(way / size);

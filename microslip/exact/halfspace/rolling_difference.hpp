@@ -10,7 +10,7 @@ namespace microslip {
 
 struct DisplacementQuadrant;
 
-/// What the tractions of a regular grid contribute to the slip in steady rolling of elastic bodies with a step of whole
+/// Contribution of the tractions of a regular grid to the slip in steady rolling of elastic bodies with a step of whole
 /// elements: D p = (u(x) - u(x + step))/|step| (E14), from the displacement u = A p (E12) of the grid and the columns
 /// that particles come from. So the kernels are those of u, with their symmetries.
 class RollingDifference : public SlipOperator {

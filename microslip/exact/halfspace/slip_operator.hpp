@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// A linear map D from tractions to slip on the elements of a contact, with its own preconditioner: all that a
+/// A linear map D from tractions to slip on the elements of a contact, with a preconditioner: all that a
 /// friction problem needs to know of bodies, elements and motion.
 class SlipOperator {
 public:
@@ -24,7 +24,7 @@ public:
   /// Diagonal entry of an interior element, the mean of D_xx and D_yy.
   virtual double diagonal() const = 0;
 
-  /// What D makes of tractions that vary over middling distances: where to tell adhesion from slip, z = p - s/scale,
+  /// Response of D to tractions that vary over medium distances: where to tell adhesion from slip, z = p - s/scale,
   /// predicts best. Where all tractions have slip of about the same size, the diagonal.
   virtual double scale() const { return diagonal(); }
 

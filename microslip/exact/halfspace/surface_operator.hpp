@@ -26,7 +26,7 @@ struct TangentialKernel;
 /// bodies.
 class NormalOperator {
 public:
-  /// Throws Stopped if `progress`, which is told of the rows of coefficients, returns false; as the others do.
+  /// Throws Stopped if `progress`, called for the rows of coefficients, returns false; as the others do.
   NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
                  const TransformPlans& plans = {});
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
@@ -36,7 +36,7 @@ public:
   }
   /// Diagonal entry [m/Pa].
   double diagonal() const { return diagonal_; }
-  /// Of both kinds; those with the near inverse cost a quarter.
+  /// Number of products of both kinds; those with the near inverse cost a quarter.
   long products() const { return zz_.products(); }
 
 private:
@@ -44,7 +44,7 @@ private:
   double diagonal_;
 };
 
-/// What the tangential displacement difference u = A p (E12) on a grid of elements contributes to the slip, D p.
+/// Contribution of the tangential displacement difference u = A p (E12) on a grid of elements to the slip, D p.
 class TangentialOperator : public SlipOperator {
 public:
   /// u at the points `shift` [m] further, over the distance `length` [m]: D = A(x + shift)/length.
@@ -71,7 +71,7 @@ private:
   double diagonal_;
 };
 
-/// What tractions and pressure on a grid of elements contribute to slip and to the normal displacement difference (B1).
+/// Slip and normal displacement difference (B1) due to tractions and pressure on a grid of elements.
 /// For any two bodies, and any response of their elements, a product for each of its patches then.
 class CoupledOperator {
 public:
@@ -95,8 +95,8 @@ public:
   double normal_scale() const { return normal_scale_; }
 
   /// (qx, qy) = M^-1 (px, py) and q_n = M_n^-1 p_n, where M is near the map from tractions to slip over its scale, M_n
-  /// near A_zz over its own: SymmetricToeplitz::near_inverse, and RollingPreconditioner where slip is a difference.
-  /// What pressure does to slip, and tractions to the normal displacement, is left out.
+  /// near A_zz over that of the element itself: SymmetricToeplitz::near_inverse, and RollingPreconditioner where slip
+  /// is a difference. The influence of pressure on slip, and of tractions on the normal displacement, is neglected.
   void precondition_tractions(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                               std::span<double> qy);
   void precondition_pressure(std::span<const double> pressure, std::span<double> q);

@@ -285,7 +285,7 @@ void CoupledEquations::find_bounds(std::span<const double> v, std::span<const do
   }
 }
 
-/// By what other than an element's own |z| its bound changes.
+/// z| its bound changes.|The changes of an element's bound by anything but its |z|.|z| its bound changes.
 void CoupledEquations::find_bound_changes(std::span<const double> v, std::span<const double> response) {
   for (std::size_t k = 0; k < n_; ++k) pressure_change_[k] = under_pressure_[k] ? v[2 * n_ + k] : 0;
   if (problem_.slip_dependent) {

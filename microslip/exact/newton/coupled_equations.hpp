@@ -14,7 +14,7 @@ namespace microslip {
 /// The equations F(x) = 0 of a CoupledFrictionProblem as take_newton_steps has them, for all n elements:
 /// p - P_g(p - rho s) = 0 with g = mu p_n (B3), p_n - max(0, p_n - r e) = 0 (B2) and those of the prescribed forces,
 /// where rho and r are one over the operator's scales, rho more where a slip-dependent bound needs it.
-/// Unknowns x are px and py in units of the mean friction, p_n, and then what forces determine, in units of their own:
+/// Unknowns x are px and py in units of the mean friction, p_n, and then what forces determine, in other units:
 /// delta and the constants of cx, cy. The response of x is the slip and the deformed gap: sx, sy, e. A residual in
 /// tractions counts in units of the mean friction.
 class CoupledEquations {
@@ -46,7 +46,7 @@ public:
   double evaluate(std::span<const double> v, std::span<const double> response, std::span<double> f);
   /// Fixes contact, adhesion, slip and directions for the derivative at this point.
   void linearise(std::span<const double> v, std::span<const double> response);
-  /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
+  /// Extent to which the constants can move the tractions, about the point of linearise(): 1 where all adheres.
   double mean_alpha() const { return mean_alpha_; }
   /// The derivative of F times a vector v of unknowns whose response is given. `damping` as in FrictionEquations.
   void derivative(std::span<const double> v, std::span<const double> response, double damping, std::span<double> out);
@@ -81,7 +81,7 @@ private:
   double mean_alpha_ = 1;
   std::vector<double> bound_, bound_change_; ///< at the last point, in units of the tractions
   std::vector<double> pressure_change_;      ///< [Pa]
-  /// What the preconditioner makes of a unit of the approach, pressure, and of each constant, tractions.
+  /// Response of the preconditioner to a unit of the approach, pressure, and of each constant, tractions.
   std::vector<double> by_delta_;
   std::array<std::vector<double>, 2> by_constant_;
   std::vector<double> change_;                     ///< of the tractions

@@ -35,7 +35,7 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
   for (bool done = false; !done;) {
     take_newton_steps(equations, gmres_, limits, x, response, state);
     if (!(state.norm <= limits.goal)) break;
-    equations.find_response(x, response); // what rounding has done to it on the way
+    equations.find_response(x, response); // with the rounding errors collected so far
     done = equations.evaluate(x, response, f) <= limits.goal;
   }
   CoupledFrictionSolution s = equations.solution(x, response);

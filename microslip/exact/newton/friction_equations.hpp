@@ -39,7 +39,7 @@ public:
   /// Fixes adhesion, slip and directions for the derivative at this point, and estimates the tractions' derivatives
   /// with respect to unknown constants if they are not given.
   void linearise(std::span<const double> unknowns, std::span<const double> slip);
-  /// How much the constants can move the tractions, about the point of linearise(): 1 where all adheres.
+  /// Extent to which the constants can move the tractions, about the point of linearise(): 1 where all adheres.
   double mean_alpha() const { return friction_.mean_alpha(); }
   /// The derivative of F times a vector v of unknowns whose change of slip is given. `damping` keeps the constants'
   /// steps finite where everything slides: there the forces do not depend on them, and the matrix is singular.

@@ -16,7 +16,7 @@ using Field = std::vector<double>;
 /// Of |F| over |g|: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
-/// Whether a start is nothing but these tractions.
+/// Returns whether a start is nothing but these tractions.
 bool is(const FrictionStart& start, const TractionsView& tractions) {
   return start.px.data() == tractions.px.data() && start.px.size() == tractions.px.size() && !start.constants &&
          start.by_constants[0].px.empty() && start.by_constants[1].px.empty();

@@ -20,7 +20,7 @@ public:
     int most_steps = most_newton_steps;
     NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
-    /// below 1e-12: a step however small is done to its own scale, and nothing of it is lost in the next one.
+    /// below 1e-12: a step however small is solved to its scale, and nothing of it is lost in the next one.
     std::optional<TractionsView> before = {};
     Progress progress = {}; ///< is told after each step; false ends the iteration
   };

@@ -14,7 +14,7 @@ namespace microslip {
 
 /// The discrete tangential problem in its simplest form, (E2): find p with |p| <= g and, with s = c + D p, p = -g s/|s|
 /// where s is not zero. Where a force is given, the constant part of c in that direction is an unknown too. A bound
-/// that depends on the slip takes the place of g.
+/// that depends on the slip replaces g.
 struct FrictionProblem {
   SlipOperator& slip_operator;                      ///< D
   std::span<const double> bound;                    ///< g [Pa], >= 0; zero outside the contact
@@ -43,7 +43,7 @@ struct TractionsView {
   std::span<const double> px = {}, py = {};
 };
 
-/// Where an iteration begins.
+/// Start of an iteration.
 struct FrictionStart {
   std::span<const double> px = {}, py = {}; ///< tractions [Pa]; empty: zero
   std::optional<Vec2> constants = {};       ///< the unknown ones; none: where the mean slip is zero

@@ -15,7 +15,7 @@ template <class Real> class LinearisedFriction {
 public:
   explicit LinearisedFriction(std::size_t elements);
 
-  /// Of element k. Without a traction bound it slides, and its traction is fixed.
+  /// Sets element k. Without a traction bound it slides, and its traction is fixed.
   void set(std::size_t k, double zx, double zy, double g);
   /// Of element k whose traction has the size q <= |z| with the derivative `beta` with respect to |z|.
   void set(std::size_t k, double zx, double zy, double q, double beta);

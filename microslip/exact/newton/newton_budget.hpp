@@ -2,7 +2,7 @@
 
 namespace microslip {
 
-/// What the iterations of one solve may spend, all of them together: those of rounds, trials, fallbacks and coarser
+/// Budget of the iterations of one solve, all of them together: those of rounds, trials, fallbacks and coarser
 /// grids, however they are nested. Each takes its Newton steps and their products from here, and what is left is left
 /// to the others.
 class NewtonBudget {
@@ -18,7 +18,7 @@ private:
   long products_left_;
 };
 
-/// Whether there is a budget and nothing left of it.
+/// Returns whether there is a budget and nothing left of it.
 inline bool is_spent(const NewtonBudget* budget) {
   return budget && budget->is_spent();
 }

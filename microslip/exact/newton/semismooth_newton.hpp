@@ -23,7 +23,7 @@ struct NewtonLimits {
 /// Ends a linear solve when the progress function returns false.
 struct LinearSolveStopped {};
 
-/// How far it has come.
+/// State of the iteration.
 struct NewtonState {
   double norm = 0; ///< |F|
   int steps = 0;
@@ -41,7 +41,7 @@ public:
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
   /// v and, unless `response_of_v` is empty, its response, which costs no product more: it is summed of those that the
-  /// products had; only with many_unknowns, which have no room for these, it costs one. `before_product` is called
+  /// products had; only with many_unknowns, where these take too much memory, it costs one. `before_product` is called
   /// before each of them. Returns |F' v - right|.
   template <class BeforeProduct>
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
@@ -86,7 +86,7 @@ template <class Problem>
 void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimits& limits, std::vector<double>& x,
                        std::vector<double>& response, NewtonState& state) {
   using Field = std::vector<double>;
-  /// Found by trial: with .03 and .1 all of 14,000 seeded problems converge to 1e-10; with .001, .01 and .3 one to
+  /// Found by trial: with 0.03 and 0.1 all of 14,000 seeded problems converge to 1e-10; with 0.001, 0.01 and 0.3 one to
   /// three of them do not.
   constexpr double most_damping = 0.05;
   constexpr double roughest = 0.3; // of the linear equations' residual
@@ -128,7 +128,7 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
       trial_norm = problem.evaluate(trial, trial_response, trial_f);
       if (trial_norm < (1 - 1e-4 * length) * norm) break;
     }
-    if (!(trial_norm < norm) && norm <= best_norm) { // a short way uphill often leads on
+    if (!(trial_norm < norm) && norm <= best_norm) { // a short step uphill often leads on
       best_norm = norm;
       best_x = x;
       best_response = response;

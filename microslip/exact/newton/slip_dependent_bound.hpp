@@ -19,12 +19,12 @@ public:
   /// q for |z|, in adhesion that at rest.
   virtual void project(std::span<const double> size, std::span<const double> pressure, double rho,
                        std::span<double> bound) const = 0;
-  /// The same, and its derivative with respect to the element's own |z|, 1 in adhesion, where it is that of the
-  /// traction's size. `carry` then is the rest of the derivative.
+  /// The same, and its derivative z|, 1 in|with respect to the element's |z|, 1 in |z|, 1 in adhesion, where it is that
+  /// of the traction's size. `carry` then is the rest of the derivative.
   virtual void linearise(std::span<const double> size, std::span<const double> pressure, double rho,
                          std::span<double> bound, std::span<double> own) = 0;
-  /// How the pressure, and what particles bring along, change the bound where there is slip. No pressure changes if
-  /// `pressure_change` is empty. Returns false, and leaves bound_change as it was, if nothing does.
+  /// Change of the bound with the pressure and with the state of entering particles, where there is slip. No pressure
+  /// changes if `pressure_change` is empty. Returns false, and leaves bound_change as it was, if nothing does.
   virtual bool carry(std::span<const double> size_change, std::span<const double> pressure_change,
                      std::span<double> bound_change) const = 0;
 

@@ -33,7 +33,7 @@ public:
     const auto begin = values_.begin() + static_cast<std::ptrdiff_t>(j) * grid_.mx;
     return static_cast<int>(std::min_element(begin, begin + grid_.mx) - begin);
   }
-  /// The row with the deepest place of all.
+  /// The row with the deepest point of all.
   int deepest_row() const {
     return static_cast<int>((std::min_element(values_.begin(), values_.end()) - values_.begin()) / grid_.mx);
   }
@@ -54,7 +54,7 @@ struct EquivalentEllipse {
   double a, b, middle_y;
 };
 
-/// Along the row of the deepest place, over the narrowest symmetric interval that leaves the region below `level`.
+/// Along the row of the deepest point, over the narrowest symmetric interval that leaves the region below `level`.
 double longitudinal_curvature(const ElementGrid& grid, const Overlap& h, int i, int j, double level) {
   int k = 1;
   while (i - k > 0 && i + k < grid.mx - 1 && std::max(h.at(i - k, j), h.at(i + k, j)) <= level) ++k;
@@ -105,7 +105,7 @@ Interval interval(const ElementGrid& grid, const Overlap& h, int j, double level
   return row;
 }
 
-/// A and B at a place, from three elements each; A over more where the row dips deep enough.
+/// A and B at a point, from three elements each; A over more where the row dips deep enough.
 GapCurvatures local_curvatures(const ElementGrid& grid, const Overlap& h, int i, int j) {
   constexpr int most = 10;
   constexpr double share = 0.3;
@@ -142,7 +142,7 @@ Field kik_piotrowski_pressure(const CombinedMaterial& material, const ElementGri
     rows.push_back(interval(grid, h, j, -(1 - eps) * depth));
     longest = std::max(longest, rows.back().last - rows.back().first + 1);
   }
-  double sunk = 0; // of the deepest place
+  double sunk = 0; // of the deepest point
   for (int j = 0; j < grid.my; ++j) {
     const Interval& row = rows[j];
     const double half = (row.high - row.low) / 2, middle = (row.high + row.low) / 2;

@@ -32,7 +32,7 @@ ElementGrid grown(const ElementGrid& grid, const BorderSides& reached, int colum
   return larger;
 }
 
-/// The next grid to try; the same one if there is no room for a larger one.
+/// The next grid to try; the same one if there is no larger one.
 ElementGrid next_grid(const ElementGrid& grid, const BorderSides& reached, std::size_t most_elements) {
   int columns = std::max(1, grid.mx / 4), rows = std::max(1, grid.my / 4);
   for (;;) {

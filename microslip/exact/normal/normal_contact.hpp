@@ -24,8 +24,8 @@ struct NormalContact {
 /// it is. A row or a column of elements grows along itself only.
 ///
 /// Throws Error if the contact still reaches the border, with the sides; if h is not finite somewhere on the grid, with
-/// the place; for an approach given for a line contact that may grow, because that approach is relative to a distance
-/// that grows with the grid; and as NormalProblem does.
+/// the position; for an approach given for a line contact that may grow, because that approach is relative to a
+/// distance that grows with the grid; and as NormalProblem does.
 NormalContact solve_normal_contact(const CombinedMaterial& material, const GapFunction& gap, const ElementGrid& start,
                                    const NormalLoad& load, std::size_t most_elements = 0, double tolerance = 1e-8);
 

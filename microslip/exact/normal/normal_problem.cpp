@@ -157,7 +157,8 @@ private:
     project(downhill);
   }
 
-  /// Conjugate to the step before if that went to the least energy on its way and the same elements may change.
+  /// Conjugate to the step before if that went to the least energy along its direction and the same elements may
+  /// change.
   void find_direction() {
     const bool conjugate = !find_free() && at_least_;
     find_gradient(trial_);
@@ -190,9 +191,9 @@ private:
     return share;
   }
 
-  /// To the trial, so that the elements without pressure there leave the contact, or to the least energy on the way.
-  /// False if no way leads downhill, which is so when rounding is all that is left, or if the progress function does
-  /// not want to go on between its two products.
+  /// To the trial, so that the elements without pressure there leave the contact, or to the least energy along the
+  /// direction. False if no direction leads downhill, which is so when rounding is all that is left, or if the progress
+  /// function does not want to go on between its two products.
   bool step(const Progress& progress) {
     find_direction();
     if (!progress(0)) return false;
@@ -241,7 +242,7 @@ private:
   Field pressure_, displacement_, distance_, direction_, trial_, step_, response_of_step_;
   std::vector<char> free_;
   double approach_ = 0, residual_ = 0, length_ = first_length;
-  bool at_least_ = false; ///< on the way of the last step
+  bool at_least_ = false; ///< along the direction of the last step
 };
 
 } // namespace

@@ -17,7 +17,7 @@ template <class Real> struct TransformPasses {
   const TransformPass<Real>* first;
 };
 
-/// What RowTransforms and ColumnTransforms do; results are the same to the last bit for every instruction set.
+/// Kernels of RowTransforms and ColumnTransforms; results are the same to the last bit for every instruction set.
 template <class Real> struct TransformKernels {
   void (*rows_forward)(const TransformPasses<Real>& passes, const RowPairs<const Real>& rows, int count, int length,
                        Real* waves, std::size_t block_stride, Real* work);
@@ -29,7 +29,7 @@ template <class Real> struct TransformKernels {
                            Real* work);
 };
 
-/// Numbers that the work of rows has room for: two times n lines and what registers read and write beyond.
+/// Size of the work array of rows: two times n lines and what registers read and write beyond.
 template <class Real> MICROSLIP_INLINE std::size_t row_work_size(int n) {
   return 2 * static_cast<std::size_t>(n + block_lanes<Real>) * line_size<Real>;
 }

@@ -6,7 +6,7 @@
 
 namespace microslip::detail {
 
-/// What is done to a block of waves, as transforms leave them in lines one after another, with numbers for each wave.
+/// Operations on a block of waves, as transforms leave them in lines one after another, with numbers for each wave.
 template <class Real> struct WaveLoops {
   /// Products with real numbers that are even in the line, of `rows` lines: `table` has rows/2 + 1 lines of one number
   /// for each lane.

@@ -16,9 +16,9 @@ MICROSLIP_INLINE void start_sliding(Particles<Real, Plain, Mask>& at, const Real
   at.slip_y = select(at.sliding, share * rigid_y, at.slip_y);
 }
 
-/// Where in the step, 0 to 1, the adhesion solution crosses the bound, and how fast it leaves it, there and at the
-/// step's end: zero and slopes of the parabola through f = |p| - g at the step's beginning (f <= 0), middle and end (f
-/// > 0).
+/// Point of the step, 0 to 1, where the adhesion solution crosses the bound, and its rate away from it, there and at
+/// the step's end: zero and slopes of the parabola through f = |p| - g at the step's beginning (f <= 0), middle and end
+/// (f > 0).
 template <class Real> struct Crossing { Real fraction, slope, end_slope; };
 template <class Real, class Plain>
 MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle, const Real& end) {

@@ -5,7 +5,7 @@
 
 namespace microslip::detail {
 
-/// What the recording kernel leaves of one vector of rows, and how it gets into a solution.
+/// Output of the recording kernel for one vector of rows, and its transfer to a solution.
 class FieldRecorder {
 public:
   FieldRecorder(int cells, int width)
@@ -53,7 +53,7 @@ private:
 };
 
 /// Work of the tractions per metre rolled, on the rigid slip that drives them [N], (S22): that on the slip, without the
-/// error of slip which has its place between two centres.
+/// error of slip that lies between two centres.
 inline double work_on_rigid_slip(const ContactSolution& s, const Flexibilities& l) {
   const auto& [xi, eta, phi] = s.creepage;
   double work = 0;

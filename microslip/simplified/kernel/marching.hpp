@@ -12,7 +12,7 @@ inline constexpr int creepage_partials = 3;
 /// ... and Fn.
 inline constexpr int row_partials = 4;
 
-/// Where a kernel finds the rows to march. Everything is counted in cells along the path of a particle: position 0 is
+/// Input of a kernel: the rows to march. Everything is counted in cells along the path of a particle: position 0 is
 /// the leading edge, cell i has its centre at i - 1/2. Rigid slip and slip are those of (F18), for flexibility 1, times
 /// the cell's length, so that they have the unit of a traction. Each number is an array over the rows; where
 /// derivatives are wanted they follow it, an array each, at a distance of `stride`.
@@ -24,7 +24,7 @@ struct MarchingRows {
   const double* rigid_slip_y = nullptr;  ///< at the leading edge
   const double* rigid_slip_dy = nullptr; ///< its change per cell
 
-  // The traction bound, one way or the other:
+  // The traction bound, in one of two forms:
   // as scale(row), without derivatives, times a profile that all rows share ...
   const double* bound_scale = nullptr;
   const double* profile_centre = nullptr; ///< cells + 1 numbers: at 0 and at the centres

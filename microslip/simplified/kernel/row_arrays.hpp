@@ -6,7 +6,7 @@
 
 namespace microslip::detail {
 
-/// The memory behind MarchingRows: arrays over rows, with room for derivatives and for whole groups at the end.
+/// The memory behind MarchingRows: arrays over rows, with derivatives and padding to whole groups at the end.
 struct RowArrays {
   int stride; ///< from a number to its first derivative, from there to the next
   std::vector<double> rigid_slip_x, rigid_slip_y, rigid_slip_dy, bound_scale;

@@ -10,7 +10,7 @@
 
 namespace microslip::detail {
 
-/// How many plain numbers a number stands for: itself and its derivatives.
+/// Number of plain numbers in a number: itself and its derivatives.
 template <class Real> constexpr int numbers_of = 1;
 template <int N> constexpr int numbers_of<Dual<double, N>> = 1 + N;
 
@@ -26,7 +26,7 @@ template <class Real> void put(const Real& value, double* to, int stride) {
   for (int k = 0; k < numbers_of<Real>; ++k) to[std::ptrdiff_t(k) * stride] = number(value, k);
 }
 
-/// Which way a particle travels along x: against the rolling direction.
+/// The direction of a particle's travel along x: against the rolling direction.
 inline double travel_of(RollingDirection direction) {
   return direction == RollingDirection::forward ? -1 : 1;
 }

@@ -42,12 +42,12 @@ MICROSLIP_INLINE double sine(double x) {
 }
 
 /// Where contacts lie on an axis of the table, and the weights of the three coefficients there with their derivatives
-/// with respect to the place.
+/// with respect to the position.
 template <int size> struct AxisPlaces {
   int node[size];
   double value[3][size], slope[3][size];
 
-  /// A place from 0 to `last`, counted in nodes; quadratic_weights.
+  /// A position from 0 to `last`, counted in nodes; quadratic_weights.
   MICROSLIP_INLINE void set(int i, double place, int last) {
     const double f = place - find_node(i, place, last), before = 0.5 - f, after = 0.5 + f;
     value[0][i] = before * before / 2, value[1][i] = 0.75 - f * f, value[2][i] = after * after / 2;
@@ -79,7 +79,7 @@ template <int size> struct Places {
   Numbers t, w;            ///< w = 1 - t
   Numbers per_r;           ///< 1/r
   Numbers per_stretched;   ///< 1/|(s X, Y/s, Z)|
-  Numbers elevation_slope; ///< of its place with respect to theta
+  Numbers elevation_slope; ///< of its position with respect to theta
 
   MICROSLIP_INLINE void find(const CreepGrid& grid, const CreepBlock<size>& block) {
     const double elevations_per_angle = (grid.elevations - 1) / (std::numbers::pi / 2),
@@ -145,7 +145,7 @@ struct Row {
   }
 };
 
-/// S and its derivatives with respect to the places on the axes, by channel and contact.
+/// S and its derivatives with respect to the positions on the axes, by channel and contact.
 template <int size> struct Samples {
   using Numbers = double[creep_channels][size];
   Numbers value = {}, by_level = {}, by_elevation = {}, by_azimuth = {};

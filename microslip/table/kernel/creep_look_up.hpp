@@ -6,7 +6,7 @@
 
 namespace microslip::detail {
 
-/// Where the coefficients of a table's spline lie, those of all its materials alike.
+/// Coefficients of a table's spline in memory, those of all its materials alike.
 struct CreepGrid {
   int ratios, levels, elevations, azimuths;                    ///< nodes
   std::ptrdiff_t ratio_stride, level_stride, elevation_stride; ///< between neighbours
@@ -23,7 +23,7 @@ template <int size> struct CreepBlock {
   int count, materials;
   const float* coefficients[most_creep_materials]; ///< by material
   Numbers weight[most_creep_materials];            ///< of a material in a contact
-  Numbers ratio;                                   ///< place of a/b among its nodes, from 0
+  Numbers ratio;                                   ///< position of a/b among its nodes, from 0
   Numbers stretch;                                 ///< s
   Numbers x, y, z;                                 ///< X, Y, Z
   Numbers y_y, y_z, m_y, m_z;                      ///< linear theory: f = -(X, y_y Y + y_z Z, m_y Y + m_z Z)

@@ -110,7 +110,7 @@ CreepTableOrigin origin_of(const std::vector<Errors>& errors, int elements) {
   return origin;
 }
 
-/// Numbers of all nodes of a table, by their places on the axes.
+/// Numbers of all nodes of a table, by their positions on the axes.
 class Numbers {
 public:
   explicit Numbers(const CreepTableAxes& axes) : axes_(axes), numbers_(axes.blocks() * axes.nodes() * creep_channels) {}

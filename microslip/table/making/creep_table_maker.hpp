@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// How the nodes of a table are computed.
+/// Settings for the computation of the nodes of a table.
 struct CreepTableMaking {
   CreepTableAxes axes;
   int elements = 24; ///< across the ellipse, even, 8 to 256; the limit is extrapolated from these and half of them
