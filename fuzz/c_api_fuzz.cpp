@@ -10,7 +10,7 @@
 
 #include "microslip.h"
 #include "paths.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -399,9 +399,9 @@ void wheel_rail(Draw& draw) {
   const Said said(draw);
   std::string text = microslip::wheel_rail_text;
   const int theory = draw.count(0, 9);
-  if (theory == 0) text = microslip::with_part(text, "\"fastsim2\"", "\"exact\"\ngrid = 8");
-  if (theory > 6) text = microslip::with_part(text, "\"fastsim2\"", "\"table\"");
-  if (draw.count(0, 3) == 0) text = microslip::with_part(text, "side = \"left\"", "side = \"right\"");
+  if (theory == 0) text = microslip::with(text, "\"fastsim2\"", "\"exact\"\ngrid = 8");
+  if (theory > 6) text = microslip::with(text, "\"fastsim2\"", "\"table\"");
+  if (draw.count(0, 3) == 0) text = microslip::with(text, "side = \"left\"", "side = \"right\"");
   microslip_wheel_rail* made = nullptr;
   said.of(microslip_wheel_rail_create(draw.count(0, 3) == 0 ? draw.mangled(text).c_str() : text.c_str(), "w.toml",
                                       draw.pointer(&made), said.pointer),

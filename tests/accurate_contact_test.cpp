@@ -2,7 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>

@@ -1,8 +1,10 @@
 #include "tests/oracles/active_set_normal.hpp"
 
 #include "dense_response.hpp"
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +17,6 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr auto approach = NormalLoad::Given::approach, force = NormalLoad::Given::force;
 
 struct GapCase {
@@ -26,10 +27,7 @@ struct GapCase {
 };
 
 template <class Shape> GapCase gap_case(std::string name, const ElementGrid& grid, double load, Shape shape) {
-  GapCase c{std::move(name), grid, {}, load};
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) c.gap.push_back(shape(grid.x(i), grid.y(j)));
-  return c;
+  return {std::move(name), grid, over_grid(grid, shape), load};
 }
 
 std::vector<GapCase> gap_cases() {

@@ -5,11 +5,11 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,9 +17,6 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
-
-constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 constexpr double approach = 50e-6;
 
 const auto methods = {kik_piotrowski_pressure, analyn_pressure};
@@ -32,22 +29,15 @@ ElementGrid grid_of(double a, double b, int count, double x = 0, double y = 0) {
   return grid;
 }
 
-Field gap_of(const ElementGrid& grid, const std::function<double(double, double)>& h) {
-  Field gap;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) gap.push_back(h(grid.x(i), grid.y(j)));
-  return gap;
-}
-
 double force(const ElementGrid& grid, const Field& p) {
-  return std::accumulate(p.begin(), p.end(), 0.0) * grid.element_area();
+  return sum(p) * grid.element_area();
 }
 
 TEST(ApproximatePressure, OfEllipsoidsIsHertzs) {
   for (const double ratio : {0.4, 1.0, 3.0}) {
     const HertzContact hertz = hertz_from_approach({1, 1 / ratio}, steel, approach);
     const ElementGrid grid = grid_of(hertz.a, hertz.b, 81);
-    const Field gap = gap_of(grid, [&](double x, double y) { return x * x + y * y / ratio; });
+    const Field gap = over_grid(grid, [&](double x, double y) { return x * x + y * y / ratio; });
     for (const auto method : methods) {
       const Field p = method(steel, grid, gap, approach);
       EXPECT_NEAR(force(grid, p) / hertz.normal_force, 1, 0.01) << ratio;
@@ -71,7 +61,7 @@ double head(double x, double y) {
 TEST(ApproximatePressure, IsNearTheExactOneBesideHertz) {
   const HertzContact wide = hertz_from_approach({1, 0.3}, steel, approach);
   const ElementGrid grid = grid_of(wide.a, wide.b, 60);
-  const Field gap = gap_of(grid, head);
+  const Field gap = over_grid(grid, head);
   NormalProblem problem(steel, grid);
   const NormalSolution exact = problem.solve(gap, {NormalLoad::Given::approach, approach});
   for (const auto method : methods) {
@@ -84,7 +74,7 @@ TEST(ApproximatePressure, IsNearTheExactOneBesideHertz) {
 /// Kik and Piotrowski's pressure presses the half-space in by the approach at the deepest point.
 TEST(ApproximatePressure, KikAndPiotrowskisReachesTheApproach) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 41);
-  const Field gap = gap_of(grid, head), p = kik_piotrowski_pressure(steel, grid, gap, approach);
+  const Field gap = over_grid(grid, head), p = kik_piotrowski_pressure(steel, grid, gap, approach);
   Field u(grid.count());
   NormalOperator(steel, grid).apply(p, u);
   EXPECT_NEAR(u[20 * 41 + 20], approach, 1e-9 * approach);
@@ -92,10 +82,10 @@ TEST(ApproximatePressure, KikAndPiotrowskisReachesTheApproach) {
 
 TEST(ApproximatePressure, FollowsTheContactAndItsMirror) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 41), beside = grid_of(7e-3, 12e-3, 41, 3e-3, -2e-3);
-  const Field gap = gap_of(grid, head);
-  const Field moved = gap_of(beside, [](double x, double y) { return head(x - 3e-3, y + 2e-3) + 1e-5; });
-  const Field mirrored = gap_of(grid, [](double x, double y) { return head(x, -y); });
-  const Field doubled = gap_of(grid, [](double x, double y) { return 2 * head(x, y); });
+  const Field gap = over_grid(grid, head);
+  const Field moved = over_grid(beside, [](double x, double y) { return head(x - 3e-3, y + 2e-3) + 1e-5; });
+  const Field mirrored = over_grid(grid, [](double x, double y) { return head(x, -y); });
+  const Field doubled = over_grid(grid, [](double x, double y) { return 2 * head(x, y); });
   for (const auto method : methods) {
     const Field p = method(steel, grid, gap, approach), q = method(steel, beside, moved, approach + 1e-5);
     const Field m = method(steel, grid, mirrored, approach), d = method(steel, grid, doubled, 2 * approach);
@@ -112,13 +102,13 @@ TEST(ApproximatePressure, FollowsTheContactAndItsMirror) {
 
 TEST(ApproximatePressure, NothingTouchesOutOfReach) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 21);
-  const Field gap = gap_of(grid, head);
+  const Field gap = over_grid(grid, head);
   for (const auto method : methods) EXPECT_EQ(force(grid, method(steel, grid, gap, -1e-6)), 0);
 }
 
 TEST(ApproximatePressure, RefusesWhatHasNoCurvature) {
   const ElementGrid grid = grid_of(7e-3, 12e-3, 21);
-  const Field slope = gap_of(grid, [](double x, double) { return 0.01 * x; }), gap = gap_of(grid, head);
+  const Field slope = over_grid(grid, [](double x, double) { return 0.01 * x; }), gap = over_grid(grid, head);
   for (const auto method : methods) {
     EXPECT_THROW(method(steel, grid, slope, approach), Error);
     EXPECT_THROW(method(steel, grid, Field(5), approach), Error);

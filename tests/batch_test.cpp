@@ -2,14 +2,13 @@
 
 #include "microslip/batch/batch.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/batch/solve_parallel.hpp"
 #include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>

@@ -4,9 +4,10 @@
 
 #include "campaign/hash.hpp"
 #include "microslip/error.hpp"
-#include "tests/file_size_limit.hpp"
-#include "tests/program_run.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/file_size_limit.hpp"
+#include "tests/support/program_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -45,16 +46,6 @@ std::string fill(std::size_t index, std::span<double> row, const Progress&) {
 
 std::function<campaign::RowWorker()> always(const campaign::RowWorker& worker) {
   return [worker] { return worker; };
-}
-
-/// The call must throw an Error that says so.
-void expect_told(const std::function<void()>& call, const std::string& what) {
-  try {
-    call();
-    ADD_FAILURE() << "no Error: " << what;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what() << "\nexpected: " << what;
-  }
 }
 
 struct AllRows {
@@ -134,9 +125,9 @@ TEST(Campaign, PlansOutOfRange) {
   const auto make = [&](const campaign::CampaignPlan& plan) {
     return [&] { const campaign::Campaign c(folder / "c", plan, alone); };
   };
-  expect_told(make(small_plan(0)), "cases");
-  expect_told(make(small_plan(2'000'000'001, 1000)), "cases");
-  expect_told(make(small_plan(1'000'000'000, 1)), "chunks");
+  expect_words(make(small_plan(0)), "cases");
+  expect_words(make(small_plan(2'000'000'001, 1000)), "cases");
+  expect_words(make(small_plan(1'000'000'000, 1)), "chunks");
   EXPECT_TRUE(folder.entries().empty());
 }
 
@@ -189,7 +180,7 @@ TEST(Campaign, ADamagedByteAnywhereIsNamed) {
     damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
     save(journal, damaged);
     campaign::Ranks alone;
-    expect_told([&] { const campaign::Campaign campaign(folder / "c", plan, alone); }, "rank-0: ");
+    expect_words([&] { const campaign::Campaign campaign(folder / "c", plan, alone); }, "rank-0: ");
     EXPECT_EQ(contents(journal), damaged);
   }
   fs::remove(journal);
@@ -205,7 +196,7 @@ TEST(Campaign, ForeignCheckpointsAreNamed) {
   begin(folder / "c", plan, 3);
   const auto refused = [&](const campaign::CampaignPlan& other, const std::string& what) {
     campaign::Ranks alone;
-    expect_told([&] { const campaign::Campaign campaign(folder / "c", other, alone); }, what);
+    expect_words([&] { const campaign::Campaign campaign(folder / "c", other, alone); }, what);
   };
   auto other = plan;
   other.identity ^= 1;
@@ -303,7 +294,7 @@ TEST(Campaign, AFullDiskIsAnErrorThatLosesNothing) {
     campaign::Ranks alone;
     campaign::Campaign campaign(folder / "c", plan, alone);
     const FileSizeLimit limit(5000);
-    expect_told([&] { campaign.run({.threads = 2}, always(fill)); }, "rank-0: cannot be written: ");
+    expect_words([&] { campaign.run({.threads = 2}, always(fill)); }, "rank-0: cannot be written: ");
   }
   campaign::Ranks alone;
   campaign::Campaign campaign(folder / "c", plan, alone);
@@ -335,7 +326,7 @@ TEST(Campaign, ProgressTellsOfAllCasesAndEndsTheRun) {
   const campaign::Campaign rest(folder / "c", plan, alone);
   EXPECT_GT(rest.kept_cases(), 500u);
   EXPECT_LT(rest.kept_cases(), 1000u);
-  expect_told([&] { rest.read([](const campaign::CampaignRows&) {}); }, "not all cases are computed");
+  expect_words([&] { rest.read([](const campaign::CampaignRows&) {}); }, "not all cases are computed");
 }
 
 TEST(Campaign, ChunksComputedElsewhereAreKept) {

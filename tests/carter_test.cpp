@@ -21,10 +21,9 @@ struct LineProblem {
   Problem problem;
 
   explicit LineProblem(int n) {
-    const CombinedMaterial material{82e9, 0.28, 0};
-    a = line_contact_from_load(curvature, material, per_length).half_width;
+    a = line_contact_from_load(curvature, steel, per_length).half_width;
     scale = 2 * friction * curvature * a;
-    problem = with_gap(material, ElementGrid::across_line(a, n, 2), {curvature, 0}, per_length, friction, a);
+    problem = with_gap(steel, ElementGrid::across_line(a, n, 2), {curvature, 0}, per_length, friction, a);
   }
 };
 
@@ -93,7 +92,7 @@ TEST(Carter, LateralCreepageOfALine) {
 /// CONTACT's example of Carter's problem (User guide, section 5.2): plates of 200 mm, leading element 1/4 too far out.
 TEST(Carter, AsContactPrintsIt) {
   const ElementGrid grid{.mx = 55, .my = 1, .x0 = -1.05e-3, .y0 = 0, .dx = 4e-5, .dy = 0.2, .line = false};
-  const Problem p = with_gap({82e9, 0.28, 0}, grid, {1, 0}, 35780, 0.3, 1e-3);
+  const Problem p = with_gap(steel, grid, {1, 0}, 35780, 0.3, 1e-3);
   TangentialInput input;
   input.creepage.longitudinal = -2.4e-4;
   input.rolling_speed = 30;

@@ -7,11 +7,12 @@
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 #include "paths.hpp"
-#include "tests/sanitized.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/sanitized.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -47,19 +48,11 @@ rolling_speed = 30
 
 /// The good text with one part replaced.
 std::string with(const std::string& part, const std::string& replacement) {
-  auto text = good;
-  const auto at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), replacement);
+  return microslip::with(good, part, replacement);
 }
 
 std::string message_of(const std::string& text) {
-  try {
-    io::parse_case(text, "w.toml");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { io::parse_case(text, "w.toml"); });
 }
 
 TEST(CaseFile, SaysOfACaseOfAWheelOnARailWhatItIs) {
@@ -432,12 +425,7 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
     read(io::TomlSection(table, file, {}, &found));
     for (const auto& [key, unit] : io::TomlSection::units_of(found)) {
       ++count;
-      try {
-        io::number_in_unit(key, "1 kg s", unit);
-        ADD_FAILURE() << key;
-      } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("must be in "), std::string::npos) << error.what();
-      }
+      expect_words([&] { io::number_in_unit(key, "1 kg s", unit); }, "must be in ");
     }
   };
   check("hertzian_contact.toml", [](const io::TomlSection& root) { io::read_case(root); });

@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/centred_operator.hpp"
 
 #include "microslip/exact/fitted/fitted_operator.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
 #include <vector>
@@ -11,8 +12,6 @@ namespace microslip {
 namespace {
 
 using Field = std::vector<double>;
-
-constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
 struct Contact {
   FittedContact fitted = fit_ellipse(6e-3, 4e-3, 12, 10);

@@ -1,6 +1,6 @@
 // `microslip completion`: the scripts at work in their shells.
 
-#include "tests/program_run.hpp"
+#include "tests/support/program_run.hpp"
 #include "validation/study.hpp"
 
 #include <algorithm>

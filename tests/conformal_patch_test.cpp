@@ -1,8 +1,9 @@
 // Conformal patches at the level exact: planes, small patches, mirror images, work and convergence.
 
-#include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "tests/wheel_rail_pairs.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <cmath>
 #include <vector>
@@ -13,7 +14,6 @@ namespace microslip {
 namespace {
 
 constexpr double friction = 0.3;
-const CombinedMaterial steel = combine({82e9, 0.28}, {82e9, 0.28});
 
 /// A wheel's groove of 13.5 mm over a rail's arc of 13 mm.
 WheelRailBodies groove() {
@@ -134,12 +134,8 @@ TEST(ConformalPatch, PressuresAreSmoothInTheLoad) {
 }
 
 TEST(ConformalPatch, NeedsTheLevelExact) {
-  try {
-    WheelRail contact(groove(), {.shape = PatchShape::conformal});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "shape: the rows of fastsim2 follow the surface: curved, or left out");
-  }
+  EXPECT_EQ(error_of([] { WheelRail(groove(), {.shape = PatchShape::conformal}); }),
+            "shape: the rows of fastsim2 follow the surface: curved, or left out");
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "microslip/railway/conicity.hpp"
 
-#include "expect_error.hpp"
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "paths.hpp"
 #include "tangential_cases.hpp"
+#include "tests/support/expect_close.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,16 +55,7 @@ std::vector<CreepForceCase> read_cases(std::ifstream& file, int every) {
     std::istringstream row(line);
     std::vector<double> v;
     for (std::string cell; std::getline(row, cell, ',');) v.push_back(std::stod(cell));
-    cases.push_back({{.a = v[1] * 1e-3,
-                      .b = v[2] * 1e-3,
-                      .shear_modulus = 82e9,
-                      .poisson_ratio = 0.28,
-                      .normal_force = 82e3,
-                      .friction = FrictionLaw::coulomb(0.3),
-                      .creepage = {v[5], v[6], v[7] * 1e3}},
-                     v[11],
-                     v[12],
-                     v[13]});
+    cases.push_back({steel_contact(v[1] * 1e-3, v[2] * 1e-3, 82e3, {v[5], v[6], v[7] * 1e3}), v[11], v[12], v[13]});
   }
   return cases;
 }
@@ -80,9 +72,8 @@ TEST(ContactFigures, AgreesWithContactOnTheSameGrid) {
     input.creepage = c.contact.creepage;
     const TangentialSolution s = solve(p, input);
     ASSERT_EQ(s.forces.status, Status::ok);
-    EXPECT_NEAR(s.forces.fx / p.capacity, c.fx, 2e-5);
-    EXPECT_NEAR(s.forces.fy / p.capacity, c.fy, 2e-5);
-    EXPECT_NEAR(s.forces.mz / friction_moment(c.contact), c.mz, 2e-5);
+    expect_forces({s.forces.fx / p.capacity, s.forces.fy / p.capacity, s.forces.mz / friction_moment(c.contact)}, c,
+                  2e-5);
   }
 }
 

@@ -6,27 +6,20 @@
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/error.hpp"
 #include "tests/contact_input_cases.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace microslip::contact_program {
 namespace {
 
-namespace fs = std::filesystem;
 using Kind = Outcome::Kind;
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  EXPECT_NE(text.find(from), std::string::npos) << from;
-  return text.replace(text.find(from), from.size(), to);
-}
 
 std::string written(double value) {
   std::ostringstream text;
@@ -55,43 +48,18 @@ std::string half_space_file(int mx, int my, double dx, double dy, const Combined
 /// A folder with a file of coefficients, and the cases of a text beside it.
 class Folder {
 public:
-  explicit Folder(const std::string& coefficients)
-      : path_(fs::temp_directory_path() / ("microslip_influence_" + std::to_string(::getpid()))) {
-    fs::create_directories(path_);
-    std::ofstream(path_ / "a.coefficients") << coefficients;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  explicit Folder(const std::string& coefficients) { std::ofstream(path()) << coefficients; }
 
-  std::vector<RunCase> run(const std::string& text) const {
-    std::istringstream stream(text);
-    InputReader reader(stream, (path_ / "a.inp").string());
-    Run run;
-    std::vector<RunCase> cases;
-    while (const Case* c = reader.next()) cases.push_back({*c, run.run(*c)});
-    return cases;
-  }
-  std::string path() const { return (path_ / "a.coefficients").string(); }
+  std::vector<RunCase> run(const std::string& text) const { return run_cases(text, folder_ / "a.inp"); }
+  std::string path() const { return folder_ / "a.coefficients"; }
 
 private:
-  fs::path path_;
+  TemporaryFolder folder_;
 };
-
-/// The call must throw an Error with these words.
-template <class Call> void expect_message(Call call, const std::string& words) {
-  try {
-    call();
-    ADD_FAILURE() << "no Error: " << words;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what() << "\nexpected: " << words;
-  }
-}
 
 /// A text with C = 2 made one with C = 9.
 std::string from_file(std::string text, const std::string& material) {
-  text = with(std::move(text), "022020", "029020");
-  return with(std::move(text), material, "'a.coefficients'\n " + material);
+  return with(std::move(text), {{"022020", "029020"}, {material, "'a.coefficients'\n " + material}});
 }
 
 void expect_same(const Outcome& a, const Outcome& b, double tolerance) {
@@ -173,7 +141,7 @@ TEST(ContactInfluenceFile, BadFilesAreNamedWithLineAndValue) {
   const std::string good = half_space_file(3, 2, .13333, .13333, combine(rubber, rubber));
   const auto expect_bad = [](const std::string& text, const std::string& message) {
     std::istringstream stream(text);
-    expect_message([&] { read_influence_file(stream, "b.txt"); }, message);
+    expect_words([&] { read_influence_file(stream, "b.txt"); }, message);
   };
   expect_bad(with(good, " 1 1 0 0", " 19 1"), "b.txt:1: NMATRIX = 19: must be in 1 to 1");
   expect_bad(with(good, "312", "123"), "b.txt:2: XYZORDER = 123: must be in 312 to 312");
@@ -193,7 +161,7 @@ TEST(ContactInfluenceFile, BadFilesAreNamedWithLineAndValue) {
   EXPECT_NE(read[0].outcome.reasons.at(0).find("dx of the influence coefficients = 2e-04 [m]"), std::string::npos)
       << read[0].outcome.reasons[0];
   const Folder broken(with(half_space_file(19, 19, .13333, .13333, combine(rubber, rubber)), "312", "321"));
-  expect_message([&] { broken.run(from_file(first_shift, sphere_material)); }, broken.path() + ":2: XYZORDER = 321");
+  expect_words([&] { broken.run(from_file(first_shift, sphere_material)); }, broken.path() + ":2: XYZORDER = 321");
 }
 
 // --- sub-patches
@@ -258,7 +226,7 @@ TEST(ContactSubPatches, FactorsOfFourPatches) {
   EXPECT_EQ(patches.patch_of_row[12], 2); // 0.1
   EXPECT_EQ(patches.patch_of_row[23], 3);
   EXPECT_EQ(cases[0].outcome.kind, Kind::solved);
-  expect_message([] { run_cases(with_patches(" 3\n 0. 0.\n .1 .2 .3\n")); }, "YSEP(2) = 0: must be above YSEP(1)");
+  expect_words([] { run_cases(with_patches(" 3\n 0. 0.\n .1 .2 .3\n")); }, "YSEP(2) = 0: must be above YSEP(1)");
 }
 
 } // namespace

@@ -1,9 +1,14 @@
 #pragma once
 
 #include "compat/contact/run.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
+
+#include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace microslip::contact_program {
@@ -43,17 +48,15 @@ inline const std::string first_wheel = R"( 1 MODULE
 
 /// A text with C = 2 made one with C = 4.
 inline std::string with_corrected_coefficients(std::string text, const std::string& correction) {
-  const std::string digits = "022020", material = ".42 .42 200. 200.";
-  text.replace(text.find(digits), digits.size(), "024020");
-  return text.insert(text.find(material), correction + "\n ");
+  const std::string material = ".42 .42 200. 200.";
+  return with(std::move(text), {{"022020", "024020"}, {material, correction + "\n " + material}});
 }
 
 /// A shift of thin sheets with C = 4, which is refused.
 inline std::string refused_shift() {
-  const std::string digits = " 201110", material = ".42 .42 200. 200.";
-  std::string text = with_corrected_coefficients(first_shift, "0 4 2\n 0. 0. 1. .1");
-  text.replace(text.find(digits), digits.size(), " 211110");
-  return text.insert(text.find(material) + material.size(), "\n 1e-4 FLXZ");
+  const std::string material = ".42 .42 200. 200.";
+  return with(with_corrected_coefficients(first_shift, "0 4 2\n 0. 0. 1. .1"),
+              {{" 201110", " 211110"}, {material, material + "\n 1e-4 FLXZ"}});
 }
 
 /// Rolling of a Hertzian contact with 12 elements across: FN, CKSI, CETA, CPHI; CHI, DQ, VELOC; the first control
@@ -69,14 +72,42 @@ struct RunCase {
   Outcome outcome;
 };
 
-/// All cases of a text, run in order.
-inline std::vector<RunCase> run_cases(const std::string& text) {
+/// All cases of a text, whose file has this name.
+inline std::vector<Case> read_cases(const std::string& text, const std::string& file = "a.inp") {
   std::istringstream stream(text);
-  InputReader reader(stream, "a.inp");
+  InputReader reader(stream, file);
+  std::vector<Case> cases;
+  while (const Case* c = reader.next()) cases.push_back(*c);
+  return cases;
+}
+
+inline Case first_case(const std::string& text) {
+  return read_cases(text).at(0);
+}
+
+/// The words with which a text is refused.
+inline void expect_message(const std::string& text, const std::string& message, const std::string& file = "a.inp") {
+  EXPECT_EQ(error_of([&] { read_cases(text, file); }), message);
+}
+
+/// All cases of a text, run in order; profiles lie beside its file.
+inline std::vector<RunCase> run_cases(const std::string& text, const std::string& file = "a.inp") {
+  std::istringstream stream(text);
+  InputReader reader(stream, file);
   Run run;
   std::vector<RunCase> cases;
   while (const Case* c = reader.next()) cases.push_back({*c, run.run(*c)});
   return cases;
+}
+
+/// The same where none is refused.
+inline std::vector<Outcome> outcomes_of(const std::string& text, const std::string& file = "a.inp") {
+  std::vector<Outcome> outcomes;
+  for (RunCase& c : run_cases(text, file)) {
+    for (const auto& reason : c.outcome.reasons) ADD_FAILURE() << reason;
+    outcomes.push_back(std::move(c.outcome));
+  }
+  return outcomes;
 }
 
 } // namespace microslip::contact_program

@@ -13,31 +13,8 @@
 namespace microslip::contact_program {
 namespace {
 
-std::vector<Case> read(const std::string& text) {
-  std::istringstream stream(text);
-  InputReader reader(stream, "a.inp");
-  std::vector<Case> cases;
-  while (const Case* c = reader.next()) cases.push_back(*c);
-  return cases;
-}
-
-void expect_message(const std::string& text, const std::string& message) {
-  try {
-    read(text);
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return place == std::string::npos ? text : text.replace(place, from.size(), to);
-}
-
 TEST(ContactInputFile, ReadsEveryRecordOfACase) {
-  const auto cases = read(first_shift + " 0 MODULE\n");
+  const auto cases = read_cases(first_shift + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 1u);
   const Case& c = cases[0];
   EXPECT_EQ(c.number, 1);
@@ -64,7 +41,7 @@ TEST(ContactInputFile, ReadsEveryRecordOfACase) {
 TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
   const std::string second = " 3 MODULE\n 002110\n 102000\n 0110141\n 9.2 -.6 0 0\n 180d .25 1000. .5\n .3 .3 1. 1.\n";
   const std::string third = " 3 MODULE\n 003100\n 000000\n 0100141\n 9.3 1d-3 0 0 .1 .2\n .2 .2\n";
-  const auto cases = read(first_shift + second + third + " 0 MODULE\n");
+  const auto cases = read_cases(first_shift + second + third + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 3u);
   EXPECT_EQ(cases[1].friction.sets[0][0], 0.4);
   EXPECT_EQ(cases[1].material->shear1, 1.0);
@@ -79,32 +56,32 @@ TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
 }
 
 TEST(ContactInputFile, TheFirstCaseBeginsASequence) {
-  const auto cases = read(replaced(first_shift, "201110", "001110") + first_shift);
+  const auto cases = read_cases(with(first_shift, "201110", "001110") + first_shift);
   EXPECT_EQ(cases[0].digits.pvtime, Continuation::nothing);
   EXPECT_EQ(cases[1].digits.pvtime, Continuation::nothing);
-  EXPECT_EQ(read(replaced(first_shift, "0000331", "0030331"))[0].digits.iestim, InitialGuess::nothing);
+  EXPECT_EQ(read_cases(with(first_shift, "0000331", "0030331"))[0].digits.iestim, InitialGuess::nothing);
 }
 
 TEST(ContactInputFile, StaysInTheModuleIfReturnSaysSo) {
-  const std::string staying = replaced(first_shift, "0000331", "0000330");
-  const auto cases = read(staying + first_shift.substr(first_shift.find('\n') + 1) + " 0 MODULE\n");
+  const std::string staying = with(first_shift, "0000331", "0000330");
+  const auto cases = read_cases(staying + first_shift.substr(first_shift.find('\n') + 1) + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 2u);
   EXPECT_EQ(cases[1].x, -0.5);
 }
 
 TEST(ContactInputFile, SequencesKnowNothingOfEachOther) {
-  const std::string other = replaced(replaced(first_shift, "3 MODULE", "3 2 1 MODULE"), ".4 .4", ".2 .2");
+  const std::string other = with(first_shift, {{"3 MODULE", "3 2 1 MODULE"}, {".4 .4", ".2 .2"}});
   const std::string kept = " 3 2 1 MODULE\n 001110\n 100000\n 0100331\n 9. -.4 0 0\n";
-  const auto cases = read(first_shift + other + kept + replaced(kept, "3 2 1", "3 1 1"));
+  const auto cases = read_cases(first_shift + other + kept + with(kept, "3 2 1", "3 1 1"));
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_EQ(cases[2].friction.sets[0][0], 0.2);
   EXPECT_EQ(cases[3].friction.sets[0][0], 0.4);
-  expect_message(first_shift + replaced(kept, "3 2 1", "3 7"),
+  expect_message(first_shift + with(kept, "3 2 1", "3 7"),
                  "a.inp:16: case 2: digit G = 1 keeps the solvers' parameters, which no earlier case has given");
 }
 
 TEST(ContactInputFile, AKeepDigitInTheFirstCaseIsRefused) {
-  const auto keeps = [](const char* from, const char* to) { return replaced(first_shift, from, to); };
+  const auto keeps = [](const char* from, const char* to) { return with(first_shift, from, to); };
   const std::string nothing = ", which no earlier case has given";
   expect_message(keeps("022020", "122020"), "a.inp:4: case 1: digit L = 1 keeps the friction law" + nothing);
   expect_message(keeps("022020", "002020"), "a.inp:4: case 1: digit D = 0 keeps the potential contact" + nothing);
@@ -117,29 +94,28 @@ TEST(ContactInputFile, AKeepDigitInTheFirstCaseIsRefused) {
 }
 
 TEST(ContactInputFile, DigitsOutOfRangeAreNamed) {
-  expect_message(replaced(first_shift, "201110", "204110"),
-                 "a.inp:2: digit T of PBTNFS = 4: must be one of 0, 1, 2, 3");
-  expect_message(replaced(first_shift, "022020", "522020"),
+  expect_message(with(first_shift, "201110", "204110"), "a.inp:2: digit T of PBTNFS = 4: must be one of 0, 1, 2, 3");
+  expect_message(with(first_shift, "022020", "522020"),
                  "a.inp:3: digit L of VLDCMZE = 5: must be one of 0, 1, 2, 3, 4, 6");
-  expect_message(replaced(first_shift, "0000331", "0000931"),
+  expect_message(with(first_shift, "0000331", "0000931"),
                  "a.inp:4: digit O of XHGIAOWR = 9: must be one of 0, 1, 2, 3, 4, 5, 6");
-  expect_message(replaced(first_shift, "201110", "2201110"), "a.inp:2: PBTNFS = 2201110: must have 6 digits at most");
+  expect_message(with(first_shift, "201110", "2201110"), "a.inp:2: PBTNFS = 2201110: must have 6 digits at most");
 }
 
 TEST(ContactInputFile, ValuesOutOfRangeAreNamed) {
-  expect_message(replaced(first_shift, "9.1954", "-9.1954"), "a.inp:6: FN = -9.1954: must be > 0");
-  expect_message(replaced(first_shift, ".4 .4", ".4 .3"),
+  expect_message(with(first_shift, "9.1954", "-9.1954"), "a.inp:6: FN = -9.1954: must be > 0");
+  expect_message(with(first_shift, ".4 .4", ".4 .3"),
                  "a.inp:7: FKIN = 0.3: must equal FSTAT, 0.4; friction at rest above that of sliding is not supported");
-  expect_message(replaced(first_shift, ".42 .42", ".42 .62"), "a.inp:8: POISS2 = 0.62: must be in [0, 0.5]");
-  expect_message(replaced(first_shift, "19 19", "0 19"), "a.inp:10: MX = 0: must be in 1 to 10000");
-  expect_message(replaced(first_shift, " 1                   IPOTCN", " 0"),
+  expect_message(with(first_shift, ".42 .42", ".42 .62"), "a.inp:8: POISS2 = 0.62: must be in [0, 0.5]");
+  expect_message(with(first_shift, "19 19", "0 19"), "a.inp:10: MX = 0: must be in 1 to 10000");
+  expect_message(with(first_shift, " 1                   IPOTCN", " 0"),
                  "a.inp:9: IPOTCN = 0: must be one of -6, -5, -4, -3, -2, -1, 1, 2, 3, 4");
-  expect_message(replaced(first_shift, " 1 1  ", " 5 1"), "a.inp:11: IBASE = 5: must be one of 1, 2, 3, 9");
-  const std::string plan = replaced(first_shift, " 1 1  ", " 1 3  ") + " -1 1 -1 1\n 2 3 3 2\n";
+  expect_message(with(first_shift, " 1 1  ", " 5 1"), "a.inp:11: IBASE = 5: must be one of 1, 2, 3, 9");
+  const std::string plan = with(first_shift, " 1 1  ", " 1 3  ") + " -1 1 -1 1\n 2 3 3 2\n";
   expect_message(plan, "a.inp:14: PL(8) = 2: must be above PL(7)");
-  const std::string hertz = replaced(replaced(first_shift, "201110", "200000"), "9.1954", "-.01");
+  const std::string hertz = with(first_shift, {{"201110", "200000"}, {"9.1954", "-.01"}});
   expect_message(
-      replaced(hertz, " 1                   IPOTCN\n 19 19 -1.26667 -1.26667 .13333 .13333", " -3\n 19 19 1. 1. 1.2"),
+      with(hertz, " 1                   IPOTCN\n 19 19 -1.26667 -1.26667 .13333 .13333", " -3\n 19 19 1. 1. 1.2"),
       "a.inp:10: PEN = -0.01: must be > 0 with Hertz's geometry, IPOTCN < 0");
   expect_message(" 7 MODULE\n", "a.inp:1: MODULE = 7: must be 0, 1 or 3");
 }
@@ -176,7 +152,7 @@ TEST(ContactInputFile, LinesInAnotherOrderAreRefused) {
     std::string text;
     for (const auto& line : swapped) text += line + "\n";
     try {
-      read(text);
+      read_cases(text);
     } catch (const Error&) {
       ++refused;
     }
@@ -187,8 +163,8 @@ TEST(ContactInputFile, LinesInAnotherOrderAreRefused) {
 TEST(ContactInputFile, BinaryFilesAreRefused) {
   std::string bytes;
   for (int k = 0; k < 5000; ++k) bytes += static_cast<char>((k * 73 + k / 7) % 256);
-  EXPECT_THROW(read(bytes), Error);
-  EXPECT_THROW(read(std::string(100000, '\0')), Error);
+  EXPECT_THROW(read_cases(bytes), Error);
+  EXPECT_THROW(read_cases(std::string(100000, '\0')), Error);
 }
 
 TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
@@ -236,7 +212,7 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
  0
  0 MODULE
 )";
-  const auto cases = read(text);
+  const auto cases = read_cases(text);
   ASSERT_EQ(cases.size(), 1u);
   EXPECT_EQ(cases[0].heat->body2[0], 30.0);
   EXPECT_EQ(cases[0].heat->body1[3], 7.8e-6);
@@ -254,7 +230,7 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
 
 TEST(ContactInputFile, SequencesOfBothModulesKnowNothingOfEachOther) {
   const std::string kept = " 3 MODULE\n 001110\n 100000\n 0100331\n 9. -.4 0 0\n";
-  const auto cases = read(first_shift + first_wheel + kept + " 0 MODULE\n");
+  const auto cases = read_cases(first_shift + first_wheel + kept + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 3u);
   EXPECT_FALSE(cases[0].wheel_rail);
   EXPECT_TRUE(cases[1].wheel_rail);

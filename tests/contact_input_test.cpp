@@ -3,7 +3,8 @@
 #include "microslip/batch/solve_parallel.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/test_cases.hpp"
 
 #include <cmath>
@@ -16,9 +17,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool all_finite(const ContactForces& f) {
   return std::isfinite(f.fx) && std::isfinite(f.fy) && std::isfinite(f.mz) && std::isfinite(f.adhesion_area) &&

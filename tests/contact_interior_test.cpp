@@ -4,6 +4,7 @@
 
 #include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +24,7 @@ std::string with_points(const std::string& blocks, const std::string& output = "
 }
 
 std::vector<InteriorBlock> interior_of(const std::string& text) {
-  const auto cases = run_cases(text);
-  for (const auto& reason : cases.at(0).outcome.reasons) ADD_FAILURE() << reason;
-  return cases.at(0).outcome.interior;
+  return outcomes_of(text).at(0).interior;
 }
 
 TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
@@ -60,9 +59,8 @@ TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   const Outcome& o = cases.at(0).outcome;
   const TangentialState& t = o.solution.tangential.tractions;
   const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
-  const Material steel = {82e9, 0.28};
   for (std::size_t k = 0; k < 2; ++k) {
-    const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions);
+    const InteriorField field(steel_body, k == 0 ? Body::second : Body::first, o.step.grid, tractions);
     const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3});
     EXPECT_DOUBLE_EQ(o.interior.at(0).states.at(k).uz, expected.uz);
     EXPECT_DOUBLE_EQ(o.interior.at(0).states.at(k).stress.xz, expected.stress.xz);
@@ -82,11 +80,10 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     ASSERT_EQ(o.kind, Outcome::Kind::solved);
     const TangentialState& t = o.solution.tangential.tractions;
     const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
-    const Material steel = {82e9, 0.28};
     const double velocity = chi == "0" ? 30 : -30;
     const MaterialCreep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
     for (std::size_t k = 0; k < 2; ++k) {
-      const InteriorField field(steel, k == 0 ? Body::second : Body::first, o.step.grid, tractions,
+      const InteriorField field(steel_body, k == 0 ? Body::second : Body::first, o.step.grid, tractions,
                                 retardation_of(creeps[k], velocity));
       const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3}), found = o.interior.at(0).states.at(k);
       EXPECT_DOUBLE_EQ(found.ux, expected.ux);

@@ -1,9 +1,9 @@
 // Profiles as CONTACT's input files name them: which of them have z upwards, and where they are looked for.
 
 #include "compat/contact/wheel_rail/profile_reading.hpp"
-#include "microslip/error.hpp"
 #include "paths.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -114,12 +114,8 @@ TEST_F(ContactProfileReading, RemarksBehindTheNumbersOfMiniProfAreRead) {
   record.file = (folder_ / "rail.ban").string();
   EXPECT_EQ(read_profile_curve(record, ProfileRole::rail)->points().size(), 4u);
   std::ofstream(folder_ / "rail.ban") << "ColumnDef=X,Y,A\n\n-20 5 0\n-10 1 about 0\n10 1 0\n";
-  try {
-    read_profile_curve(record, ProfileRole::rail);
-    ADD_FAILURE() << "no Error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), record.file + ":4: a coordinate: \"about\" is not a finite number");
-  }
+  EXPECT_EQ(error_of([&] { read_profile_curve(record, ProfileRole::rail); }),
+            record.file + ":4: a coordinate: \"about\" is not a finite number");
 }
 
 } // namespace

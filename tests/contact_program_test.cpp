@@ -2,9 +2,9 @@
 
 #include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
-#include "tests/sanitized.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -12,14 +12,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -138,13 +136,12 @@ TEST(ContactProgram, WritesMatFilesOnRequest) {
 /// What a wheel does not bear of a force that is prescribed is said alike wherever its status stands.
 TEST(ContactProgram, AForceThatIsNotReachedIsNowhereOk) {
   const TemporaryFolder folder;
-  const auto with = [](std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-  };
   const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
-  std::string text = with(contact_program::first_wheel, " 1203000", " 1203100");
-  text = with(with(text, "'rail.prr'", "'" + profiles + "60e1.prr'"), "'wheel.prw'", "'" + profiles + "s1002.prw'");
-  text = with(with(text, " 0 0 .16 ", " 0 0 50e3 "), ".2 .2 1.", ".5 .5 1.");
+  std::string text = with(contact_program::first_wheel, {{" 1203000", " 1203100"},
+                                                         {"'rail.prr'", "'" + profiles + "60e1.prr'"},
+                                                         {"'wheel.prw'", "'" + profiles + "s1002.prw'"},
+                                                         {" 0 0 .16 ", " 0 0 50e3 "},
+                                                         {".2 .2 1.", ".5 .5 1."}});
   save(folder / "a.inp",
        text + with(text, "1e-7     MAXGS", "1e-17 MAXGS") + " 0 MODULE\n"); // to which nothing is equal
   const auto printed = run(folder, "a.inp --out");
@@ -265,13 +262,8 @@ TEST(ContactProgram, AFileCutShortBetweenCasesIsReported) {
 /// Starts `microslip run` in a folder and returns its process number.
 pid_t start(const TemporaryFolder& folder, const char* file) {
   const pid_t child = fork();
-  if (child != 0) return child;
-  if (chdir(folder.path().c_str()) != 0) _exit(99);
-  const int nowhere = open("/dev/null", O_WRONLY);
-  dup2(nowhere, STDOUT_FILENO);
-  dup2(nowhere, STDERR_FILENO);
-  execl(MICROSLIP_PROGRAM, MICROSLIP_PROGRAM, "run", file, "-o", "out", static_cast<char*>(nullptr));
-  _exit(99);
+  if (child == 0) become_program(folder, {"run", file, "-o", "out"});
+  return child;
 }
 
 /// Largest memory of a run [KiB].

@@ -2,8 +2,8 @@
 
 #include "microslip/railway/wheel_locus.hpp"
 
-#include "expect_error.hpp"
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 

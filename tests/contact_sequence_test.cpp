@@ -4,10 +4,11 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -27,8 +28,7 @@ ContactStep sphere(const ElementGrid& grid) {
   ContactStep step;
   step.grid = grid;
   step.bodies.material = material;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) step.gap.push_back(curvature * (std::pow(grid.x(i), 2) + std::pow(grid.y(j), 2)));
+  step.gap = over_grid(grid, [](double x, double y) { return curvature * (std::pow(x, 2) + std::pow(y, 2)); });
   step.load = {NormalLoad::Given::force, force};
   step.friction = {FrictionLaw::coulomb(friction)};
   step.motion.motion = ContactMotion::shift;
@@ -81,9 +81,7 @@ TEST(ContactSequence, RollingAtAnAngleIsRollingAlongXTurned) {
     const auto along_x = rolled(step, {8e-3, 4e-3, 0.5}, 0), along_y = rolled(step, {-4e-3, 8e-3, 0.5}, right_angle);
     const ContactForces &a = along_x.tangential.forces, &b = along_y.tangential.forces;
     EXPECT_GT(along_x.slip_elements, 5) << variant;
-    EXPECT_NEAR(b.fx, -a.fy, 1e-6 * force) << variant;
-    EXPECT_NEAR(b.fy, a.fx, 1e-6 * force) << variant;
-    EXPECT_NEAR(b.mz, a.mz, 1e-9 * force) << variant;
+    expect_forces(b, {-a.fy, a.fx, a.mz}, 1e-6 * force, 1e-9 * force, std::to_string(variant));
     EXPECT_EQ(along_y.slip_elements, along_x.slip_elements) << variant;
   }
 }

@@ -6,21 +6,15 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "tests/contact_input_cases.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
 namespace microslip::contact_program {
 namespace {
-
-Case first_case(const std::string& text) {
-  std::istringstream stream(text);
-  InputReader reader(stream, "a.inp");
-  return *reader.next();
-}
 
 /// A case with a potential contact and a geometry.
 ContactStep step_of(const std::string& potential, const std::string& geometry = "",
@@ -47,7 +41,6 @@ TEST(ContactSetUp, FourWaysToGiveTheSameGrid) {
 }
 
 TEST(ContactSetUp, HertzianGridsAreScaledEllipses) {
-  const CombinedMaterial steel = {82e9, 0.28, 0};
   const HertzContact hertz = hertz_from_load({10, 5}, steel, 10);
   const ContactStep curvatures = step_of("-1\n 12 10 .01 .005 1.5");
   EXPECT_NEAR(curvatures.grid.dx / (2 * 1.5 * hertz.a / 12), 1, 1e-12);
@@ -65,7 +58,7 @@ TEST(ContactSetUp, HertzianGridsAreScaledEllipses) {
 
 TEST(ContactSetUp, HertzianLinesHaveTheLengthGiven) {
   const ContactStep by_curvature = step_of("-4\n 12 1 .001 5. 1.2");
-  const LineContact line = line_contact_from_load(1, {82e9, 0.28, 0}, 10 / 10e-3);
+  const LineContact line = line_contact_from_load(1, steel, 10 / 10e-3);
   EXPECT_NEAR(by_curvature.grid.dx, 2 * 1.2 * line.half_width / 12, 1e-15);
   EXPECT_DOUBLE_EQ(by_curvature.grid.dy, 10e-3);
   char half_width[32];

@@ -2,9 +2,10 @@
 
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 
 ContactSolution solved() {
   ContactSolution s;
@@ -47,7 +46,7 @@ TEST(ContactSolution, IsNotConvergedWithALargerResidual) {
 
 TEST(ContactSolution, IsNeverOkWithoutNumbers) {
   std::vector<double ContactSolution::*> own = {&ContactSolution::approach, &ContactSolution::highest_temperature};
-  for (const double bad : {nan, infinite}) {
+  for (const double bad : {nan, infinity}) {
     for (const auto number : {&Totals::fx, &Totals::fy, &Totals::mz, &Totals::my, &Totals::adhesion_area,
                               &Totals::slip_area, &Totals::frictional_power, &Totals::power_by_creepage,
                               &Totals::elastic_energy, &Totals::peak_pressure, &Totals::peak_traction}) {
@@ -101,10 +100,10 @@ TEST(ContactSolution, KeepsAReasonThatItHas) {
   EXPECT_EQ(concluded(s).report.reason, "ended by the progress function");
 }
 
-RollingProblem steel() {
+RollingProblem steel_problem() {
   RollingProblem p;
   p.geometry = Ellipse{4e-3, 3e-3};
-  p.bodies = CombinedMaterial{82e9, 0.28, 0};
+  p.bodies = steel;
   p.load = {NormalLoad::Given::force, 10e3};
   p.friction.law = FrictionLaw::coulomb(0.3);
   p.motion.creepage = {1e-3, -5e-4, 0.1};
@@ -121,7 +120,7 @@ TEST(ContactSolution, OfExtremeInputIsNotOkWithoutNumbers) {
   for (const Method& method : methods)
     for (const double extreme : {1e-300, 1e-150, 1e150, 1e300})
       for (int which = 0; which < 6; ++which) {
-        RollingProblem p = steel();
+        RollingProblem p = steel_problem();
         if (which == 0) p.geometry = Ellipse{extreme, 3e-3};
         if (which == 1) p.geometry = Ellipse{4e-3, extreme};
         if (which == 2) p.bodies = CombinedMaterial{extreme, 0.28, 0};
@@ -144,7 +143,7 @@ TEST(ContactSolution, OfExtremeInputIsNotOkWithoutNumbers) {
 }
 
 TEST(ContactSolution, OfBodiesApartHasNoForces) {
-  RollingProblem p = steel();
+  RollingProblem p = steel_problem();
   p.geometry =
       GapFormula{ElementGrid::across_ellipse(1e-3, 1e-3, 6, 6), [](double x, double y) { return x * x + y * y; }};
   p.load = {NormalLoad::Given::approach, -1e-6};

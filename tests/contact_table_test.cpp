@@ -1,6 +1,7 @@
 #include "io/contact_table.hpp"
 
 #include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -42,12 +43,7 @@ Table read_table(const std::string& csv) {
 }
 
 std::string message_of(const std::string& csv) {
-  try {
-    read_table(csv);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { read_table(csv); });
 }
 
 /// The good row with one field replaced.

@@ -1,11 +1,11 @@
 // Wheels on rails of CONTACT's input files with profiles that vary: rails made of slices, wheels that are not round.
 
-#include "compat/contact/input.hpp"
-#include "compat/contact/run.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "paths.hpp"
-#include "tests/contact_input_cases.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/contact_profile_folder.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -22,38 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
-double convex(double y) {
-  return 100 - std::sqrt(1e4 - y * y);
-}
-
-/// Profiles 40 mm wide; a wheel whose profile is a circle of 100 mm: with a radius of 100 mm it is a sphere.
-class VariedProfiles : public ::testing::Test {
+class VariedProfiles : public ProfileFolder {
 protected:
-  void SetUp() override {
-    write("wheel.prw", 1, [](double y) { return -convex(y); });
-    write("convex.prr", 0, convex);
-  }
-
-  void write(const std::string& name, int type, const std::function<double(double)>& z) {
-    std::ofstream file(folder_.path() / name);
-    file.precision(15);
-    file << "header.begin\n version = 1\n type = " << type << "\nheader.end\nspline.begin\n units.len.f = 1000.\n";
-    file << " point.begin\n";
-    for (int k = 0; k <= 400; ++k) {
-      const double y = type == 0 ? -20 + 0.1 * k : 20 - 0.1 * k;
-      file << y << " " << z(y) << "\n";
-    }
-    file << " point.end\nspline.end\n";
-  }
-
   /// Slices at these u, without features; `end` is what follows their list, `header` the interpolation.
   void write_slices(const std::string& name, const std::vector<double>& u, const std::vector<std::string>& files,
                     const std::string& header = "1", const std::string& end = "") {
-    std::ofstream file(folder_.path() / name);
+    std::ofstream file(folder_ / name);
     file << "0 1\n" << u.size() << "\n0\n" << header << "\n";
     for (std::size_t k = 0; k < u.size(); ++k) file << u[k] << " '" << files[k % files.size()] << "'\n";
     file << end;
@@ -69,26 +43,7 @@ protected:
     write_slices("rail.slcs", u, files);
   }
 
-  std::vector<Outcome> run(const std::string& text) {
-    std::istringstream stream(text);
-    InputReader reader(stream, (folder_.path() / "a.inp").string());
-    contact_program::Run runs;
-    std::vector<Outcome> outcomes;
-    while (const Case* c = reader.next()) outcomes.push_back(runs.run(*c));
-    for (const auto& o : outcomes)
-      for (const auto& reason : o.reasons) ADD_FAILURE() << reason;
-    return outcomes;
-  }
-
   WheelOutcome wheel(const std::string& text) { return run(text).at(0).wheel.value(); }
-
-  static std::vector<double> steps(double first, double last, int count) {
-    std::vector<double> u;
-    for (int k = 0; k < count; ++k) u.push_back(first + (last - first) * k / (count - 1));
-    return u;
-  }
-
-  TemporaryFolder folder_;
 };
 
 const std::string on_slices = with(first_wheel, "'rail.prr'", "'rail.slcs'");
@@ -97,9 +52,7 @@ const std::string place = " 0 0 .16 0 0 0", search = " 0022033";
 
 void expect_alike(const WheelOutcome& a, const WheelOutcome& b, double tolerance) {
   const double force = tolerance * std::abs(b.track.force.z);
-  EXPECT_NEAR(a.track.force.x, b.track.force.x, force);
-  EXPECT_NEAR(a.track.force.y, b.track.force.y, force);
-  EXPECT_NEAR(a.track.force.z, b.track.force.z, force);
+  expect_near(a.track.force, b.track.force, force);
   ASSERT_EQ(a.patches.size(), b.patches.size());
   for (std::size_t k = 0; k < a.patches.size(); ++k) {
     EXPECT_NEAR(a.patches[k].location.track.x, b.patches[k].location.track.x, 10 * tolerance);
@@ -109,17 +62,17 @@ void expect_alike(const WheelOutcome& a, const WheelOutcome& b, double tolerance
 }
 
 TEST_F(VariedProfiles, SlicesThatAreAlikeAreAPrismaticRail) {
-  write_slices("rail.slcs", steps(-60, 60, 7), {"convex.prr"});
+  write_slices("rail.slcs", equal_steps(-60, 60, 7), {"convex.prr"});
   for (const char* digits : {" 0022033", " 0052033"})
     for (const char* at : {" 0 0 .16 0 0 0", " 7. 3. .1 .002 .02 0"}) {
-      const auto edit = [&](const std::string& text) { return with(with(text, search, digits), place, at); };
+      const auto edit = [&](const std::string& text) { return with(text, {{search, digits}, {place, at}}); };
       expect_alike(wheel(edit(on_slices)), wheel(edit(on_rail)), 1e-6);
     }
 }
 
 /// Shifts, and rolling from step to step with patches that move along the rail, go on over slices as over a profile.
 TEST_F(VariedProfiles, ShiftsAndStepsOfRollingGoOnOverSlices) {
-  write_slices("rail.slcs", steps(-60, 60, 7), {"convex.prr"});
+  write_slices("rail.slcs", equal_steps(-60, 60, 7), {"convex.prr"});
   const std::string shift = " 1 MODULE\n 1001000\n 0111002\n 0100331\n .4 0 .16 0 0 0\n .001 0 0 0 0 0\n";
   const std::string roll = " 1 MODULE\n 1002000\n 0111002\n 0100331\n .2 0 .16 0 0 0\n 100. 0 0 0 0 -1.01\n"
                            " 1 MODULE\n 1002000\n 0111002\n 0100331\n .4 0 .15 0 0 0\n 100. 0 0 0 0 -1.01\n";
@@ -129,26 +82,26 @@ TEST_F(VariedProfiles, ShiftsAndStepsOfRollingGoOnOverSlices) {
     for (std::size_t k = 0; k < slices.size(); ++k) expect_alike(*slices[k].wheel, *rail[k].wheel, 1e-6);
     EXPECT_GT(std::abs(rail.back().wheel->track.force.x), 100);
   };
-  compare(with(with(on_rail, " 1203000", " 1201000"), " 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 "), shift);
-  compare(with(with(on_rail, " 1203000", " 1202000"), " 100. 0 0 0 0 -1. ", " 100. 0 0 0 0 -1.01 "), roll);
+  compare(with(on_rail, {{" 1203000", " 1201000"}, {" 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 "}}), shift);
+  compare(with(on_rail, {{" 1203000", " 1202000"}, {" 100. 0 0 0 0 -1. ", " 100. 0 0 0 0 -1.01 "}}), roll);
 }
 
 /// A sphere made of slices under a sphere: Hertz's force, midway between their centres.
 TEST_F(VariedProfiles, SlicesOfASphereAreASphere) {
-  write_rail(steps(-20, 20, 41), [](double u, double y) { return 100 - std::sqrt(1e4 - u * u - y * y); });
-  const auto hertz = hertz_from_approach({10, 10}, combine({82e9, 0.28}, {82e9, 0.28}), 0.16e-3);
+  write_rail(equal_steps(-20, 20, 41), [](double u, double y) { return 100 - std::sqrt(1e4 - u * u - y * y); });
+  const auto hertz = hertz_from_approach({10, 10}, steel, 0.16e-3);
   for (const char* digits : {" 0022033", " 0052033"}) {
     const WheelOutcome above = wheel(with(on_slices, search, digits));
     EXPECT_NEAR(above.track.force.z / hertz.normal_force, 1, 0.004) << digits;
     EXPECT_NEAR(above.patches.at(0).location.track.x, 0, 1e-3);
-    const WheelOutcome ahead = wheel(with(with(on_slices, search, digits), place, " 4. 0 .13 0 0 0"));
+    const WheelOutcome ahead = wheel(with(on_slices, {{search, digits}, {place, " 4. 0 .13 0 0 0"}}));
     EXPECT_NEAR(ahead.patches.at(0).location.track.x, -2, 0.01) << digits;
   }
 }
 
 /// On a plane that rises by a tenth the sphere touches ahead of its lowest point, and is lifted by R (sqrt 1.01 - 1).
 TEST_F(VariedProfiles, OnARampTheWheelTouchesAhead) {
-  write_rail(steps(-40, 40, 5), [](double u, double) { return -0.1 * u; });
+  write_rail(equal_steps(-40, 40, 5), [](double u, double) { return -0.1 * u; });
   const double lift = 100 * (std::sqrt(1.01) - 1);
   const WheelOutcome w = wheel(with(on_slices, place, " 0 0 " + std::to_string(0.16 - lift) + " 0 0 0"));
   EXPECT_NEAR(w.patches.at(0).location.track.x, 10 / std::sqrt(1.01), 5e-3);
@@ -157,7 +110,7 @@ TEST_F(VariedProfiles, OnARampTheWheelTouchesAhead) {
 
 /// Waves of a rail: on their crest it is higher by their amplitude, and 2 pi/L times that steep in between.
 TEST_F(VariedProfiles, CorrugationLiftsTheWheel) {
-  const std::string text = with(with(on_slices, " 1203000", " 1203100"), place, " 0 0 5e4 0 0 0");
+  const std::string text = with(on_slices, {{" 1203000", " 1203100"}, {place, " 0 0 5e4 0 0 0"}});
   write_slices("rail.slcs", {-60, 60}, {"convex.prr"});
   const double smooth = wheel(text).z;
   write_slices("rail.slcs", {-60, 60}, {"convex.prr"}, "1 1", "1\n .01 800. 0d\n");
@@ -169,8 +122,8 @@ TEST_F(VariedProfiles, CorrugationLiftsTheWheel) {
 }
 
 TEST_F(VariedProfiles, AWheelOfEqualSlicesIsRound) {
-  write_slices("wheel.slcw", steps(-3, 3, 61), {"wheel.prw"});
-  const std::string round = with(with(on_rail, search, " 0052033"), place, " 0 3. .12 .002 0 0");
+  write_slices("wheel.slcw", equal_steps(-3, 3, 61), {"wheel.prw"});
+  const std::string round = with(on_rail, {{search, " 0052033"}, {place, " 0 3. .12 .002 0 0"}});
   const std::string slices = with(round, "'wheel.prw'", "'wheel.slcw'");
   for (const char* pitch : {"0", "-40d", "2.9"}) {
     const auto turned = [&](const std::string& text) {
@@ -183,8 +136,8 @@ TEST_F(VariedProfiles, AWheelOfEqualSlicesIsRound) {
 /// A wave of order one is an eccentric circle: the wheel stands lower by its eccentricity on the lowest point's side.
 TEST_F(VariedProfiles, AnEccentricWheelRisesAndFalls) {
   const std::string text =
-      with(with(with(on_rail, "'wheel.prw'", "'wheel.slcw'"), " 1203000", " 1203100"), place, " 0 0 5e4 0 0 0");
-  write_slices("wheel.slcw", steps(-3, 3, 61), {"wheel.prw"}, "1 2", "1\n .5 1 0\n");
+      with(on_rail, {{"'wheel.prw'", "'wheel.slcw'"}, {" 1203000", " 1203100"}, {place, " 0 0 5e4 0 0 0"}});
+  write_slices("wheel.slcw", equal_steps(-3, 3, 61), {"wheel.prw"}, "1 2", "1\n .5 1 0\n");
   const auto height = [&](const char* pitch) {
     return wheel(with(text, " 0 0 5e4 0 0 0", std::string(" 0 0 5e4 0 0 ") + pitch)).z;
   };
@@ -194,12 +147,12 @@ TEST_F(VariedProfiles, AnEccentricWheelRisesAndFalls) {
 }
 
 TEST_F(VariedProfiles, LeftIsTheMirrorImageOfRight) {
-  write_rail(steps(-40, 40, 9), [](double u, double y) { return convex(y) - 0.02 * u + 2e-4 * u * y; });
+  write_rail(equal_steps(-40, 40, 9), [](double u, double y) { return convex(y) - 0.02 * u + 2e-4 * u * y; });
   const std::string text =
-      with(with(on_slices, place, " 3. 3. .1 .002 .01 0"), " 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. ");
-  const std::string mirrored =
-      with(with(with(text, " 1203000", " 0203000"), " 3. 3. .1 .002 .01 0", " 3. -3. .1 -.002 -.01 0"),
-           " 100. 1. 0 .1 .2 -1. ", " 100. -1. 0 -.1 -.2 -1. ");
+      with(on_slices, {{place, " 3. 3. .1 .002 .01 0"}, {" 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. "}});
+  const std::string mirrored = with(text, {{" 1203000", " 0203000"},
+                                           {" 3. 3. .1 .002 .01 0", " 3. -3. .1 -.002 -.01 0"},
+                                           {" 100. 1. 0 .1 .2 -1. ", " 100. -1. 0 -.1 -.2 -1. "}});
   const WheelOutcome right = wheel(text), left = wheel(mirrored);
   EXPECT_GT(std::abs(right.patches.at(0).location.track.x), 0.02);
   EXPECT_NEAR(right.track.force.x, left.track.force.x, 1e-6);
@@ -211,11 +164,11 @@ TEST_F(VariedProfiles, LeftIsTheMirrorImageOfRight) {
 TEST_F(VariedProfiles, WhereTheRailIsInterruptedThereIsNone) {
   write("nose.prr", 0, [](double y) { return y > 0 ? 0 : 5.; });
   write("plain.prr", 0, [](double) { return 5.; });
-  std::ofstream file(folder_.path() / "rail.slcs");
+  std::ofstream file(folder_ / "rail.slcs");
   file << "0 1\n6\n3\n1\n-30 'plain.prr'\n-20 'plain.prr'\n-10 'plain.prr'\n10 'nose.prr'\n20 'nose.prr'\n"
           "30 'nose.prr'\n-30 0 20 -1\n-20 0 20 -1\n-10 0 20 -1\n10 0 22.5 99\n20 0 22.5 99\n30 0 22.5 99\n";
   file.close();
-  const std::string text = with(with(on_slices, " 1203000", " 1203100"), place, " 0 6. 5e4 0 0 0");
+  const std::string text = with(on_slices, {{" 1203000", " 1203100"}, {place, " 0 6. 5e4 0 0 0"}});
   const auto at = [&](const char* s) { return wheel(with(text, " 0 6. 5e4", std::string(" ") + s + " 6. 5e4")); };
   EXPECT_NEAR(at("25.").patches.at(0).location.track.z, 0, 0.2) << "on the nose";
   EXPECT_NEAR(at("-25.").patches.at(0).location.track.z, 5, 0.2) << "beside it";
@@ -224,7 +177,7 @@ TEST_F(VariedProfiles, WhereTheRailIsInterruptedThereIsNone) {
 TEST_F(VariedProfiles, MistakesInSlicesAreReasons) {
   const auto reason = [&](const std::string& text) {
     std::istringstream stream(text);
-    InputReader reader(stream, (folder_.path() / "a.inp").string());
+    InputReader reader(stream, (folder_ / "a.inp").string());
     contact_program::Run runs;
     const Outcome outcome = runs.run(*reader.next());
     return outcome.reasons.empty() ? std::string() : outcome.reasons.front();

@@ -2,11 +2,11 @@
 
 #include "microslip/rolling/contact_warnings.hpp"
 #include "paths.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,7 +14,6 @@
 namespace microslip {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const PrincipalRadii wheel_on_rail{0.46, infinity, infinity, 0.3};
 
 ContactWarnings of(double young, double force, const PrincipalRadii& radii = wheel_on_rail) {

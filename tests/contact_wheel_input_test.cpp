@@ -5,7 +5,6 @@
 #include "tests/contact_input_cases.hpp"
 
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,24 +14,11 @@ namespace microslip::contact_program {
 namespace {
 
 std::vector<Case> read(const std::string& text) {
-  std::istringstream stream(text);
-  InputReader reader(stream, "folder/a.inp");
-  std::vector<Case> cases;
-  while (const Case* c = reader.next()) cases.push_back(*c);
-  return cases;
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
+  return read_cases(text, "folder/a.inp");
 }
 
 void expect_message(const std::string& text, const std::string& message) {
-  try {
-    read(text);
-    ADD_FAILURE() << "no Error: " << message;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
+  contact_program::expect_message(text, message, "folder/a.inp");
 }
 
 TEST(ContactWheelInput, ReadsARecordPerConcept) {
@@ -56,7 +42,7 @@ TEST(ContactWheelInput, ReadsARecordPerConcept) {
 
 TEST(ContactWheelInput, BackslashesInNamesOfFilesAreSeparators) {
   const WheelRailData d =
-      *read(with(with(first_wheel, "'rail.prr'", "'profiles\\rail.prr'"), "'wheel.prw'", "'..\\a/b\\w.prw'"))
+      *read(with(first_wheel, {{"'rail.prr'", "'profiles\\rail.prr'"}, {"'wheel.prw'", "'..\\a/b\\w.prw'"}}))
            .at(0)
            .wheel_rail;
   EXPECT_EQ(d.rail.file, "folder/profiles/rail.prr");
@@ -65,11 +51,12 @@ TEST(ContactWheelInput, BackslashesInNamesOfFilesAreSeparators) {
 }
 
 TEST(ContactWheelInput, ReadsWhatIsOptional) {
-  std::string text = with(first_wheel, "1e-7     MAXGS", "1e-7 5000 MAXGS");
-  text = with(text, "8. 4.    DX", "8. 4. 10. .1 DX");
-  text = with(text, "-1. 200. 0. 0.   ", "14. 0 1435. 2.5d 1e-6");
-  text = with(text, "'rail.prr' 0 1. 0.    RFNAME", "'rail.prr' 1 2. 3. -1 2 RFNAME\n 1 140d 25d 4d 1.5\n -1 .25 %");
-  text = with(text, "100.       FBDIST", "100. -3. FBDIST");
+  std::string text = with(
+      first_wheel, {{"1e-7     MAXGS", "1e-7 5000 MAXGS"},
+                    {"8. 4.    DX", "8. 4. 10. .1 DX"},
+                    {"-1. 200. 0. 0.   ", "14. 0 1435. 2.5d 1e-6"},
+                    {"'rail.prr' 0 1. 0.    RFNAME", "'rail.prr' 1 2. 3. -1 2 RFNAME\n 1 140d 25d 4d 1.5\n -1 .25 %"},
+                    {"100.       FBDIST", "100. -3. FBDIST"}});
   const WheelRailData d = *read(text).at(0).wheel_rail;
   EXPECT_EQ(read(text).at(0).solver.npot_max, 5000);
   EXPECT_EQ(d.grid.d_turn, 10);
@@ -87,7 +74,7 @@ TEST(ContactWheelInput, ReadsWhatIsOptional) {
 
 TEST(ContactWheelInput, FrictionHasStationsByInclination) {
   const auto text =
-      with(with(first_wheel, " 0022033", " 1322033"), " .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2.");
+      with(first_wheel, {{" 0022033", " 1322033"}, {" .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2."}});
   const Case c = read(text).at(0);
   ASSERT_EQ(c.friction.stations.size(), 2u);
   EXPECT_DOUBLE_EQ(c.friction.stations[1], -std::numbers::pi / 18);
@@ -109,10 +96,12 @@ TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
 }
 
 TEST(ContactWheelInput, RollersAndDeflectionsHaveRecordsOfTheirOwn) {
-  std::string text = with(with(first_wheel, " 1203000", " 5203130"), " 0022033", " 0022035");
-  text = with(text, "-1. 200. 0. 0. ", "-1. 200. 0. 400. ");
-  text = with(text, " 0 0 0 0 0 0           DY", " 0 0 .1r 0 0 0 DY\n 1e5 2e3 3e5 4e3 .5 KY");
-  text = with(text, " 100. 0 0 0 0 -1.      VS", " .25 0 0 0 0 -1. VPITCH_ROL\n 1 2 3 4d 5 6\n 7 8 9 10 11 12");
+  std::string text =
+      with(first_wheel, {{" 1203000", " 5203130"},
+                         {" 0022033", " 0022035"},
+                         {"-1. 200. 0. 0. ", "-1. 200. 0. 400. "},
+                         {" 0 0 0 0 0 0           DY", " 0 0 .1r 0 0 0 DY\n 1e5 2e3 3e5 4e3 .5 KY"},
+                         {" 100. 0 0 0 0 -1.      VS", " .25 0 0 0 0 -1. VPITCH_ROL\n 1 2 3 4d 5 6\n 7 8 9 10 11 12"}});
   const WheelRailData d = *read(text).at(0).wheel_rail;
   EXPECT_TRUE(d.digits.is_roller());
   EXPECT_EQ(d.track.roller_radius, 400);

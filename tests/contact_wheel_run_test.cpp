@@ -6,14 +6,13 @@
 #include "compat/contact/wheel_rail/own_solution.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "paths.hpp"
-#include "tests/contact_input_cases.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/contact_profile_folder.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -26,49 +25,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
-/// A flat rail and a wheel whose profile is a circle of 100 mm: with a radius of 100 mm the wheel is a sphere.
-class WheelOnPlane : public ::testing::Test {
+/// A flat rail under a sphere.
+class WheelOnPlane : public ProfileFolder {
 protected:
-  void SetUp() override {
+  WheelOnPlane() {
     write("rail.prr", 0, [](double) { return 0.0; });
-    write("wheel.prw", 1, [](double y) { return std::sqrt(1e4 - y * y) - 100; });
-    write("convex.prr", 0, [](double y) { return 100 - std::sqrt(1e4 - y * y); });
-  }
-
-  void write(const char* name, int type, const std::function<double(double)>& z) {
-    std::ofstream file(folder_.path() / name);
-    file << "header.begin\n version = 1\n type = " << type << "\nheader.end\nspline.begin\n units.len.f = 1000.\n";
-    file << " point.begin\n";
-    for (int k = 0; k <= 400; ++k) {
-      const double y = type == 0 ? -20 + 0.1 * k : 20 - 0.1 * k;
-      file << y << " " << z(y) << "\n";
-    }
-    file << " point.end\nspline.end\n";
-  }
-
-  std::vector<Outcome> run(const std::string& text) {
-    std::istringstream stream(text);
-    InputReader reader(stream, (folder_.path() / "a.inp").string());
-    contact_program::Run runs;
-    std::vector<Outcome> outcomes;
-    while (const Case* c = reader.next()) outcomes.push_back(runs.run(*c));
-    for (const auto& o : outcomes)
-      for (const auto& reason : o.reasons) ADD_FAILURE() << reason;
-    return outcomes;
   }
 
   /// A right wheel with these digits, and its mirror image.
   void expect_mirror_images(const char* digits) {
     SCOPED_TRACE(digits);
-    std::string text = with(with(first_wheel, " 0022033", digits), "'rail.prr'", "'convex.prr'");
-    text = with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0");
-    text = with(text, " 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. ");
-    const auto negated = with(with(text, " 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"), " 100. 1. 0 .1 .2 -1. ",
-                              " 100. -1. 0 -.1 -.2 -1. ");
+    std::string text = with(first_wheel, {{" 0022033", digits},
+                                          {"'rail.prr'", "'convex.prr'"},
+                                          {" 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"},
+                                          {" 100. 0 0 0 0 -1. ", " 100. 1. 0 .1 .2 -1. "}});
+    const auto negated = with(text, {{" 0 3. .1 .002 .01 0", " 0 -3. .1 -.002 -.01 0"},
+                                     {" 100. 1. 0 .1 .2 -1. ", " 100. -1. 0 -.1 -.2 -1. "}});
     const auto right = run(text), left = run(with(negated, " 1203000", " 0203000"));
     const WheelOutcome &r = *right.at(0).wheel, &l = *left.at(0).wheel;
     ASSERT_EQ(r.patches.size(), 1u);
@@ -91,22 +63,11 @@ protected:
     }
   }
 
-  WheelOutcome solve_one(const std::string& text, Case& c) const {
-    std::istringstream stream(text);
-    InputReader reader(stream, (folder_.path() / "a.inp").string());
-    contact_program::Run runs;
-    c = *reader.next();
-    const Outcome outcome = runs.run(c);
-    for (const auto& reason : outcome.reasons) ADD_FAILURE() << reason;
-    return outcome.wheel.value_or(WheelOutcome{});
-  }
-
-  /// So many numbers by the library's geometry, those of one patch among them, are within 3 %, the frictional power
-  /// within 5
+  /// So many numbers by our own geometry, those of one patch among them, are within 3 %, the frictional power within 5
   /// %.
   void expect_own_alike(const std::string& text, std::size_t numbers) const {
-    Case c;
-    const WheelOutcome wheel = solve_one(text, c);
+    const auto [c, outcome] = run_cases(text, file()).at(0);
+    const WheelOutcome& wheel = outcome.wheel.value();
     ASSERT_EQ(wheel.patches.size(), 1u);
     const OwnComparison own = compare_with_own(c, wheel);
     ASSERT_TRUE(own.reasons.empty()) << own.reasons.front();
@@ -125,11 +86,7 @@ protected:
   const std::string convex_rail = with(first_wheel, "'rail.prr'", "'convex.prr'");
 
   /// Hertz's solution for a sphere of 100 mm.
-  static HertzContact hertz(double approach) {
-    return hertz_from_approach({5, 5}, combine({82e9, 0.28}, {82e9, 0.28}), approach);
-  }
-
-  TemporaryFolder folder_;
+  static HertzContact hertz(double approach) { return hertz_from_approach({5, 5}, steel, approach); }
 };
 
 TEST_F(WheelOnPlane, IsASphereOnAPlane) {
@@ -151,10 +108,10 @@ TEST_F(WheelOnPlane, LiesBesideThePlaneUnderYaw) {
 }
 
 TEST_F(WheelOnPlane, BearsTheForceThatIsGiven) {
-  const auto text = with(with(first_wheel, " 1203000", " 1203100"), " 0 0 .16 ", " 0 0 50e3 ");
+  const auto text = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 50e3 "}});
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_NEAR(w.track.force.z, 5e4, 5e4 * 1e-7);
-  const double approach = hertz_from_load({5, 5}, combine({82e9, 0.28}, {82e9, 0.28}), 5e4).approach;
+  const double approach = hertz_from_load({5, 5}, steel, 5e4).approach;
   EXPECT_NEAR(w.z / (approach * 1e3), 1, 0.003);
   EXPECT_LE(w.effort.normal, 8);
 }
@@ -170,9 +127,9 @@ TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFinds) {
 TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFindsOnRollers) {
   for (const auto& [radius, rate] : {std::pair("500.", ".2"), std::pair("-500.", "-.2")}) {
     std::string text =
-        with(with(convex_rail, " 1203000", " 5203000"), "-1. 200. 0. 0.  ", std::string("-1. 200. 0. ") + radius + " ");
-    text = with(with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"), " 100. 0 0 0 0 -1.",
-                std::string(" ") + rate + " 0 0 0 0 -1.");
+        with(convex_rail, {{" 1203000", " 5203000"}, {"-1. 200. 0. 0.  ", std::string("-1. 200. 0. ") + radius + " "}});
+    text = with(text, {{" 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"},
+                       {" 100. 0 0 0 0 -1.", std::string(" ") + rate + " 0 0 0 0 -1."}});
     const auto locus = run(text);
     const WheelOutcome& a = *locus.at(0).wheel;
     ASSERT_EQ(a.patches.size(), 1u);
@@ -191,9 +148,9 @@ TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFindsOnRollers) {
 }
 
 TEST_F(WheelOnPlane, OnALargeRollerIsAWheelOnARail) {
-  std::string text = with(first_wheel, " 1203000", " 5203000");
-  text = with(text, "-1. 200. 0. 0.  ", "-1. 200. 0. 1e7 ");
-  text = with(text, " 100. 0 0 0 0 -1.", " 1e-5 0 0 0 0 -1.");
+  std::string text = with(
+      first_wheel,
+      {{" 1203000", " 5203000"}, {"-1. 200. 0. 0.  ", "-1. 200. 0. 1e7 "}, {" 100. 0 0 0 0 -1.", " 1e-5 0 0 0 0 -1."}});
   const auto rail = run(first_wheel), roller = run(text);
   const WheelOutcome &a = *rail.at(0).wheel, &b = *roller.at(0).wheel;
   EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 1e-3);
@@ -208,8 +165,7 @@ TEST_F(WheelOnPlane, LeftIsTheMirrorImageOfRight) {
 
 /// The contact spans 3 degrees: its surface is flat but for the square of that.
 TEST_F(WheelOnPlane, SmallConformalContactsArePlanar) {
-  std::string text = with(first_wheel, "'rail.prr'", "'convex.prr'");
-  text = with(text, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0");
+  std::string text = with(first_wheel, {{"'rail.prr'", "'convex.prr'"}, {" 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"}});
   const Outcome planar = run(with(text, " 0022033", " 0032033")).at(0),
                 conformal = run(with(text, " 0022033", " 0042033")).at(0);
   const WheelOutcome &a = *planar.wheel, &b = *conformal.wheel;
@@ -226,8 +182,10 @@ TEST_F(WheelOnPlane, SmallConformalContactsArePlanar) {
 TEST_F(WheelOnPlane, InAGrooveTheForceIsLessThanTheIntegralOfThePressure) {
   write("groove.prr", 0, [](double y) { return std::abs(y) < 10.1 ? std::sqrt(10.2 * 10.2 - y * y) - 10.2 : -8.7; });
   write("tyre.prw", 1, [](double y) { return std::abs(y) < 9.9 ? std::sqrt(100 - y * y) - 10 : -9.9; });
-  std::string text = with(with(first_wheel, "'rail.prr'", "'groove.prr'"), "'wheel.prw'", "'tyre.prw'");
-  text = with(with(text, " 1203000", " 1200100"), " 0 0 .16 ", " 0 0 20e3 ");
+  std::string text = with(first_wheel, {{"'rail.prr'", "'groove.prr'"},
+                                        {"'wheel.prw'", "'tyre.prw'"},
+                                        {" 1203000", " 1200100"},
+                                        {" 0 0 .16 ", " 0 0 20e3 "}});
   const Outcome outcome = run(with(text, " 0022033", " 0042033")).at(0);
   const WheelOutcome& w = *outcome.wheel;
   const PrintedTotals& t = w.patches.at(0).solution->totals;
@@ -239,8 +197,7 @@ TEST_F(WheelOnPlane, InAGrooveTheForceIsLessThanTheIntegralOfThePressure) {
 
 /// A wheel that is shifted in two halves is where it is after the whole shift.
 TEST_F(WheelOnPlane, TractionsGoOnFromCaseToCase) {
-  std::string text = with(first_wheel, " 1203000", " 1201000");
-  text = with(text, " 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 ");
+  std::string text = with(first_wheel, {{" 1203000", " 1201000"}, {" 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 "}});
   const std::string half = with(text, " .002 0 0 0 0 0 ", " .001 0 0 0 0 0 ");
   const std::string again = " 1 MODULE\n 1001000\n 0111002\n 0100331\n 0 0 .16 0 0 0\n .001 0 0 0 0 0\n";
   const auto whole = run(text), halves = run(half + again);
@@ -256,8 +213,10 @@ TEST_F(WheelOnPlane, TractionsGoOnFromCaseToCase) {
 TEST_F(WheelOnPlane, TractionsStayAsPatchesMergeAndSplit) {
   write("wheel.prw", 1, [](double) { return 0.0; });
   write("rail.prr", 0, [](double y) { return std::pow(std::abs(y) - 6, 2) / 200; });
-  std::string text = with(with(first_wheel, " 1203000", " 1201000"), ".2 .2 1. 90d 8. 4.", ".4 .4 1. 90d .2 .1");
-  text = with(with(text, " 0 0 .16 0 0 0", " 0 0 .08 0 0 0"), " 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 ");
+  std::string text = with(first_wheel, {{" 1203000", " 1201000"},
+                                        {".2 .2 1. 90d 8. 4.", ".4 .4 1. 90d .2 .1"},
+                                        {" 0 0 .16 0 0 0", " 0 0 .08 0 0 0"},
+                                        {" 100. 0 0 0 0 -1. ", " .002 0 0 0 0 0 "}});
   const auto again = [](const std::string& rules) {
     return " 1 MODULE\n 1001000\n 0121002\n 0100331\n .4 .4 1. 90d " + rules + "\n 0 0 .08 0 0 0\n 0 0 0 0 0 0\n";
   };
@@ -283,8 +242,10 @@ TEST_F(WheelOnPlane, DampingGoesOnAsPatchesMergeAndSplit) {
   write("wheel.prw", 1, [](double) { return 0.0; });
   write("rail.prr", 0, [](double y) { return std::pow(std::abs(y) - 6, 2) / 200; });
   const auto under = [](const char* digits, const char* rules) {
-    std::string text = with(with(first_wheel, " 1203000", digits), ".2 .2 1. 90d 8. 4.", rules);
-    text = with(with(text, " 0022033 ", " 0022033 2 "), "82000. POISS, GG", "82000. POISS, GG\n .5 0 1e30 1e30");
+    std::string text = with(first_wheel, {{" 1203000", digits},
+                                          {".2 .2 1. 90d 8. 4.", rules},
+                                          {" 0022033 ", " 0022033 2 "},
+                                          {"82000. POISS, GG", "82000. POISS, GG\n .5 0 1e30 1e30"}});
     return with(text, " 0 0 .16 0 0 0", " 0 0 .08 0 0 0");
   };
   const char *apart = ".4 .4 1. 90d .2 .1", *together = ".4 .4 1. 90d 8. 6.";
@@ -357,11 +318,7 @@ TEST(CarriedTractions, SumsReachAsFarAsTheirParts) {
 
 /// By the library's geometry and elements; off the middle with the signs that CONTACT has on either side.
 TEST_F(WheelOnPlane, OwnGeometryHasHertzsForce) {
-  std::istringstream stream(first_wheel);
-  InputReader reader(stream, (folder_.path() / "a.inp").string());
-  contact_program::Run runs;
-  const Case c = *reader.next();
-  const Outcome outcome = runs.run(c);
+  const auto [c, outcome] = run_cases(first_wheel, file()).at(0);
   const OwnComparison own = compare_with_own(c, *outcome.wheel);
   EXPECT_EQ(own.status, "ok");
   ASSERT_EQ(own.own_patches, 1);
@@ -374,42 +331,41 @@ TEST_F(WheelOnPlane, OwnGeometryHasHertzsForce) {
 
 TEST_F(WheelOnPlane, OwnGeometryHasContactsSignsOnBothSides) {
   const std::string right =
-      with(with(convex_rail, " 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"), " 100. 0 0 0 0 -1. ", " 100. 1. 0 .01 .02 -1. ");
-  const std::string left = with(with(convex_rail, " 0 0 .16 0 0 0", " 0 -3. .1 -.002 -.01 0"), " 100. 0 0 0 0 -1. ",
-                                " 100. -1. 0 -.01 -.02 -1. ");
+      with(convex_rail, {{" 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"}, {" 100. 0 0 0 0 -1. ", " 100. 1. 0 .01 .02 -1. "}});
+  const std::string left = with(convex_rail, {{" 0 0 .16 0 0 0", " 0 -3. .1 -.002 -.01 0"},
+                                              {" 100. 0 0 0 0 -1. ", " 100. -1. 0 -.01 -.02 -1. "}});
   for (const std::string& text : {right, with(left, " 1203000", " 0203000")}) expect_own_alike(text, 18);
 }
 
 /// Rollers and raceways, off the middle and yawed.
 TEST_F(WheelOnPlane, OwnGeometryIsAlikeOnRollers) {
-  const std::string roller =
-      with(with(with(convex_rail, " 1203000", " 5203000"), "-1. 200. 0. 0.  ", "-1. 200. 0. 500. "), " 0 0 .16 0 0 0",
-           " 0 3. .1 .002 .01 0");
+  const std::string roller = with(
+      convex_rail,
+      {{" 1203000", " 5203000"}, {"-1. 200. 0. 0.  ", "-1. 200. 0. 500. "}, {" 0 0 .16 0 0 0", " 0 3. .1 .002 .01 0"}});
   expect_own_alike(with(roller, " 100. 0 0 0 0 -1. ", " .2 1. 0 .01 .02 -1. "), 18);
   const std::string raceway = with(roller, "-1. 200. 0. 500. ", "-1. 200. 0. -500. ");
   expect_own_alike(with(raceway, " 100. 0 0 0 0 -1. ", " -.2 1. 0 .01 .02 -1. "), 18);
 }
 
 TEST_F(WheelOnPlane, OwnGeometryIsAlikeWithForcesThatAreGiven) {
-  const std::string pulled = with(with(convex_rail, " 1203000", " 1203110"), " 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0");
+  const std::string pulled = with(convex_rail, {{" 1203000", " 1203110"}, {" 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0"}});
   expect_own_alike(with(pulled, " 100. 0 0 0 0 -1.  ", " 100. 0 0 0 0 4e3 "), 19);
-  const std::string sprung = with(with(convex_rail, " 1203000", " 1203130"), " 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0");
+  const std::string sprung = with(convex_rail, {{" 1203000", " 1203130"}, {" 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0"}});
   expect_own_alike(with(sprung, " 0 0 0 0 0 0           DY", " 0 0 0 0 0 0 DY\n 4e3 700. 0 0 .2 KY"), 19);
 }
 
 TEST_F(WheelOnPlane, OwnGeometryIsAlikeOnSlices) {
-  std::ofstream(folder_.path() / "ramp.slcs") << "0 1\n3\n0\n1\n-200 'convex.prr'\n0 'convex.prr'\n300 'convex.prr'\n";
-  expect_own_alike(with(with(convex_rail, "'convex.prr'", "'ramp.slcs'"), " 0 0 .16 0 0 0", " 50. 3. .1 .002 .01 0"),
+  std::ofstream(folder_ / "ramp.slcs") << "0 1\n3\n0\n1\n-200 'convex.prr'\n0 'convex.prr'\n300 'convex.prr'\n";
+  expect_own_alike(with(convex_rail, {{"'convex.prr'", "'ramp.slcs'"}, {" 0 0 .16 0 0 0", " 50. 3. .1 .002 .01 0"}}),
                    18);
 }
 
 /// Steady rolling alone has elements of second order; one text for each digit.
 TEST_F(WheelOnPlane, OwnGeometryNamesWhatItDoesNotHave) {
-  Case c;
-  const WheelOutcome wheel = solve_one(first_wheel, c);
+  auto [c, outcome] = run_cases(first_wheel, file()).at(0);
   c.digits.tang = Tangential::shift;
   c.material->coefficients = Coefficients::from_file;
-  EXPECT_EQ(compare_with_own(c, wheel).reasons,
+  EXPECT_EQ(compare_with_own(c, *outcome.wheel).reasons,
             (std::vector<std::string>{"T = 1 (shifts): our elements of second order are fitted to steady rolling",
                                       "C = 9 (influence coefficients from a file): ours are half-spaces'"}));
 }
@@ -441,8 +397,9 @@ TEST(ContactWheelRun, OwnGeometryIsAlikeOnMeasuredProfiles) {
 }
 
 TEST_F(WheelOnPlane, PullsWithTheForceThatIsGiven) {
-  std::string text = with(with(first_wheel, " 1203000", " 1203110"), " 0 0 .16 ", " 0 0 50e3 ");
-  text = with(text, " 100. 0 0 0 0 -1.  ", " 100. 0 0 0 0 4e3 ");
+  std::string text =
+      with(first_wheel,
+           {{" 1203000", " 1203110"}, {" 0 0 .16 ", " 0 0 50e3 "}, {" 100. 0 0 0 0 -1.  ", " 100. 0 0 0 0 4e3 "}});
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_NEAR(w.wheelset.force.x, 4e3, 5e4 * 1e-6);
   EXPECT_NEAR(w.track.force.z, 5e4, 0.1);
@@ -451,9 +408,10 @@ TEST_F(WheelOnPlane, PullsWithTheForceThatIsGiven) {
 
 /// A rail that the wheel pushes aside moves until its spring and the force on it bear that.
 TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
-  std::string text = with(with(first_wheel, " 1203000", " 1203130"), " 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0");
-  text = with(text, "'rail.prr'", "'convex.prr'");
-  text = with(text, " 0 0 0 0 0 0           DY", " 0 0 0 0 0 0 DY\n 4e3 700. 0 0 .2 KY");
+  std::string text = with(first_wheel, {{" 1203000", " 1203130"},
+                                        {" 0 0 .16 0 0 0", " 0 3. 50e3 0 0 0"},
+                                        {"'rail.prr'", "'convex.prr'"},
+                                        {" 0 0 0 0 0 0           DY", " 0 0 0 0 0 0 DY\n 4e3 700. 0 0 .2 KY"}});
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_GT(std::abs(w.track.force.y), 100);
   EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
@@ -463,7 +421,7 @@ TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
 class RailOnTwoSprings : public WheelOnPlane {
 protected:
   std::string with_springs(const char* digits, const std::string& place, const char* springs) const {
-    const std::string text = with(with(convex_rail, " 1203000", digits), " 0 0 .16 0 0 0", place);
+    const std::string text = with(convex_rail, {{" 1203000", digits}, {" 0 0 .16 0 0 0", place}});
     return with(text, " 0 0 0 0 0 0           DY", std::string(" 0 0 0 0 0 0 DY\n ") + springs + " KY");
   }
 
@@ -512,10 +470,7 @@ TEST_F(RailOnTwoSprings, HangFreelyWhereTheWheelDoesNotReachThem) {
 }
 
 TEST_F(RailOnTwoSprings, NeedASpringBelow) {
-  std::istringstream stream(with_springs(" 1203030", " 0 3. .1 0 0 0", "4e3 700. 0 0 .2"));
-  InputReader reader(stream, (folder_.path() / "a.inp").string());
-  contact_program::Run runs;
-  EXPECT_EQ(runs.run(*reader.next()).reasons,
+  EXPECT_EQ(refusal(with_springs(" 1203030", " 0 3. .1 0 0 0", "4e3 700. 0 0 .2")),
             std::vector<std::string>{
                 "F = 3 (a rail on springs with N = 0, without one below it: KZRAIL must be > 0, as in CONTACT)"});
 }
@@ -524,8 +479,8 @@ TEST_F(RailOnTwoSprings, NeedASpringBelow) {
 TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
   const auto strict = [](const std::string& text) { return with(text, "1e-7     MAXGS", "1e-17 MAXGS"); };
   const std::string pulled =
-      with(with(with(first_wheel, " 1203000", " 1203110"), " 0 0 .16 ", " 0 0 50e3 "), "0 0 0 0 -1.  ", "0 0 0 0 4e3 ");
-  const std::string vertical = with(with(first_wheel, " 1203000", " 1203100"), " 0 0 .16 ", " 0 0 50001. ");
+      with(first_wheel, {{" 1203000", " 1203110"}, {" 0 0 .16 ", " 0 0 50e3 "}, {"0 0 0 0 -1.  ", "0 0 0 0 4e3 "}});
+  const std::string vertical = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 50001. "}});
   for (const auto& [text, name] :
        {std::pair(vertical, "FZ is"), std::pair(pulled, "FX_WS is"),
         std::pair(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_), "FY(TR) on the rail's spring is"),
@@ -554,10 +509,10 @@ protected:
   static std::string slanting(std::string text) { return with(text, " 100. 0 0 0 0 -1. ", " 100. .02 0 0 0 -1.0004 "); }
   /// With the numbers of M2 = 2.
   static std::string damped(const std::string& text, const std::string& numbers = "1e-3 2e-3 1e30 1e30") {
-    return with(with(text, " 0022033 ", " 0022033 2 "), "82000. POISS, GG", "82000. POISS, GG\n " + numbers);
+    return with(text, {{" 0022033 ", " 0022033 2 "}, {"82000. POISS, GG", "82000. POISS, GG\n " + numbers}});
   }
   static std::string deeper(const std::string& text, const char* digits = " 1003000", const char* z = " 0 0 .17 ") {
-    return with(with(text, " 1203000", digits), " 0 0 .16 ", z);
+    return with(text, {{" 1203000", digits}, {" 0 0 .16 ", z}});
   }
   static Vec3<double> damping(const Outcome& o, std::size_t patch = 0) {
     return o.wheel->patches.at(patch).solution->damping.value();
@@ -631,21 +586,14 @@ TEST_F(DampedWheel, IsKeptUntilItEnds) {
 }
 
 TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
-  std::istringstream stream(with(first_wheel, " 0 0 .16 0", " 0 0 1e9 0"));
-  InputReader reader(stream, (folder_.path() / "a.inp").string());
-  contact_program::Run runs;
-  const Outcome outcome = runs.run(*reader.next());
-  EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+  const auto cases = run_cases(with(first_wheel, " 0 0 .16 0", " 0 0 1e9 0"), file());
+  EXPECT_EQ(cases.at(0).outcome.kind, Outcome::Kind::refused);
 }
 
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
-  std::istringstream stream(with(first_wheel, " 0022033", " 0072033") +
-                            with(with(first_wheel, "'rail.prr'", "'rail.slcs'"), "-1. 200. 0. 0. ", "14. 0 400. 0. "));
-  InputReader reader(stream, (folder_.path() / "a.inp").string());
-  contact_program::Run runs;
-  EXPECT_EQ(runs.run(*reader.next()).reasons,
+  EXPECT_EQ(refusal(with(first_wheel, " 0022033", " 0072033")),
             std::vector<std::string>{"D = 7 (patches at the first point of contact)"});
-  EXPECT_EQ(runs.run(*reader.next()).reasons,
+  EXPECT_EQ(refusal(with(first_wheel, {{"'rail.prr'", "'rail.slcs'"}, {"-1. 200. 0. 0. ", "14. 0 400. 0. "}})),
             std::vector<std::string>{
                 ".slcs (a rail that varies along the track, placed by the gauge: GAUGHT must be <= 0, as "
                 "in CONTACT)"});
@@ -668,16 +616,7 @@ protected:
            wheelset;
   }
 
-  static std::vector<Outcome> run(const std::string& text) {
-    std::istringstream stream(text);
-    InputReader reader(stream, (profiles_ / "a.inp").string());
-    contact_program::Run runs;
-    std::vector<Outcome> outcomes;
-    while (const Case* c = reader.next()) outcomes.push_back(runs.run(*c));
-    for (const auto& o : outcomes)
-      for (const auto& reason : o.reasons) ADD_FAILURE() << reason;
-    return outcomes;
-  }
+  static std::vector<Outcome> run(const std::string& text) { return outcomes_of(text, profiles_ / "a.inp"); }
 
   inline static const fs::path profiles_ = MICROSLIP_SOURCE_DIR "/../shared/contact-cases/wheel-rail/profiles";
 };

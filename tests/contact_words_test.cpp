@@ -2,6 +2,7 @@
 
 #include "compat/contact/words.hpp"
 #include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <numbers>
 #include <sstream>
@@ -28,12 +29,7 @@ double angle(const std::string& text) {
 }
 
 template <class Read> void expect_refused(const std::string& text, const std::string& message, Read read) {
-  try {
-    with_words(text, read);
-    ADD_FAILURE() << "no Error for " << text;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(), message);
-  }
+  EXPECT_EQ(error_of([&] { with_words(text, read); }), message) << text;
 }
 
 TEST(ContactWords, NumbersAreThoseOfFortran) {

@@ -1,9 +1,9 @@
 #include "tests/oracles/convex_gauss_seidel.hpp"
 
-#include "expect_error.hpp"
 #include "friction_cases.hpp"
 #include "friction_conditions.hpp"
 #include "tests/oracles/direct_operator.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,12 @@
 #include "dense_response.hpp"
 #include "friction_conditions.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 
@@ -20,15 +21,14 @@ namespace microslip {
 namespace {
 
 constexpr double curvature = 4, friction = 0.3, load = 200, step_length = 0.25e-3;
-const Material steel = {82e9, 0.28}, soft = {4e9, 0.4}, aluminium = {23e9, 0.31};
+const Material soft = {4e9, 0.4}, aluminium = {23e9, 0.31};
 
 ContactStep ball(const Bodies& bodies, ContactMotion motion, int n = 14) {
   ContactStep step;
   step.grid = {n, n - 2, -0.5 * (n - 1) * step_length, -0.5 * (n - 3) * step_length, step_length, step_length};
   step.bodies = bodies;
-  for (int j = 0; j < step.grid.my; ++j)
-    for (int i = 0; i < step.grid.mx; ++i)
-      step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + 1.4 * std::pow(step.grid.y(j), 2)));
+  step.gap =
+      over_grid(step.grid, [](double x, double y) { return curvature * (std::pow(x, 2) + 1.4 * std::pow(y, 2)); });
   step.load = {NormalLoad::Given::force, load};
   step.friction = {FrictionLaw::coulomb(friction)};
   step.motion.motion = motion;
@@ -103,7 +103,7 @@ TEST_P(UnlikeBodies, FulfilTheConditionsOfContactAndFriction) {
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int n = 0; n < 12; ++n) {
     SCOPED_TRACE(n);
-    ContactStep step = ball(combine(n % 2 ? soft : aluminium, steel), GetParam());
+    ContactStep step = ball(combine(n % 2 ? soft : aluminium, steel_body), GetParam());
     const double scale = GetParam() == ContactMotion::shift ? 1e-6 : 1e-3;
     step.motion.creepage = {scale * unit(engine), scale * unit(engine), 100 * scale * unit(engine)};
     step.motion.direction = n % 3 == 0 ? RollingDirection::backward : RollingDirection::forward;
@@ -124,7 +124,7 @@ TEST_P(UnlikeBodies, FulfilTheConditionsOfContactAndFriction) {
 }
 
 TEST_P(UnlikeBodies, NewtonAndTheAlternatingProcessAgree) {
-  ContactStep step = ball(combine(soft, steel), GetParam());
+  ContactStep step = ball(combine(soft, steel_body), GetParam());
   step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, -1e-6, 0} : Creepage{4e-4, -2e-4, 0.05};
   const ContactStepSolution newton = ContactSequence().solve(step);
   step.coupling = Coupling::alternating;
@@ -141,7 +141,7 @@ TEST_P(UnlikeBodies, NewtonAndTheAlternatingProcessAgree) {
 
 TEST_P(UnlikeBodies, DependOnEachOtherByTheirDifferenceOnly) {
   // As K goes to zero the coupled problem becomes the one of similar bodies.
-  CombinedMaterial material = combine(aluminium, steel);
+  CombinedMaterial material = combine(aluminium, steel_body);
   material.dissimilarity = 0;
   ContactStep step = ball(material, GetParam());
   step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, -1e-6, 0} : Creepage{4e-4, -2e-4, 0.05};
@@ -155,11 +155,11 @@ TEST_P(UnlikeBodies, DependOnEachOtherByTheirDifferenceOnly) {
 
 TEST_P(UnlikeBodies, ChangePlaces) {
   // Seen from the other body everything is the same with x turned round: u, p and the creepage keep their signs in the
-  // mirror of the contact plane, K changes sign, and so do the tractions that it makes.
-  ContactStep step = ball(combine(soft, steel), GetParam());
+  // mirror of the contact plane, K changes its own, and so do the tractions that it makes.
+  ContactStep step = ball(combine(soft, steel_body), GetParam());
   step.motion.creepage = GetParam() == ContactMotion::shift ? Creepage{2e-6, 0, 0} : Creepage{4e-4, 0, 0};
   const ContactStepSolution one = ContactSequence().solve(step);
-  step.bodies = combine(steel, soft);
+  step.bodies = combine(steel_body, soft);
   step.motion.creepage.longitudinal *= -1;
   const ContactStepSolution other = ContactSequence().solve(step);
   EXPECT_NEAR(one.tangential.forces.fx, -other.tangential.forces.fx, 1e-6 * load);
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, UnlikeBodies,
                          testing::Values(ContactMotion::shift, ContactMotion::transient, ContactMotion::steady));
 
 TEST(CoupledContact, TractionsOfAFrictionalCompressionAreRadialAndHaveNoResultant) {
-  ContactStep step = ball(combine(soft, steel), ContactMotion::shift, 16);
+  ContactStep step = ball(combine(soft, steel_body), ContactMotion::shift, 16);
   step.grid.my = 16;
   step.grid.y0 = step.grid.x0;
   step.gap.clear();
@@ -198,7 +198,7 @@ TEST(CoupledContact, StepsAndProductsHardlyGrowWithTheGrid) {
     for (const bool by_force : {false, true})
       for (const int n : {16, 32, 64}) {
         SCOPED_TRACE(std::to_string(n) + " motion " + std::to_string(static_cast<int>(motion)));
-        ContactStep step = ball(combine(steel, soft), motion, n);
+        ContactStep step = ball(combine(steel_body, soft), motion, n);
         for (double* length : {&step.grid.x0, &step.grid.y0, &step.grid.dx, &step.grid.dy}) *length *= 14.0 / n;
         step.gap = ball(step.bodies, motion, n).gap;
         for (double& h : step.gap) h *= std::pow(14.0 / n, 2);
@@ -213,7 +213,7 @@ TEST(CoupledContact, StepsAndProductsHardlyGrowWithTheGrid) {
 }
 
 TEST(CoupledContact, NoContactAndExcludedElements) {
-  ContactStep step = ball(combine(soft, steel), ContactMotion::steady);
+  ContactStep step = ball(combine(soft, steel_body), ContactMotion::steady);
   step.load = {NormalLoad::Given::approach, -1e-6};
   EXPECT_EQ(ContactSequence().solve(step).status, Status::no_contact);
   step.load = {NormalLoad::Given::force, load};
@@ -227,7 +227,7 @@ TEST(CoupledContact, NoContactAndExcludedElements) {
 }
 
 TEST(CoupledContact, AGivenPressureActsOnTheSlip) {
-  ContactStep step = ball(combine(soft, steel), ContactMotion::steady);
+  ContactStep step = ball(combine(soft, steel_body), ContactMotion::steady);
   step.motion.creepage = {3e-4, 1e-4, 0};
   const ContactStepSolution whole = ContactSequence().solve(step);
   step.given = GivenPressure{whole.normal.pressure, whole.normal.approach, whole.normal.normal_force, {}};
@@ -237,24 +237,15 @@ TEST(CoupledContact, AGivenPressureActsOnTheSlip) {
   EXPECT_NEAR(given.tangential.forces.fy, whole.tangential.forces.fy, 1e-6 * load);
 }
 
-template <class Call> void expect_refusal(const std::string& word, Call call) {
-  try {
-    call();
-    ADD_FAILURE() << "no error for " << word;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-  }
-}
-
 TEST(CoupledContact, RefusesWhatMakesNoSense) {
   const Bodies slow = viscoelastic(soft, {1, 1}, soft, {1, 1}, 1);
-  expect_refusal("steady", [&] { ContactSequence().solve(ball(slow, ContactMotion::shift)); });
+  expect_words([&] { ContactSequence().solve(ball(slow, ContactMotion::shift)); }, "steady");
   ContactStep step = ball(slow, ContactMotion::steady);
   step.coupling = Coupling::alternating;
-  expect_refusal("elastic", [&] { ContactSequence().solve(step); });
-  expect_refusal("creep1.ratio", [] { viscoelastic(soft, {-1, 1}, soft, {}, 1); });
-  expect_refusal("creep2.time", [] { viscoelastic(soft, {}, soft, {1, -1}, 1); });
-  expect_refusal("speed", [] { viscoelastic(soft, {1, 1}, soft, {}, 0); });
+  expect_words([&] { ContactSequence().solve(step); }, "elastic");
+  expect_words([] { viscoelastic(soft, {-1, 1}, soft, {}, 1); }, "creep1.ratio");
+  expect_words([] { viscoelastic(soft, {}, soft, {1, -1}, 1); }, "creep2.time");
+  expect_words([] { viscoelastic(soft, {1, 1}, soft, {}, 0); }, "speed");
 }
 
 /// Forces over mu Fn and the approach.

@@ -5,8 +5,9 @@
 #include "io/creep_table_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/table/creep_force_table.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <cmath>
 #include <string>
@@ -18,12 +19,9 @@ namespace {
 
 std::string case_text(const std::string& solution = "theory = \"table\"", const std::string& motion = "",
                       const std::string& transverse_radius = "0.3") {
-  return "[body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
-         "[body2]\nrolling_radius = inf\ntransverse_radius = " +
-         transverse_radius +
-         "\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n"
-         "[motion]\nrolling_speed = 30\ncreepage_longitudinal = 0.001\ncreepage_lateral = -0.0005\nspin = 0.2\n" +
-         motion + "[solution]\n" + solution + "\n";
+  return with(two_bodies_text, "transverse_radius = 0.3", "transverse_radius = " + transverse_radius) +
+         "creepage_longitudinal = 0.001\ncreepage_lateral = -0.0005\nspin = 0.2\n" + motion + "[solution]\n" +
+         solution + "\n";
 }
 
 io::RollingCase table_case(const std::string& solution = "theory = \"table\"", const std::string& motion = "",

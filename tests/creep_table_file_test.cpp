@@ -1,13 +1,12 @@
 #include "io/creep_table_file.hpp"
 
-#include "microslip/error.hpp"
 #include "microslip/table/creep_force_table.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,15 +23,6 @@ CreepTableNodes empty_table() {
   const CreepTableAxes axes = {.ratios = 4, .poisson_ratios = {0.28}, .levels = 4, .elevations = 4, .azimuths = 4};
   return quantised(axes, {.elements = 24, .solved = 2, .not_converged = 1, .error_rms = {1, 2, 3}, .error_worst = {}},
                    std::vector<double>(axes.blocks() * axes.nodes() * creep_channels, 0.5));
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(CreepTableFile, IsReadAsItWasWritten) {
@@ -68,19 +58,20 @@ TEST(CreepTableFile, TheShippedTableIsReadOnce) {
 TEST(CreepTableFile, WhatCannotBeReadIsNamed) {
   const TemporaryFolder folder;
   const fs::path path = folder / "some.creep";
-  EXPECT_NE(refusal([&] { io::read_creep_table(path); }).find(path.string() + ": cannot be read: "), std::string::npos);
-  EXPECT_NE(refusal([&] { io::read_creep_table(path.parent_path()); }), "");
+  EXPECT_NE(error_of([&] { io::read_creep_table(path); }).find(path.string() + ": cannot be read: "),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { io::read_creep_table(path.parent_path()); }), "no error");
   std::ofstream(path).close();
-  EXPECT_EQ(refusal([&] { io::read_creep_table(path); }), path.string() + ": is empty, no creep-force table");
+  EXPECT_EQ(error_of([&] { io::read_creep_table(path); }), path.string() + ": is empty, no creep-force table");
   io::write_creep_table(empty_table(), path);
   fs::resize_file(path, fs::file_size(path) - 1);
-  EXPECT_NE(refusal([&] { io::read_creep_table(path); }).find("cut short"), std::string::npos);
+  EXPECT_NE(error_of([&] { io::read_creep_table(path); }).find("cut short"), std::string::npos);
 }
 
 TEST(CreepTableFile, WhatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   const fs::path path = folder / "none/some.creep";
-  EXPECT_NE(refusal([&] { io::write_creep_table(empty_table(), path); }).find(path.string()), std::string::npos);
+  EXPECT_NE(error_of([&] { io::write_creep_table(empty_table(), path); }).find(path.string()), std::string::npos);
   EXPECT_FALSE(fs::exists(path));
 }
 

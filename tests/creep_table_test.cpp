@@ -3,7 +3,9 @@
 #include "microslip/table/creep_coordinates.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "microslip/table/making/creep_table_maker.hpp"
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,14 +50,9 @@ const CreepForceTable& small_table() {
 EllipticContact contact_at(double x, double y, double z, double ratio = 1.3, double nu = 0.28) {
   const creep_coordinates::LinearTheory linear(creepage_coefficients(ratio, nu, CreepageTable::computed),
                                                creep_coordinates::spin_scale(ratio));
-  EllipticContact contact;
   const double c = 5e-3;
-  contact.a = c * std::sqrt(ratio);
-  contact.b = c / std::sqrt(ratio);
-  contact.shear_modulus = 82e9;
+  EllipticContact contact = steel_contact(c * std::sqrt(ratio), c / std::sqrt(ratio), load);
   contact.poisson_ratio = nu;
-  contact.normal_force = load;
-  contact.friction = FrictionLaw::coulomb(mu);
   const double g = contact.shear_modulus * c * c / (mu * load);
   contact.creepage = {x / (g * linear.x), y / (g * linear.y), z / (g * linear.z * c)};
   return contact;
@@ -68,12 +65,6 @@ Relative relative(const ContactForces& f, const EllipticContact& k) {
   const double capacity = k.friction.static_coefficient() * k.normal_force;
   return {f.fx / capacity, f.fy / capacity, f.mz / (capacity * std::sqrt(k.a * k.b))};
 }
-void expect_near(const Relative& found, const Relative& expected, double tolerance) {
-  EXPECT_NEAR(found.fx, expected.fx, tolerance);
-  EXPECT_NEAR(found.fy, expected.fy, tolerance);
-  EXPECT_NEAR(found.mz, expected.mz, tolerance);
-}
-
 std::vector<EllipticContact> random_contacts(int count) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -97,9 +88,11 @@ TEST(CreepTable, VanishingCreepagesHaveTheForcesOfLinearTheory) {
       const Creepage& creep = k.creepage;
       const auto forces = small_table().solve(k);
       const double tolerance = 2e-5 * 1e-6 * mu * load; // of a coefficient, between its nodes
-      EXPECT_NEAR(forces.fx, -stiffness * c.c11 * creep.longitudinal, tolerance);
-      EXPECT_NEAR(forces.fy, -stiffness * (c.c22 * creep.lateral + arm * c.c23 * creep.spin), tolerance);
-      EXPECT_NEAR(forces.mz, -stiffness * arm * (-c.c23 * creep.lateral + arm * c.c33 * creep.spin), tolerance * arm);
+      expect_forces(forces,
+                    {-stiffness * c.c11 * creep.longitudinal,
+                     -stiffness * (c.c22 * creep.lateral + arm * c.c23 * creep.spin),
+                     -stiffness * arm * (-c.c23 * creep.lateral + arm * c.c33 * creep.spin)},
+                    tolerance, tolerance * arm);
       const auto derivatives = small_table().differentiate(k);
       EXPECT_NEAR(derivatives.jacobian[0][0] / (stiffness * c.c11), -1, 2e-4);
       EXPECT_NEAR(derivatives.jacobian[1][1] / (stiffness * c.c22), -1, 2e-4);
@@ -111,12 +104,12 @@ TEST(CreepTable, LargeCreepagesSlideFully) {
     const double direction[] = {std::cos(angle), std::sin(angle)};
     const auto k = contact_at(1e7 * direction[0], 1e7 * direction[1], 0);
     const double creep = std::hypot(k.creepage.longitudinal, k.creepage.lateral);
-    expect_near(relative(small_table().solve(k), k), {-k.creepage.longitudinal / creep, -k.creepage.lateral / creep, 0},
-                1e-3);
+    expect_forces(relative(small_table().solve(k), k),
+                  {-k.creepage.longitudinal / creep, -k.creepage.lateral / creep, 0}, 1e-3);
   }
   // Pure spin: rotation about the centre, without forces and with the moment of all tractions along circles.
   const auto spin = contact_at(0, 0, 1e7, 1.0);
-  expect_near(relative(small_table().solve(spin), spin), {0, 0, -3 * std::numbers::pi / 16}, 2e-3);
+  expect_forces(relative(small_table().solve(spin), spin), {0, 0, -3 * std::numbers::pi / 16}, 2e-3);
 }
 
 TEST(CreepTable, MirrorImagesHaveMirroredForces) {
@@ -162,7 +155,7 @@ TEST(CreepTable, OneTableServesAllLoadsModuliSizesAndFriction) {
     other.friction = FrictionLaw::coulomb(mu * friction);
     const double g = size * size * modulus / (weight * friction);
     other.creepage = {k.creepage.longitudinal / g, k.creepage.lateral / g, k.creepage.spin / (g * size)};
-    expect_near(relative(small_table().solve(other), other), relative(small_table().solve(k), k), 1e-11);
+    expect_forces(relative(small_table().solve(other), other), relative(small_table().solve(k), k), 1e-11);
   }
 }
 
@@ -244,7 +237,7 @@ TEST(CreepTable, NodesHaveTheLimitOfTheExactTheory) {
     const bool doubtful =
         std::max({std::abs(first.fx - to.fx), std::abs(first.fy - to.fy), std::abs(first.mz - to.mz)}) > 0.002;
     // 1e-4 of the units that numbers are kept in
-    expect_near(relative(small_table().solve(k), k), doubtful ? limit(to, last) : first, 1e-4);
+    expect_forces(relative(small_table().solve(k), k), doubtful ? limit(to, last) : first, 1e-4);
   }
 }
 
@@ -252,7 +245,7 @@ TEST(CreepTable, OneMaterialIsAsInTheTableOfAll) {
   for (const double nu : {0.28, 0.31, 0.4}) {
     const CreepForceTable one(small_nodes(), nu);
     const auto k = contact_at(0.5, -0.4, 0.3, 0.8, nu);
-    expect_near(relative(one.solve(k), k), relative(small_table().solve(k), k), 1e-6);
+    expect_forces(relative(one.solve(k), k), relative(small_table().solve(k), k), 1e-6);
     EXPECT_EQ(one.solve(k).status, Status::ok);
     EXPECT_EQ(one.solve(contact_at(0.5, -0.4, 0.3, 0.8, 0.5)).status, Status::out_of_range);
   }
@@ -306,7 +299,7 @@ TEST(CreepTable, BeyondTheRangeAreLimits) {
   const auto inside = contact_at(0.6, 0.5, 0.7, 2 * (1 - 1e-9)), outside = contact_at(0.6, 0.5, 0.7, 2 * (1 + 1e-9));
   EXPECT_EQ(small_table().solve(inside).status, Status::ok);
   EXPECT_EQ(small_table().solve(outside).status, Status::out_of_range);
-  expect_near(relative(small_table().solve(outside), outside), relative(small_table().solve(inside), inside), 1e-5);
+  expect_forces(relative(small_table().solve(outside), outside), relative(small_table().solve(inside), inside), 1e-5);
 }
 
 TEST(CreepTable, InputOutOfRangeIsRefusedOneByOne) {
@@ -405,12 +398,7 @@ std::vector<std::byte> bytes() {
   return encode(small_nodes());
 }
 std::string refusal(const std::vector<std::byte>& bytes) {
-  try {
-    decode(bytes, nullptr);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { decode(bytes, nullptr); });
 }
 
 TEST(CreepTableBytes, AreReadAsTheyWereWritten) {
@@ -427,7 +415,7 @@ TEST(CreepTableBytes, CutShortOrTooLongAreRefused) {
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{7}, std::size_t{511}, std::size_t{512}, whole.size() - 1}) {
     const std::vector<std::byte> some(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_NE(refusal(some), "") << size;
+    EXPECT_NE(refusal(some), "no error") << size;
   }
   auto longer = whole;
   longer.push_back({});
@@ -439,7 +427,7 @@ TEST(CreepTableBytes, AnyChangedByteIsFound) {
   for (std::size_t i = 0; i < whole.size(); i += i < 512 ? 1 : 997) {
     auto changed = whole;
     changed[i] ^= std::byte{0x10};
-    EXPECT_NE(refusal(changed), "") << i;
+    EXPECT_NE(refusal(changed), "no error") << i;
   }
 }
 

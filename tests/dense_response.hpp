@@ -2,12 +2,11 @@
 
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/bilinear_influence.hpp"
+#include "tests/support/fields.hpp"
 
 #include <vector>
 
 namespace microslip {
-
-using Field = std::vector<double>;
 
 /// A field for each direction of the contact plane.
 struct PlaneFields {

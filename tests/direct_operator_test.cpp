@@ -1,7 +1,8 @@
 #include "tests/oracles/direct_operator.hpp"
 
 #include "dense_response.hpp"
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 
 std::vector<ElementGrid> grids() {
   return {{1, 1, 0, 0, 1e-3, 2e-3, false},

@@ -1,13 +1,13 @@
 #include "microslip/exact/fitted/edge_element.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 #include "validation/edge_constants.hpp"
 #include "validation/half_line.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -195,7 +195,6 @@ TEST(EdgeElement, EveryPlaceOfTheEdgeHasALeadingElement) {
 }
 
 TEST(EdgeElement, RefusesWhatIsOutOfRange) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double omega : {0.39, 1.71, nan}) {
     expect_error([=] { edge_inset(omega); }, "omega", "[-]: must be in [0.4, 1.7]");
     expect_error([=] { edge_distance(omega); }, "omega", "[-]: must be in [0.4, 1.7]");

@@ -1,10 +1,9 @@
 #include "microslip/contact/element_grid.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
-
-#include <limits>
 
 namespace microslip {
 namespace {
@@ -43,8 +42,7 @@ TEST(ElementGrid, AcrossALine) {
 }
 
 TEST(ElementGrid, RefusesWhatMakesNoSense) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
-  for (const double bad : {0.0, -1e-3, nan, infinite}) {
+  for (const double bad : {0.0, -1e-3, nan, infinity}) {
     expect_error([&] { ElementGrid::across_ellipse(bad, 1, 5); }, "a", "[m]: must be positive and finite");
     expect_error([&] { ElementGrid::across_ellipse(1, bad, 5); }, "b", "[m]: must be positive and finite");
     expect_error([&] { ElementGrid::across_line(bad, 5); }, "a", "[m]: must be positive and finite");

@@ -16,8 +16,6 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
-
 ElementGrid bilinear(ElementGrid grid) {
   grid.shape = ElementShape::bilinear;
   return grid;

@@ -1,9 +1,10 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/damage/wear.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/test_cases.hpp"
 
 #include <cmath>
 #include <limits>
@@ -69,9 +70,7 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
         adhesion += f.fields.state[k] == CellState::adhesion ? f.elements.area[k] : 0;
       }
       const double unit = friction_force(contact);
-      EXPECT_NEAR(f.totals.fx, fx, 1e-12 * unit);
-      EXPECT_NEAR(f.totals.fy, fy, 1e-12 * unit);
-      EXPECT_NEAR(f.totals.mz, mz, 1e-12 * friction_moment(contact));
+      expect_forces(f.totals, {fx, fy, mz}, 1e-12 * unit, 1e-12 * friction_moment(contact));
       EXPECT_NEAR(bound, unit, 1e-12 * unit);
       EXPECT_NEAR(load, contact.normal_force, 1e-12 * contact.normal_force);
       EXPECT_NEAR(s.totals.elastic_energy, energy, 1e-12 * energy);
@@ -107,9 +106,8 @@ TEST(EllipticContact, RollingBackwardIsTheMirrorImage) {
     mirrored.creepage.spin *= -1;
     const ContactSolution s = solve(options(13, discretisation, RollingDirection::backward), mirrored);
     const double unit = friction_force(mirrored);
-    EXPECT_NEAR(s.totals.fx, -forward.totals.fx, 1e-8 * unit);
-    EXPECT_NEAR(s.totals.fy, forward.totals.fy, 1e-8 * unit);
-    EXPECT_NEAR(s.totals.mz, -forward.totals.mz, 1e-8 * friction_moment(mirrored));
+    expect_forces(s.totals, {-forward.totals.fx, forward.totals.fy, -forward.totals.mz}, 1e-8 * unit,
+                  1e-8 * friction_moment(mirrored));
     EXPECT_EQ(s.creepage.longitudinal, mirrored.creepage.longitudinal);
     EXPECT_EQ(s.creepage.spin, mirrored.creepage.spin);
     ASSERT_EQ(s.elements.mx(), forward.elements.mx());
@@ -138,9 +136,7 @@ TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
                              fine.mz + more * (fine.mz - coarse.mz)};
       };
       const ContactForces second = limit(Discretisation::second_order, 2), first = limit(Discretisation::classical, 1);
-      EXPECT_NEAR(second.fx, first.fx, 3e-3 * friction_force(contact));
-      EXPECT_NEAR(second.fy, first.fy, 3e-3 * friction_force(contact));
-      EXPECT_NEAR(second.mz, first.mz, 3e-3 * friction_moment(contact));
+      expect_forces(second, first, 3e-3 * friction_force(contact), 3e-3 * friction_moment(contact));
     }
 }
 
@@ -245,7 +241,7 @@ TEST(EllipticContact, FrictionalPowerNeedsNoFineElements) {
 
 TEST(EllipticContact, ApproachIsHertz) {
   const EllipticContact contact = mixed();
-  const double hertz = hertz_from_ellipse(contact.a, contact.b, {82e9, 0.28, 0}, contact.normal_force).approach;
+  const double hertz = hertz_from_ellipse(contact.a, contact.b, steel, contact.normal_force).approach;
   EXPECT_NEAR(solve(options(10), contact).approach, hertz, 1e-14 * hertz);
   EXPECT_NEAR(solve(options(30, Discretisation::classical), contact).approach, hertz, 1e-3 * hertz);
 }

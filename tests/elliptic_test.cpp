@@ -1,11 +1,11 @@
 #include "microslip/numerics/elliptic.hpp"
 
 #include "microslip/error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace microslip {
@@ -115,8 +115,6 @@ TEST(Elliptic, SlenderLimits) {
 }
 
 TEST(Elliptic, RefusesWhatIsNoAxisRatio) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double g : {0.0, -0.5, 1.0000001, infinity, nan}) {
     EXPECT_THROW(complete_elliptic_integrals(g), Error) << g;
   }

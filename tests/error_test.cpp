@@ -1,20 +1,17 @@
 #include "microslip/error.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <locale>
 #include <string>
 
 namespace microslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Error, NamesFieldValueUnitAndRange) {
   EXPECT_STREQ(Error("poisson_ratio", 0.62, "-", "in [0, 0.5]").what(),

@@ -3,12 +3,12 @@
 #include "microslip/error.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/transforms.hpp"
+#include "tests/support/fields.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,8 +17,6 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
-
 /// Falls like 1/distance, as displacements do.
 double kernel(int i, int j) {
   return 1 / std::hypot(i, 0.7 * j, 0.4);
@@ -26,13 +24,6 @@ double kernel(int i, int j) {
 
 void kernel_row(int j, std::span<double> entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) entries[i] = kernel(static_cast<int>(i), j);
-}
-
-Field random_field(std::size_t size) {
-  std::mt19937 engine(7);
-  Field field(size);
-  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
-  return field;
 }
 
 Field product(int mx, int my, const Field& in) {
@@ -44,7 +35,7 @@ Field product(int mx, int my, const Field& in) {
 TEST(EvenToeplitz, IsTheSum) {
   for (int mx = 1; mx <= 11; ++mx)
     for (int my = 1; my <= 11; ++my) {
-      const Field in = random_field(static_cast<std::size_t>(mx) * my), out = product(mx, my, in);
+      const Field in = random_field(static_cast<std::size_t>(mx) * my, 7), out = product(mx, my, in);
       for (int j = 0; j < my; ++j)
         for (int i = 0; i < mx; ++i) {
           double sum = 0, size = 0;
@@ -61,7 +52,7 @@ TEST(EvenToeplitz, IsTheSum) {
 
 TEST(EvenToeplitz, CirculantInverseIsPositiveAndNearTheInverse) {
   for (const int m : {1, 5, 24}) {
-    const Field in = random_field(static_cast<std::size_t>(m) * m);
+    const Field in = random_field(static_cast<std::size_t>(m) * m, 7);
     Field image(in.size()), back(in.size());
     EvenToeplitz matrix(m, m, kernel_row);
     matrix.apply_circulant_inverse(in, back);
@@ -88,7 +79,7 @@ TEST(EvenToeplitz, CirculantInverseIsThatOfTheRepeatedKernel) {
     for (const int my : {8, 20}) {
       ASSERT_EQ(quick_size(mx), mx);
       ASSERT_EQ(quick_size(my), my);
-      const Field in = random_field(static_cast<std::size_t>(mx) * my);
+      const Field in = random_field(static_cast<std::size_t>(mx) * my, 7);
       Field solution(in.size());
       EvenToeplitz(mx, my, [&](int j, std::span<double> entries) {
         for (std::size_t i = 0; i < entries.size(); ++i) entries[i] = next_only(static_cast<int>(i), j);
@@ -109,7 +100,7 @@ TEST(EvenToeplitz, CirculantInverseIsThatOfTheRepeatedKernel) {
 TEST(EvenToeplitz, ProductsOfTheTwoKindsDoNotDisturbEachOther) {
   for (const int mx : {1, 5, 37})
     for (const int my : {1, 6, 29}) {
-      const Field in = random_field(static_cast<std::size_t>(mx) * my);
+      const Field in = random_field(static_cast<std::size_t>(mx) * my, 7);
       Field first(in.size()), inverse(in.size()), again(in.size());
       EvenToeplitz matrix(mx, my, kernel_row);
       matrix.apply(in, first);
@@ -123,7 +114,7 @@ TEST(EvenToeplitz, ProductsOfTheTwoKindsDoNotDisturbEachOther) {
 
 TEST(EvenToeplitz, ThreadsDoNotMatter) {
   constexpr int m = 301; // large enough for several
-  const Field in = random_field(std::size_t{m} * m);
+  const Field in = random_field(std::size_t{m} * m, 7);
   const auto both_products = [&] {
     EvenToeplitz matrix(m, m, kernel_row);
     std::array<Field, 2> out = {Field(in.size()), Field(in.size())};

@@ -1,22 +1,20 @@
 // What the exact theory says to problems at the limits, and to those that make no sense.
 
-#include "expect_error.hpp"
 #include "microslip/exact/normal/normal_contact.hpp"
 #include "tangential_cases.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 constexpr ContactMotion motions[] = {ContactMotion::shift, ContactMotion::transient, ContactMotion::steady};
 
 double ball(double x, double y) {
@@ -49,17 +47,11 @@ TEST(ExactBadInput, NoContactAtAll) {
 
 TEST(ExactBadInput, ContactReachesTheBorder) {
   const ElementGrid grid = ElementGrid::across_ellipse(1e-3, 1e-3, 8);
-  try {
-    solve_normal_contact(steel, ball, grid, {NormalLoad::Given::force, 1e4});
-    ADD_FAILURE() << "no Error";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("reaches its border at x = -0.001000 m, x = 0.001000 m"),
-              std::string::npos)
-        << error.what();
-  }
-  const NormalContact grown = solve_normal_contact(steel, ball, grid, {NormalLoad::Given::force, 1e4}, 4000);
-  EXPECT_EQ(grown.solution.status, Status::ok);
-  EXPECT_FALSE(grown.solution.touches_border);
+  expect_words(
+      [&] {
+        solve_normal_contact(steel, ball, grid, {NormalLoad::Given::force, 1e4});
+      },
+      "reaches its border at x = -0.001000 m, x = 0.001000 m");
 }
 
 TEST(ExactBadInput, OneElement) {
@@ -100,7 +92,7 @@ TEST(ExactBadInput, RowsAndColumns) {
 TEST(ExactBadInput, GapWithNaN) {
   const ElementGrid grid = ElementGrid::across_ellipse(4e-3, 4e-3, 4);
   Field gap(grid.count(), 0.0);
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {nan, infinity, -infinity}) {
     gap[5] = bad;
     expect_error(
         [&] {

@@ -5,10 +5,10 @@
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "paths.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -40,7 +40,6 @@ private:
     return numbers[std::uniform_int_distribution<std::size_t>(0, numbers.size() - 1)(random_)];
   }
   double number(double usual, bool is_signed) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!is_odd()) return usual;
     if (is_odd()) return pick({0, -usual, infinity, -infinity, std::nan(""), 1e-320, 1e-30, 1e30, 1.7e308});
     const double size = std::pow(10, std::uniform_real_distribution(-320.0, 308.0)(random_));

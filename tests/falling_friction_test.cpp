@@ -2,6 +2,7 @@
 // slip.
 
 #include "microslip/simplified/row_solver.hpp"
+#include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 
 #include <cmath>
@@ -44,9 +45,7 @@ TEST(FallingFriction, WithoutADropIsCoulombFriction) {
         contact.friction = make(0.3, 0);
         const ContactForces f = solver.solve(contact);
         const double force = friction_force(contact);
-        ASSERT_NEAR(f.fx, coulomb.fx, 1e-14 * force);
-        ASSERT_NEAR(f.fy, coulomb.fy, 1e-14 * force);
-        ASSERT_NEAR(f.mz, coulomb.mz, 1e-14 * friction_moment(contact));
+        expect_forces(f, coulomb, 1e-14 * force, 1e-14 * friction_moment(contact));
       }
     }
   }
@@ -113,17 +112,15 @@ TEST(FallingFriction, AgreesWithThePlainAlgorithm) {
         contact.friction = make(0.1, 0.3);
         const ContactForces f = solver.solve(contact);
         const PlainForces plain = plain_fastsim(contact, solver.options());
-        ASSERT_NEAR(f.fx, plain.fx, 1e-13 * friction_force(contact));
-        ASSERT_NEAR(f.fy, plain.fy, 1e-13 * friction_force(contact));
-        ASSERT_NEAR(f.mz, plain.mz, 1e-13 * friction_moment(contact));
+        expect_forces(f, plain, 1e-13 * friction_force(contact), 1e-13 * friction_moment(contact));
       }
   }
 }
 
 /// Force of a contact with creepage along x only.
 double longitudinal_force(RowSolver& solver, const FrictionLaw& law, double creepage, double speed) {
-  static const EllipticContact steel = test_cases()[0];
-  EllipticContact contact = steel;
+  static const EllipticContact first = test_cases()[0];
+  EllipticContact contact = first;
   contact.friction = law;
   contact.creepage = {creepage, 0, 0};
   contact.rolling_speed = speed;

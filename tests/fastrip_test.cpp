@@ -3,6 +3,7 @@
 #include "microslip/simplified/fastrip.hpp"
 
 #include "microslip/error.hpp"
+#include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
@@ -19,21 +20,16 @@ SimplifiedOptions options(int mx, int my, RollingDirection direction = RollingDi
   return {.mx = mx, .my = my, .bound = TractionBound::elliptic, .direction = direction};
 }
 
-EllipticContact steel(double a, double b, Creepage creepage) {
-  return {.a = a,
-          .b = b,
-          .shear_modulus = 82e9,
-          .poisson_ratio = 0.28,
-          .normal_force = 82e3,
-          .friction = FrictionLaw::coulomb(0.3),
-          .creepage = creepage,
-          .rolling_speed = 30};
+EllipticContact rolling(double a, double b, const Creepage& creepage) {
+  EllipticContact contact = steel_contact(a, b, 82e3, creepage);
+  contact.rolling_speed = 30;
+  return contact;
 }
 
 TEST(Fastrip, TendsToLinearTheoryAsCreepagesVanish) {
   Fastrip solver(options(400, 100));
   for (const double b : {2e-3, 4e-3, 8e-3, 20e-3}) {
-    EllipticContact contact = steel(8e-3, b, {});
+    EllipticContact contact = rolling(8e-3, b, {});
     const CreepageCoefficients c = creepage_coefficients(contact.a / b, contact.poisson_ratio);
     const double area = contact.a * b, stiffness = contact.shear_modulus * area;
     const Creepage unit = saturating_creepage(contact);
@@ -52,7 +48,7 @@ TEST(Fastrip, TendsToLinearTheoryAsCreepagesVanish) {
 TEST(Fastrip, IsCartersSolutionInEachRowWithoutSpin) {
   Fastrip solver(options(800, 200));
   for (const double share : {0.2, 0.6, 1.0}) {
-    EllipticContact contact = steel(6e-3, 12e-3, {});
+    EllipticContact contact = rolling(6e-3, 12e-3, {});
     contact.creepage.longitudinal = share * saturating_creepage(contact).longitudinal;
     const CreepageCoefficients c = creepage_coefficients(0.5, contact.poisson_ratio);
     const double peak = 1.5 * friction_force(contact) / ellipse_area(contact);
@@ -71,7 +67,7 @@ TEST(Fastrip, IsCartersSolutionInEachRowWithoutSpin) {
 
 TEST(Fastrip, FullSlidingGivesTheFrictionForce) {
   for (const double angle : {0.0, 0.7, 2.0, 4.5}) {
-    const EllipticContact contact = steel(8e-3, 4e-3, {std::cos(angle), std::sin(angle), 0});
+    const EllipticContact contact = rolling(8e-3, 4e-3, {std::cos(angle), std::sin(angle), 0});
     SimplifiedOptions o = options(20, 20);
     o.flexibility = FlexibilityModel::one; // the direction of sliding is that of the creepage then
     const ContactForces f = Fastrip(o).solve(contact);
@@ -98,9 +94,7 @@ TEST(Fastrip, TractionsStayWithinTheBoundAndTotalsAreTheirSums) {
       fy += f.elements.area[k] * f.fields.traction.y[k];
       mz += f.elements.area[k] * (f.elements.x[k] * f.fields.traction.y[k] - f.elements.y[k] * f.fields.traction.x[k]);
     }
-    EXPECT_NEAR(f.totals.fx, fx, 1e-12 * friction_force(contact));
-    EXPECT_NEAR(f.totals.fy, fy, 1e-12 * friction_force(contact));
-    EXPECT_NEAR(f.totals.mz, mz, 1e-12 * friction_moment(contact));
+    expect_forces(f.totals, {fx, fy, mz}, 1e-12 * friction_force(contact), 1e-12 * friction_moment(contact));
     EXPECT_NEAR(f.totals.adhesion_area + f.totals.slip_area, ellipse_area(contact), 1e-12 * ellipse_area(contact));
     EXPECT_GE(f.totals.frictional_power, 0);
   }
@@ -116,15 +110,11 @@ TEST(Fastrip, MirrorsInBothAxes) {
     const Creepage c = contact.creepage;
     contact.creepage = {-c.longitudinal, c.lateral, -c.spin};
     const ContactForces back = Fastrip(options(12, 10, RollingDirection::backward)).solve(contact);
-    EXPECT_NEAR(back.fx, -f.fx, force);
-    EXPECT_NEAR(back.fy, f.fy, force);
-    EXPECT_NEAR(back.mz, -f.mz, moment);
+    expect_forces(back, {-f.fx, f.fy, -f.mz}, force, moment);
     EXPECT_NEAR(back.slip_area, f.slip_area, 1e-9 * ellipse_area(contact));
     contact.creepage = {c.longitudinal, -c.lateral, -c.spin};
     const ContactForces side = Fastrip(options(12, 10)).solve(contact);
-    EXPECT_NEAR(side.fx, f.fx, force);
-    EXPECT_NEAR(side.fy, -f.fy, force);
-    EXPECT_NEAR(side.mz, -f.mz, moment);
+    expect_forces(side, {f.fx, -f.fy, -f.mz}, force, moment);
   }
 }
 
@@ -153,7 +143,7 @@ struct Row {
 TEST(StripTheory, KnowsWhereTheMiddleOfARowIs) {
   const double shift = 3e-3, half = 5e-3;
   for (const RollingDirection direction : all_directions) {
-    EllipticContact contact = steel(8e-3, 4e-3, {2e-4, -4e-4, 0.3});
+    EllipticContact contact = rolling(8e-3, 4e-3, {2e-4, -4e-4, 0.3});
     const double peak = 1.5 * friction_force(contact) / ellipse_area(contact);
     Row beside(1e-3, shift, half, 0.7 * peak), at_origin(1e-3, 0, half, 0.7 * peak);
     beside.solve(StripTheory(contact, 0.3, direction));
@@ -171,7 +161,7 @@ TEST(StripTheory, KnowsWhereTheMiddleOfARowIs) {
 }
 
 TEST(StripTheory, AdheresAtTheLeadingEdge) {
-  const EllipticContact contact = steel(8e-3, 4e-3, {5e-4, 0, 0});
+  const EllipticContact contact = rolling(8e-3, 4e-3, {5e-4, 0, 0});
   Row row(0, 0, contact.a, 1.5 * friction_force(contact) / ellipse_area(contact));
   row.solve(StripTheory(contact, 0.3, RollingDirection::backward));
   EXPECT_EQ(row.state.front(), CellState::adhesion);
@@ -181,7 +171,7 @@ TEST(StripTheory, AdheresAtTheLeadingEdge) {
 }
 
 TEST(Fastrip, WithoutCreepageOrFrictionThereAreNoTractions) {
-  EllipticContact contact = steel(8e-3, 4e-3, {});
+  EllipticContact contact = rolling(8e-3, 4e-3, {});
   const ContactForces still = Fastrip(options(10, 10)).solve(contact);
   EXPECT_EQ(still.fx, 0);
   EXPECT_EQ(still.fy, 0);
@@ -196,10 +186,10 @@ TEST(Fastrip, RefusesWhatItDoesNotKnow) {
   reduced.slope_reduction.initial = 0.5;
   EXPECT_THROW(Fastrip{reduced}, Error);
   EXPECT_THROW(Fastrip({.bound = TractionBound::elliptic, .precision = Precision::single}), Error);
-  EllipticContact contact = steel(8e-3, 4e-3, {1e-3, 0, 0});
+  EllipticContact contact = rolling(8e-3, 4e-3, {1e-3, 0, 0});
   contact.friction = FrictionLaw::polach(0.3, 0.4, 0.6);
   EXPECT_EQ(Fastrip(options(10, 10)).solve(contact).status, Status::invalid_input);
-  contact = steel(-1, 4e-3, {1e-3, 0, 0});
+  contact = rolling(-1, 4e-3, {1e-3, 0, 0});
   EXPECT_EQ(Fastrip(options(10, 10)).solve(contact).status, Status::invalid_input);
   EXPECT_TRUE(std::isnan(Fastrip(options(10, 10)).solve(contact).fx));
 }

@@ -6,8 +6,8 @@
 #include "microslip/interior/interior_field.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 
-#include "expect_error.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/test_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 // Ekberg, Kabo & Andersson 2002: mu - 2 pi a b k/(3 Fz).
 TEST(Fatigue, IndexIsEkbergsForAnEllipse) {
   constexpr double a = 7e-3, b = 5e-3, load = 90e3, k = 300e6, mu = 0.28;
-  const HertzContact hertz = hertz_from_ellipse(a, b, {82e9, 0.28, 0}, load);
+  const HertzContact hertz = hertz_from_ellipse(a, b, steel, load);
   EXPECT_NEAR(surface_fatigue_index(mu, hertz.peak_pressure, k), mu - 2 * std::numbers::pi * a * b * k / (3 * load),
               1e-12);
 }
@@ -68,9 +68,9 @@ TEST(Fatigue, ShakedownLimitOfAPointIsThatOfItsLargestOrthogonalShear) {
                      y = grid.y(j) + ((part / parts + 0.5) / parts - 0.5) * grid.dy;
         pressure[static_cast<std::size_t>(j) * n + i] += std::sqrt(std::max(1 - x * x - y * y, 0.0)) / (parts * parts);
       }
-  const Material steel{82e9, 0.3};
-  const InteriorField normal(steel, Body::first, grid, {.px = {}, .py = {}, .pn = pressure}),
-      tangential(steel, Body::first, grid, {.px = pressure, .py = {}, .pn = {}});
+  const Material body{82e9, 0.3};
+  const InteriorField normal(body, Body::first, grid, {.px = {}, .py = {}, .pn = pressure}),
+      tangential(body, Body::first, grid, {.px = pressure, .py = {}, .pn = {}});
   std::vector<double> by_pressure, by_traction;
   for (double z = 0.25; z < 0.4; z += 0.01)
     for (double x = 0.78; x < 0.9; x += 0.01) {

@@ -1,7 +1,7 @@
 #include "microslip/exact/fitted/fitted_contact.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/exact/fitted/edge_element.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/exact/fitted/fitted_contact.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,6 @@ namespace microslip {
 namespace {
 
 using Field = std::vector<double>;
-
-constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
 /// What every element does to the points and the ends of all, from the closed forms; in the order x, y.
 struct DenseResponse {

@@ -1,8 +1,8 @@
 #include "microslip/rolling/solver.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace microslip {
 namespace {
 
 constexpr double friction = 0.3, load = 10e3, speed = 10;
-const Material steel = {82e9, 0.28}, soft = {20e9, 0.4};
+const Material soft = {20e9, 0.4};
 const ThermalBody hot = {20, 50, 7850, 450};
 
 /// A kind of problem, with the largest force that its friction can bear.
@@ -27,7 +27,7 @@ struct Kind {
 RollingProblem ellipse() {
   RollingProblem p;
   p.geometry = Ellipse{4e-3, 3e-3};
-  p.bodies = combine(steel, steel);
+  p.bodies = steel;
   p.load = {NormalLoad::Given::force, load};
   p.friction.law = FrictionLaw::coulomb(friction);
   p.motion.rolling_speed = speed;
@@ -50,22 +50,22 @@ const std::vector<Kind> kinds = {
     {"transient by a step",
      [](RollingProblem& p, auto&) { p.motion.kind = ContactMotion::transient, p.motion.step = 3e-4; }},
     {"backward", [](RollingProblem& p, auto&) { p.motion.direction = RollingDirection::backward; }},
-    {"unequal bodies", [](RollingProblem& p, auto&) { p.bodies = combine(steel, soft); }},
+    {"unequal bodies", [](RollingProblem& p, auto&) { p.bodies = combine(steel_body, soft); }},
     {"unequal bodies in turn",
-     [](RollingProblem& p, Method& m) { p.bodies = combine(steel, soft), m.coupling = Coupling::alternating; }},
+     [](RollingProblem& p, Method& m) { p.bodies = combine(steel_body, soft), m.coupling = Coupling::alternating; }},
     {"shift of unequal bodies with falling friction",
      [](RollingProblem& p, auto&) {
-       p.bodies = combine(steel, soft), p.motion.kind = ContactMotion::shift;
+       p.bodies = combine(steel_body, soft), p.motion.kind = ContactMotion::shift;
        p.friction.law = FrictionLaw::exponential(0.1, {0.2, 1e-6});
      },
      friction* load, true},
     {"viscoelastic",
      [](RollingProblem& p, auto&) {
-       p.bodies = viscoelastic(steel, {1, 1e-4}, steel, {1, 1e-4}, speed);
+       p.bodies = viscoelastic(steel_body, {1, 1e-4}, steel_body, {1, 1e-4}, speed);
      }},
     {"one viscoelastic body",
      [](RollingProblem& p, auto&) {
-       p.bodies = viscoelastic(steel, {1, 1e-4}, steel, {}, speed);
+       p.bodies = viscoelastic(steel_body, {1, 1e-4}, steel_body, {}, speed);
      }},
     {"falling friction",
      [](RollingProblem& p, auto&) {
@@ -144,7 +144,7 @@ TEST(ForceBeyondFriction, OfALayerThatYieldsIsWhatTheLayerBears) {
   for (const double hardening : {0.0, -1e10})
     for (const bool retarded : {false, true}) {
       RollingProblem p = ellipse();
-      if (retarded) p.bodies = viscoelastic(steel, {1, 1e-4}, steel, {1, 1e-4}, speed);
+      if (retarded) p.bodies = viscoelastic(steel_body, {1, 1e-4}, steel_body, {1, 1e-4}, speed);
       p.bodies.layer = {1e-14, 50e6, hardening};
       p.motion.force_x = 0.9 * friction * load;
       const ContactSolution s = Solver({.mx = 11, .my = 10}).solve(p);
@@ -160,7 +160,7 @@ TEST(ForceBeyondFriction, OfALayerThatYieldsIsWhatTheLayerBears) {
 TEST(ForceBeyondFriction, WithoutFrictionNoForceIsBorne) {
   for (const bool unequal : {false, true}) {
     RollingProblem p = ellipse();
-    if (unequal) p.bodies = combine(steel, soft);
+    if (unequal) p.bodies = combine(steel_body, soft);
     p.bodies.layer.flexibility = 1e-14;
     p.friction.law = FrictionLaw::coulomb(0);
     p.motion.force_x = 1;

@@ -4,6 +4,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ namespace microslip {
 /// definitions here.
 struct FrictionCase {
   std::string name;
-  CombinedMaterial material{82e9, 0.28, 0};
+  CombinedMaterial material = steel;
   ElementGrid grid;
   Field bound;
   TangentialInput input;

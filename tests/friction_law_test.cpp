@@ -1,19 +1,16 @@
 #include "microslip/friction/friction_law.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace microslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The makers of laws that fall with the slip velocity.
 constexpr auto falling = {FrictionLaw::linear, FrictionLaw::rational, FrictionLaw::exponential};

@@ -1,6 +1,8 @@
 #include "microslip/exact/newton/friction_newton.hpp"
 
 #include "friction_conditions.hpp"
+#include "spring_operator.hpp"
+#include "tests/support/fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,26 +29,6 @@ public:
 
 private:
   std::mt19937 engine_;
-};
-
-/// Elements that do not feel each other.
-class SpringOperator : public SlipOperator {
-public:
-  explicit SpringOperator(double flexibility) : flexibility_(flexibility) {}
-  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
-             std::span<double> sy) override {
-    ++products_;
-    for (std::size_t k = 0; k < px.size(); ++k) {
-      sx[k] = flexibility_ * px[k];
-      sy[k] = flexibility_ * py[k];
-    }
-  }
-  double diagonal() const override { return flexibility_; }
-  long products() const override { return products_; }
-
-private:
-  double flexibility_;
-  long products_ = 0;
 };
 
 /// Any matrix on (px, py); here I + a random one that is small enough for x.Dx > 0.
@@ -109,12 +91,6 @@ void expect_solved(SlipOperator& response, const FrictionProblem& problem, const
     EXPECT_EQ(s.sy[k], 0);
     EXPECT_EQ(s.sliding[k], 0);
   }
-}
-
-double sum(const Field& f) {
-  double total = 0;
-  for (double value : f) total += value;
-  return total;
 }
 
 /// Springs: each element sticks with p = -c/flexibility while that is below g, and slides otherwise.

@@ -4,7 +4,10 @@
 #include "microslip/railway/equivalent_rail.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +21,6 @@ namespace microslip {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double radius = 0.1; // of wheels and heads [m]
 
 /// Slices of a profile, each with what `moved` makes of its points.
@@ -33,12 +35,6 @@ std::shared_ptr<const ProfileSurface> slices(const Profile& profile, const std::
   SurfaceOptions options;
   options.is_wheel = profile.role() == ProfileRole::wheel;
   return std::make_shared<const ProfileSurface>(std::move(all), options);
-}
-
-std::vector<double> steps(double first, double last, int count) {
-  std::vector<double> u;
-  for (int k = 0; k < count; ++k) u.push_back(first + (last - first) * k / (count - 1));
-  return u;
 }
 
 /// A sphere on a round head along the track.
@@ -65,7 +61,7 @@ WheelState<double> rolling(double lateral, double yaw = 0) {
   return s;
 }
 
-const std::vector<double> along_track = steps(-0.5, 0.5, 11), around_wheel = steps(-pi, pi, 41);
+const std::vector<double> along_track = equal_steps(-0.5, 0.5, 11), around_wheel = equal_steps(-pi, pi, 41);
 
 class GeneralSurfaces : public testing::TestWithParam<WheelRailLevel> {
 protected:
@@ -78,9 +74,7 @@ void expect_alike(const WheelRailSolution& a, const WheelRailSolution& b, double
   ASSERT_EQ(a.status, Status::ok);
   ASSERT_EQ(b.status, Status::ok);
   ASSERT_EQ(a.patches.size(), b.patches.size());
-  EXPECT_NEAR(a.force.x, b.force.x, tolerance * b.force.z);
-  EXPECT_NEAR(a.force.y, b.force.y, tolerance * b.force.z);
-  EXPECT_NEAR(a.force.z, b.force.z, tolerance * b.force.z);
+  expect_near(a.force, b.force, tolerance * b.force.z);
   EXPECT_NEAR(a.patches[0].peak_pressure, b.patches[0].peak_pressure, tolerance * b.patches[0].peak_pressure);
   EXPECT_NEAR(a.patches[0].place.x, b.patches[0].place.x, of_place);
 }

@@ -1,10 +1,10 @@
 #include "microslip/numerics/gmres.hpp"
+#include "tests/support/fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace microslip {
@@ -30,15 +30,9 @@ struct Matrix {
   }
 };
 
-Vector random_vector(std::size_t n, unsigned seed) {
-  std::mt19937 engine(seed);
-  Vector v(n);
-  for (double& value : v) value = static_cast<double>(engine()) * 0x1p-31 - 1;
-  return v;
-}
 /// Random entries, and `weight` sqrt(n) on the diagonal.
 Matrix random_matrix(std::size_t n, unsigned seed, double weight) {
-  Matrix m{n, random_vector(n * n, seed)};
+  Matrix m{n, random_field(n * n, seed)};
   for (std::size_t i = 0; i < n; ++i) m.values[i * (n + 1)] += weight * std::sqrt(double(n));
   return m;
 }
@@ -64,7 +58,7 @@ TEST(Gmres, IsExactAfterAsManyProductsAsUnknowns) {
   for (const std::size_t n : {1U, 2U, 7U, 40U, 90U})
     for (unsigned seed = 0; seed < 5; ++seed) {
       const Matrix a = random_matrix(n, seed, 0.5);
-      const Vector exact = random_vector(n, 100 + seed), b = a * exact;
+      const Vector exact = random_field(n, 100 + seed), b = a * exact;
       Vector x(n);
       const auto result = Gmres<double>().solve(a.product(), b, x, 1e-13, static_cast<int>(n));
       EXPECT_LE(result.products, static_cast<int>(n));
@@ -76,7 +70,7 @@ TEST(Gmres, IsExactAfterAsManyProductsAsUnknowns) {
 TEST(Gmres, StopsAtTheTolerance) {
   const std::size_t n = 80;
   const Matrix a = random_matrix(n, 3, 3);
-  const Vector b = random_vector(n, 4);
+  const Vector b = random_field(n, 4);
   int before = 0;
   for (const double tolerance : {0.5, 1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     Vector x(n);
@@ -97,7 +91,7 @@ TEST(Gmres, StopsAtTheTolerance) {
 TEST(Gmres, ResidualIsTheLeastOfTheKrylovSpace) {
   const std::size_t n = 30;
   const Matrix a = random_matrix(n, 8, 1);
-  const Vector b = random_vector(n, 9);
+  const Vector b = random_field(n, 9);
   double before = norm(b);
   for (int k = 1; k < 20; ++k) {
     Vector x(n);
@@ -121,7 +115,7 @@ TEST(Gmres, ResidualIsTheLeastOfTheKrylovSpace) {
 
 TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
   const Matrix a = random_matrix(60, 11, 2);
-  const Vector b = random_vector(60, 12);
+  const Vector b = random_field(60, 12);
   Vector x(60), sum(60), image_sum(60);
   std::vector<Vector> asked, images;
   const Gmres<double>::Product product = [&](std::span<const double> in, std::span<double> out) {
@@ -143,7 +137,7 @@ TEST(Gmres, WeightsGiveWhateverWasFoundWithTheProducts) {
 
 TEST(Gmres, ZeroRightSide) {
   const Matrix a = random_matrix(6, 1, 1);
-  Vector x = random_vector(6, 2);
+  Vector x = random_field(6, 2);
   const auto result = Gmres<double>().solve(a.product(), Vector(6, 0.0), x, 1e-6, 10);
   EXPECT_EQ(result.products, 0);
   EXPECT_EQ(result.residual, 0);
@@ -152,8 +146,8 @@ TEST(Gmres, ZeroRightSide) {
 
 TEST(Gmres, StartsFromZeroWhateverXHolds) {
   const Matrix a = random_matrix(12, 1, 2);
-  const Vector b = random_vector(12, 2);
-  Vector x(12, 0.0), filled = random_vector(12, 3);
+  const Vector b = random_field(12, 2);
+  Vector x(12, 0.0), filled = random_field(12, 3);
   Gmres<double>().solve(a.product(), b, x, 1e-3, 12);
   Gmres<double>().solve(a.product(), b, filled, 1e-3, 12);
   EXPECT_EQ(x, filled);
@@ -161,7 +155,7 @@ TEST(Gmres, StartsFromZeroWhateverXHolds) {
 
 TEST(Gmres, IdentityTakesOneProduct) {
   const Matrix identity = diagonal_matrix(Vector(20, 1.0));
-  const Vector b = random_vector(20, 5);
+  const Vector b = random_field(20, 5);
   Vector x(20);
   const auto result = Gmres<double>().solve(identity.product(), b, x, 1e-12, 20);
   EXPECT_EQ(result.products, 1);
@@ -172,7 +166,7 @@ TEST(Gmres, IdentityTakesOneProduct) {
 TEST(Gmres, ThreeEigenvaluesTakeThreeProducts) {
   Vector diagonal(30);
   for (std::size_t i = 0; i < diagonal.size(); ++i) diagonal[i] = i % 3 == 0 ? -2 : i % 3 == 1 ? 1 : 5;
-  const Vector b = random_vector(30, 6);
+  const Vector b = random_field(30, 6);
   Vector x(30);
   EXPECT_EQ(Gmres<double>().solve(diagonal_matrix(diagonal).product(), b, x, 1e-12, 30).products, 3);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], b[i] / diagonal[i], 1e-12);
@@ -195,12 +189,12 @@ TEST(Gmres, SingularMatrices) {
   Vector projection(9, 1.0);
   projection[4] = 0;
   Matrix one_way{2, {0, 1, 0, 0}}, rank_one{9, Vector(81, 0.0)};
-  const Vector u = random_vector(9, 1), v = random_vector(9, 2);
+  const Vector u = random_field(9, 1), v = random_field(9, 2);
   for (std::size_t i = 0; i < 9; ++i)
     for (std::size_t j = 0; j < 9; ++j) rank_one.values[i * 9 + j] = u[i] * v[j];
   for (const Matrix& a : {diagonal_matrix(Vector(5, 0.0)), diagonal_matrix(projection), one_way, rank_one}) {
     for (unsigned seed = 0; seed < 4; ++seed) {
-      Vector b = random_vector(a.n, 10 + seed), x(a.n);
+      Vector b = random_field(a.n, 10 + seed), x(a.n);
       if (seed == 0) std::fill(b.begin() + 1, b.end(), 0.0);
       const auto result = Gmres<double>().solve(a.product(), b, x, 1e-10, 50);
       for (double value : x) ASSERT_TRUE(std::isfinite(value));
@@ -215,7 +209,7 @@ TEST(Gmres, SolvesASingularSystemThatHasASolution) {
   Vector diagonal(9, 2.0);
   diagonal[4] = 0;
   diagonal[7] = 3;
-  Vector b = random_vector(9, 1), x(9);
+  Vector b = random_field(9, 1), x(9);
   b[4] = 0;
   const auto result = Gmres<double>().solve(diagonal_matrix(diagonal).product(), b, x, 1e-10, 50);
   EXPECT_LT(result.residual, 1e-10 * norm(b));
@@ -227,7 +221,7 @@ TEST(Gmres, OneObjectForManyProblems) {
   Gmres<double> gmres;
   for (const std::size_t n : {50U, 3U, 20U}) {
     const Matrix a = random_matrix(n, static_cast<unsigned>(n), 2);
-    const Vector b = random_vector(n, 1);
+    const Vector b = random_field(n, 1);
     Vector x(n), fresh(n);
     const auto result = gmres.solve(a.product(), b, x, 1e-8, 100);
     EXPECT_EQ(result.products, Gmres<double>().solve(a.product(), b, fresh, 1e-8, 100).products);
@@ -239,7 +233,7 @@ TEST(Gmres, OneObjectForManyProblems) {
 TEST(Gmres, ScaleDoesNotMatter) {
   const std::size_t n = 25;
   const Matrix a = random_matrix(n, 1, 1);
-  const Vector b = random_vector(n, 2);
+  const Vector b = random_field(n, 2);
   Vector x(n), scaled(n);
   const auto result = Gmres<double>().solve(a.product(), b, x, 1e-7, 100);
   for (const double of_a : {0x1p-60, 0x1p80})
@@ -256,7 +250,7 @@ TEST(Gmres, ScaleDoesNotMatter) {
 /// It goes on to some times the rounding of a number.
 TEST(Gmres, SinglePrecision) {
   const Matrix a = random_matrix(60, 17, 2);
-  const Vector b = random_vector(60, 18);
+  const Vector b = random_field(60, 18);
   const std::vector<float> right(b.begin(), b.end());
   std::vector<float> x(60);
   const Gmres<float>::Product product = [&](std::span<const float> in, std::span<float> out) {
@@ -275,7 +269,7 @@ TEST(Gmres, ManyUnknowns) {
     for (std::size_t i = 0; i < n; ++i)
       out[i] = (1 + static_cast<double>(i % 97) / 97) * in[i] + 0.3 * in[(i + 1) % n] - 0.2 * in[(i + 5) % n];
   };
-  const Vector b = random_vector(n, 31);
+  const Vector b = random_field(n, 31);
   Vector x(n), image(n);
   Gmres<double> gmres;
   for (const double tolerance : {1e-2, 1e-5}) {

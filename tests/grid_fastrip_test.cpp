@@ -3,6 +3,9 @@
 #include "microslip/simplified/grid_fastrip.hpp"
 
 #include "microslip/friction/traction_bound.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
 #include <vector>
@@ -12,24 +15,12 @@
 namespace microslip {
 namespace {
 
-EllipticContact steel(double a, double b, const Creepage& creepage) {
-  return {.a = a,
-          .b = b,
-          .shear_modulus = 82e9,
-          .poisson_ratio = 0.28,
-          .normal_force = 8e4,
-          .friction = FrictionLaw::coulomb(0.3),
-          .creepage = creepage};
-}
-
 GridSolution solve(const EllipticContact& contact, FastripForm form, int elements,
                    RollingDirection direction = RollingDirection::forward) {
   const ElementGrid grid = ElementGrid::across_ellipse(contact.a, contact.b, elements);
-  std::vector<double> pressure;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      pressure.push_back(
-          traction_bound(TractionBound::elliptic, contact.a, contact.b, contact.normal_force, 1, grid.x(i), grid.y(j)));
+  const Field pressure = over_grid(grid, [&](double x, double y) {
+    return traction_bound(TractionBound::elliptic, contact.a, contact.b, contact.normal_force, 1, x, y);
+  });
   const Flexibilities l = flexibilities(FlexibilityModel::blended, {}, contact);
   return solve_fastrip(GridFastsim(grid, pressure), form, contact, l, std::vector{0.3},
                        {.creepage = contact.creepage, .direction = direction});
@@ -37,7 +28,7 @@ GridSolution solve(const EllipticContact& contact, FastripForm form, int element
 
 TEST(GridFastrip, TendsToFastripOnAnEllipse) {
   for (const Creepage& c : {Creepage{6e-4, -8e-4, 0.2}, {2e-4, 0, 0}, {-1e-3, 1e-4, 0.1}}) {
-    const EllipticContact contact = steel(6e-3, 4e-3, c);
+    const EllipticContact contact = steel_contact(6e-3, 4e-3, 8e4, c);
     SimplifiedOptions options;
     options.mx = options.my = 200;
     options.bound = TractionBound::elliptic;
@@ -54,7 +45,7 @@ TEST(GridFastrip, TendsToFastripOnAnEllipse) {
 
 /// Fx = -G ab C11 xi.
 TEST(GridFastrip, LinearTheory) {
-  const EllipticContact contact = steel(6e-3, 4e-3, {1e-8, 0, 0});
+  const EllipticContact contact = steel_contact(6e-3, 4e-3, 8e4, {1e-8, 0, 0});
   const double linear = -82e9 * 24e-6 * creepage_coefficients(1.5, 0.28).c11 * 1e-8;
   EXPECT_NEAR(solve(contact, FastripForm::modified, 200).forces.fx / linear, 1, 0.035); // first order in the elements
 }
@@ -62,17 +53,16 @@ TEST(GridFastrip, LinearTheory) {
 /// Rolling in the opposite direction is the mirror image: xi and phi turn, and so do Fx and Mz.
 TEST(GridFastrip, RollingBackwardsIsTheMirror) {
   for (const auto form : {FastripForm::modified, FastripForm::first, FastripForm::first_bounded}) {
-    const GridSolution s = solve(steel(4e-3, 6e-3, {6e-4, -8e-4, 0.2}), form, 20);
-    const GridSolution back = solve(steel(4e-3, 6e-3, {-6e-4, -8e-4, -0.2}), form, 20, RollingDirection::backward);
-    EXPECT_NEAR(back.forces.fx, -s.forces.fx, 1e-8);
-    EXPECT_NEAR(back.forces.fy, s.forces.fy, 1e-8);
-    EXPECT_NEAR(back.forces.mz, -s.forces.mz, 1e-8);
+    const GridSolution s = solve(steel_contact(4e-3, 6e-3, 8e4, {6e-4, -8e-4, 0.2}), form, 20);
+    const GridSolution back =
+        solve(steel_contact(4e-3, 6e-3, 8e4, {-6e-4, -8e-4, -0.2}), form, 20, RollingDirection::backward);
+    expect_forces(back.forces, {-s.forces.fx, s.forces.fy, -s.forces.mz}, 1e-8);
   }
 }
 
 /// Sliding, for a < b: the first form raises the forces by 1 + (1 - a/b)^4, the bounded one to friction at most.
 TEST(GridFastrip, FirstFormsRaiseForces) {
-  const EllipticContact contact = steel(4e-3, 6e-3, {0.05, 0, 0});
+  const EllipticContact contact = steel_contact(4e-3, 6e-3, 8e4, {0.05, 0, 0});
   const double sliding = solve(contact, FastripForm::modified, 60).forces.fx;
   const double factor = 1 + std::pow(1 - 2.0 / 3, 4);
   EXPECT_NEAR(solve(contact, FastripForm::first, 60).forces.fx / sliding, factor, 1e-12);
@@ -81,7 +71,7 @@ TEST(GridFastrip, FirstFormsRaiseForces) {
 
 /// With phi' >= 1 nothing adheres in the bounded form.
 TEST(GridFastrip, LargeSpinSlidesInTheBoundedForm) {
-  const EllipticContact contact = steel(6e-3, 4e-3, {0, 0, 20});
+  const EllipticContact contact = steel_contact(6e-3, 4e-3, 8e4, {0, 0, 20});
   ASSERT_GT(std::abs(StripTheory(contact, 0.3, RollingDirection::forward).scaled_spin()), 1);
   const GridSolution s = solve(contact, FastripForm::first_bounded, 40);
   EXPECT_EQ(s.forces.adhesion_area, 0);

@@ -5,6 +5,10 @@
 #include "microslip/error.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/simplified/fastsim.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -23,12 +27,9 @@ ElementGrid grid_of(int mx, int my, double dx, double dy) {
   return {mx, my, -(mx - 1) * dx / 2, -(my - 1) * dy / 2, dx, dy};
 }
 
-std::vector<double> elliptic_pressure(const ElementGrid& grid, double a, double b, double force) {
-  std::vector<double> p;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      p.push_back(traction_bound(TractionBound::elliptic, a, b, force, 1, grid.x(i), grid.y(j)));
-  return p;
+Field elliptic_pressure(const ElementGrid& grid, double a, double b, double force) {
+  return over_grid(grid,
+                   [=](double x, double y) { return traction_bound(TractionBound::elliptic, a, b, force, 1, x, y); });
 }
 
 /// Without slip px = -xi (distance from the leading edge)/L, and Fx = -xi dx^2 dy n(n + 1)/(2 L) for n elements.
@@ -87,14 +88,8 @@ TEST(GridFastsim, RunsAreIndependent) {
 
 /// The sums tend to those of FASTSIM on the rows of the ellipse, for spin and all three flexibilities as well.
 TEST(GridFastsim, TendsToFastsimOnAnEllipse) {
-  const EllipticContact contact = {.a = 6e-3,
-                                   .b = 4e-3,
-                                   .shear_modulus = 82e9,
-                                   .poisson_ratio = 0.28,
-                                   .normal_force = 8e4,
-                                   .friction = FrictionLaw::coulomb(0.3),
-                                   .creepage = {6e-4, -8e-4, 0.3},
-                                   .rolling_speed = 10};
+  EllipticContact contact = steel_contact(6e-3, 4e-3, 8e4, {6e-4, -8e-4, 0.3});
+  contact.rolling_speed = 10;
   for (const auto direction : {RollingDirection::forward, RollingDirection::backward}) {
     SimplifiedOptions options;
     options.mx = options.my = 400;
@@ -106,9 +101,8 @@ TEST(GridFastsim, TendsToFastsimOnAnEllipse) {
     const GridSolution s = GridFastsim(grid, elliptic_pressure(grid, contact.a, contact.b, contact.normal_force))
                                .solve(l, mu, {.creepage = contact.creepage, .direction = direction});
     const double limit = 2.4e4;
-    EXPECT_NEAR(s.forces.fx / limit, own.fx / limit, 1e-3);
-    EXPECT_NEAR(s.forces.fy / limit, own.fy / limit, 1e-3);
-    EXPECT_NEAR(s.forces.mz / (limit * 5e-3), own.mz / (limit * 5e-3), 1e-3);
+    expect_forces({s.forces.fx / limit, s.forces.fy / limit, s.forces.mz / (limit * 5e-3)},
+                  {own.fx / limit, own.fy / limit, own.mz / (limit * 5e-3)}, 1e-3);
     EXPECT_NEAR(s.forces.slip_area / own.slip_area, 1, 0.01);
   }
 }
@@ -118,9 +112,7 @@ TEST(GridFastsim, RigidSlip) {
   const ElementGrid grid = grid_of(20, 16, 5e-4, 5e-4);
   const GridFastsim fastsim(grid, elliptic_pressure(grid, 5e-3, 4e-3, 5e4));
   const auto expect_same = [](const GridSolution& a, const GridSolution& b) {
-    EXPECT_NEAR(a.forces.fx, b.forces.fx, 1e-6);
-    EXPECT_NEAR(a.forces.fy, b.forces.fy, 1e-6);
-    EXPECT_NEAR(a.forces.mz, b.forces.mz, 1e-8);
+    expect_forces(a.forces, b.forces, 1e-6, 1e-8);
     EXPECT_GT(std::abs(a.forces.fx), 10);
   };
   const GridSolution moved = fastsim.solve(one, mu, {.creepage = {1e-3, 2e-3, 0.4}, .spin_centre = {2e-3, -1e-3}});
@@ -185,12 +177,7 @@ TEST(GridFastsim, NamesInputOutOfRange) {
   const std::vector<double> pressure(6, 1e9), two(2), five(5);
   const GridFastsim fastsim(grid, pressure);
   const auto message = [&](const Flexibilities& l, const std::vector<double>& friction, const GridRolling& rolling) {
-    try {
-      fastsim.solve(l, friction, rolling);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return error_of([&] { fastsim.solve(l, friction, rolling); });
   };
   const SpringState none, wrong = {five, five}, uneven = {pressure, five};
   EXPECT_THROW(GridFastsim(grid, five), Error);

@@ -2,8 +2,8 @@
 
 #include "io/result_file.hpp"
 #include "microslip/error.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <numeric>
 #include <vector>

@@ -1,10 +1,11 @@
 // Friction that depends on the temperature that it makes, in steady rolling.
 
 #include "dense_response.hpp"
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +71,8 @@ ContactStep contact(int n, double creepage, const TemperatureEffect& effect, boo
   step.bodies = material;
   step.grid = crowned ? ElementGrid::across_ellipse(a, a, n, 2) : ElementGrid::across_line(a, n, 2);
   const double curvature = crowned ? hertz_from_ellipse(a, a, material, 50e3).gap.x : 1 / 0.92;
-  for (int j = 0; j < step.grid.my; ++j)
-    for (int i = 0; i < step.grid.mx; ++i)
-      step.gap.push_back(curvature * (std::pow(step.grid.x(i), 2) + (crowned ? std::pow(step.grid.y(j), 2) : 0)));
+  step.gap = over_grid(
+      step.grid, [=](double x, double y) { return curvature * (std::pow(x, 2) + (crowned ? std::pow(y, 2) : 0)); });
   const double load = crowned ? 50e3 : line_contact_from_half_width(curvature, material, a).force_per_length;
   step.load = {NormalLoad::Given::force, load};
   step.friction = {FrictionLaw::coulomb(0.4)};

@@ -1,13 +1,14 @@
 #include "microslip/elasticity/hertz.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -17,11 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
-
-/// The largest misfit; allows for machines whose long double is no better than double.
+/// What a misfit may be; leaves room for machines whose long double is no better than double.
 constexpr double fit = 1e-13;
 
 /// a/b from needle to needle, with the circle and its close neighbours.

@@ -1,4 +1,5 @@
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "tests/support/steel.hpp"
 
 #include <array>
 
@@ -6,8 +7,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
 EllipticContact contact_of(double a, double b, const CombinedMaterial& material) {
   return {.a = a,

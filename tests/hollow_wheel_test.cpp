@@ -3,7 +3,7 @@
 
 #include "microslip/railway/conicity.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,6 @@ namespace microslip {
 namespace {
 
 const WheelsetBase base{1.5, 0.46};
-
-Profile example_profile(const char* name) {
-  return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
-}
 
 /// S1002 with a tread that is worn by `depth` [m] in the middle of a hollow from y = -20 to 30 mm.
 Profile hollow_wheel(double depth) {

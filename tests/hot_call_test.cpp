@@ -6,7 +6,7 @@
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "microslip/table/making/creep_table_maker.hpp"
-#include "tests/call_counters.hpp"
+#include "tests/support/call_counters.hpp"
 #include "tests/test_cases.hpp"
 
 #include <limits>
@@ -141,7 +141,7 @@ TEST(HotCall, AWheelOnARailTakesNoMemory) {
                            {.rail_origin = ProfilePoint{0.75, 0}},
                            {},
                            side,
-                           {82e9, 0.28, 0},
+                           steel,
                            {{0, 0.3}, {0.1, 0.2}}};
     const auto table = std::make_shared<const CreepForceTable>(few_nodes());
     for (const WheelRailMethod& method :

@@ -1,8 +1,8 @@
 // Products for rows that are turned against one another: sums over pairs of elements, planes, reciprocity.
 
-#include "microslip/error.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <array>
 #include <cmath>
@@ -172,13 +172,8 @@ TEST(InclinedRows, LoadsAndDisplacementsTurnedAreTransposes) {
 }
 
 TEST(InclinedRows, BadInclinationsAreNamed) {
-  const auto message = [](const RowInclination& inclination) -> std::string {
-    try {
-      displacement(similar, inclination);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return {};
+  const auto message = [](const RowInclination& inclination) {
+    return error_of([&] { displacement(similar, inclination); });
   };
   EXPECT_NE(message({Field(5, 0.1), 0.5}).find("must have an angle for each of the 6 rows"), std::string::npos);
   EXPECT_NE(message({Field(6, NAN), 0.5}).find("inclination"), std::string::npos);

@@ -1,6 +1,7 @@
 #include "microslip/elasticity/influence.hpp"
 
 #include "point_force.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -201,8 +202,7 @@ TEST(Influence, ScalesWithLengthAndModulus) {
 }
 
 TEST(Influence, SimilarBodiesHaveNoCoupling) {
-  const CombinedMaterial similar{82e9, 0.28, 0};
-  const Influence a = influence(similar, dx, dy, 1.3 * dx, 0.2 * dy), l = line_influence(similar, dx, 1.3 * dx, 1);
+  const Influence a = influence(steel, dx, dy, 1.3 * dx, 0.2 * dy), l = line_influence(steel, dx, 1.3 * dx, 1);
   for (const double value : {a.xz, a.yz, l.xz, l.yz}) EXPECT_EQ(value, 0);
 }
 

@@ -1,10 +1,12 @@
 #include "microslip/interior/interior_field.hpp"
 
-#include "expect_error.hpp"
 #include "interior_states.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 #include "validation/hertzian_stress.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +19,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr Material steel{82e9, 0.28};
 
 struct Load {
   std::vector<double> px, py, pn;
@@ -52,11 +52,10 @@ std::string text(const ElementGrid& grid) {
 /// Pressure p0 sqrt(1 - r^2) at the elements' centres, p0 = 1.
 Load hertzian(const ElementGrid& grid, double a) {
   Load load;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) {
-      const double x = grid.x(i) / a, y = grid.line ? 0 : grid.y(j) / a;
-      load.pn.push_back(std::sqrt(std::max(0.0, 1 - x * x - y * y)));
-    }
+  load.pn = over_grid(grid, [&](double x, double y) {
+    x /= a, y = grid.line ? 0 : y / a;
+    return std::sqrt(std::max(0.0, 1 - x * x - y * y));
+  });
   return load;
 }
 
@@ -70,14 +69,14 @@ TEST(InteriorField, IsTheSumOverTheElements) {
   const ElementGrid grid = rectangles(4, 3);
   const Load load = random_load(grid, 1);
   for (const Body body : {Body::first, Body::second}) {
-    const InteriorField field(steel, body, grid, load.tractions());
+    const InteriorField field(steel_body, body, grid, load.tractions());
     const InteriorPoint p = {-3e-4, 2.1e-3, 1e-4};
     Nine sum{};
     for (int j = 0; j < grid.my; ++j)
       for (int i = 0; i < grid.mx; ++i) {
         const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
         const auto a =
-            nines(interior_influence(steel, body, grid.dx, grid.dy, p.x - grid.x(i), p.y - grid.y(j), p.depth));
+            nines(interior_influence(steel_body, body, grid.dx, grid.dy, p.x - grid.x(i), p.y - grid.y(j), p.depth));
         sum = combine(combine(combine(sum, load.px[k], a[0]), load.py[k], a[1]), load.pn[k], a[2]);
       }
     EXPECT_LT(difference(nine(field.at(p)), sum, 1e-9, 1e6), 1e-14);
@@ -90,7 +89,7 @@ TEST(InteriorField, LayersAreTheSumsAtTheCentres) {
     for (const Body body : {Body::first, Body::second})
       for (const int margin : {0, 3}) {
         const Load load = random_load(grid, 2);
-        const InteriorField field(steel, body, grid, load.tractions());
+        const InteriorField field(steel_body, body, grid, load.tractions());
         InteriorLayers layers(field, margin);
         ASSERT_EQ(layers.grid().mx, grid.mx + 2 * margin);
         ASSERT_EQ(layers.grid().my, grid.line ? 1 : grid.my + 2 * margin);
@@ -112,12 +111,12 @@ TEST(InteriorField, LayersOfOtherTractionsAreThoseOfNewLayers) {
   for (const ElementGrid& grid : {rectangles(9, 7), strips(6)})
     for (const Retardation& retardation : {Retardation{}, Retardation{0.7, 4e-4}}) {
       const Load first = random_load(grid, 21), second = random_load(grid, 22);
-      InteriorLayers kept(InteriorField(steel, Body::second, grid, {{}, {}, first.pn}, retardation));
+      InteriorLayers kept(InteriorField(steel_body, Body::second, grid, {{}, {}, first.pn}, retardation));
       kept.at_depth(1e-4);
       for (const SurfaceTractions& t :
            {SurfaceTractions{first.px, {}, first.pn}, {{}, second.py, {}}, {}, second.tractions()}) {
         kept.set_tractions(t);
-        const InteriorField field(steel, Body::second, grid, t, retardation);
+        const InteriorField field(steel_body, Body::second, grid, t, retardation);
         for (const double depth : {1e-4, 3e-4}) {
           const auto states = kept.at_depth(depth), expected = InteriorLayers(field).at_depth(depth);
           for (std::size_t k = 0; k < states.size(); ++k) EXPECT_EQ(nine(states[k]), nine(expected[k]));
@@ -129,7 +128,7 @@ TEST(InteriorField, LayersOfOtherTractionsAreThoseOfNewLayers) {
 TEST(InteriorField, LayersAtChosenColumnsAndRows) {
   const ElementGrid grid = rectangles(9, 12);
   const Load load = random_load(grid, 23);
-  InteriorLayers layers(InteriorField(steel, Body::first, grid, load.tractions()));
+  InteriorLayers layers(InteriorField(steel_body, Body::first, grid, load.tractions()));
   const auto all = layers.at_depth(2e-4);
   for (const std::vector<int>& rows : {std::vector<int>{5}, {11, 0}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
     const std::vector<int> columns = {8, 3};
@@ -148,11 +147,11 @@ TEST(InteriorField, TractionsThatAreNotGiven) {
   const Load load = random_load(grid, 3);
   const std::vector<double> none(grid.count());
   const InteriorPoint p = {-3e-4, 2.1e-3, 1e-4};
-  const InteriorField short_one(steel, Body::first, grid, {{}, load.py, {}});
-  const InteriorField whole(steel, Body::first, grid, {none, load.py, none});
+  const InteriorField short_one(steel_body, Body::first, grid, {{}, load.py, {}});
+  const InteriorField whole(steel_body, Body::first, grid, {none, load.py, none});
   EXPECT_EQ(nine(short_one.at(p)), nine(whole.at(p)));
   EXPECT_EQ(nine(InteriorLayers(short_one).at_depth(1e-4)[7]), nine(InteriorLayers(whole).at_depth(1e-4)[7]));
-  const InteriorField unloaded(steel, Body::first, grid, {});
+  const InteriorField unloaded(steel_body, Body::first, grid, {});
   EXPECT_EQ(nine(unloaded.at(p)), Nine{});
   for (const InteriorState& s : InteriorLayers(unloaded, 2).at_depth(1e-4)) EXPECT_EQ(nine(s), Nine{});
 }
@@ -160,7 +159,7 @@ TEST(InteriorField, TractionsThatAreNotGiven) {
 TEST(InteriorField, ManyPointsAreAsOneByOne) {
   const ElementGrid grid = rectangles(20, 20);
   const Load load = random_load(grid, 4);
-  const InteriorField field(steel, Body::first, grid, load.tractions());
+  const InteriorField field(steel_body, Body::first, grid, load.tractions());
   std::vector<InteriorPoint> points;
   for (int k = 0; k < 400; ++k) points.push_back({1e-5 * k, 2e-3, 1e-6 * k});
   const auto states = field.at(points);
@@ -174,7 +173,7 @@ TEST(InteriorField, SurfaceStressesAreTheTractions) {
   for (const ElementGrid& grid : grids())
     for (const Body body : {Body::first, Body::second}) {
       const Load load = random_load(grid, 5);
-      const auto states = InteriorLayers(InteriorField(steel, body, grid, load.tractions())).at_depth(0);
+      const auto states = InteriorLayers(InteriorField(steel_body, body, grid, load.tractions())).at_depth(0);
       for (std::size_t k = 0; k < states.size(); ++k) {
         EXPECT_NEAR(states[k].stress.xz, -load.px[k], 1e-8) << text(grid);
         EXPECT_NEAR(states[k].stress.yz, -load.py[k], 1e-8) << text(grid);
@@ -188,11 +187,11 @@ TEST(InteriorField, SurfaceDisplacementsAreThoseOfTheContactProblem) {
   for (const ElementGrid& grid : grids()) {
     Load load = random_load(grid, 6);
     std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
-    const CombinedMaterial combined = combine(steel, steel);
+    const CombinedMaterial combined = steel;
     TangentialOperator::displacement(combined, grid).apply(load.px, load.py, ux, uy);
     NormalOperator(combined, grid).apply(load.pn, uz);
     const auto of = [&](Body body, const SurfaceTractions& t) {
-      return InteriorLayers(InteriorField(steel, body, grid, t)).at_depth(0);
+      return InteriorLayers(InteriorField(steel_body, body, grid, t)).at_depth(0);
     };
     const auto shear1 = of(Body::first, {load.px, load.py, {}}), shear2 = of(Body::second, {load.px, load.py, {}});
     const auto press1 = of(Body::first, {{}, {}, load.pn}), press2 = of(Body::second, {{}, {}, load.pn});
@@ -215,7 +214,7 @@ TEST(InteriorField, BilinearElements) {
     SCOPED_TRACE(text(grid));
     grid.shape = ElementShape::bilinear;
     const Load load = random_load(grid, 5);
-    const InteriorField field(steel, Body::first, grid, load.tractions());
+    const InteriorField field(steel_body, Body::first, grid, load.tractions());
     const double y = grid.line ? 0 : grid.y(1);
     for (const double share : {0.0, 0.25, 0.7}) {
       const std::size_t k = (grid.line ? 0 : static_cast<std::size_t>(grid.mx)) + 2;
@@ -230,9 +229,9 @@ TEST(InteriorField, BilinearElements) {
     const std::vector<InteriorState> states = layers.at_depth(depth);
     for (const int i : {0, 3}) {
       const InteriorState one = field.at({grid.x(i), grid.line ? 0 : grid.y(0), depth});
-      EXPECT_LT(
-          difference(nine(states[static_cast<std::size_t>(i)]), nine(one), 1e6 * grid.dx / steel.shear_modulus, 1e6),
-          1e-12);
+      EXPECT_LT(difference(nine(states[static_cast<std::size_t>(i)]), nine(one),
+                           1e6 * grid.dx / steel_body.shear_modulus, 1e6),
+                1e-12);
     }
   }
 }
@@ -261,8 +260,8 @@ TEST(InteriorField, LateDisplacementsAreTheIntegralOverThePast) {
     for (const double distance : {2e-4, 3e-3, -5e-4})
       for (const InteriorPoint& p : {InteriorPoint{-1.1e-3, 2.13e-3, 0}, {-8e-4, 2e-3, 1e-4}, {1e-3, 2.4e-3, 7e-4}}) {
         const Retardation retardation = {1.6, distance};
-        const InteriorField elastic(steel, body, grid, load.tractions());
-        const InteriorField late(steel, body, grid, load.tractions(), retardation);
+        const InteriorField elastic(steel_body, body, grid, load.tractions());
+        const InteriorField late(steel_body, body, grid, load.tractions(), retardation);
         EXPECT_LT(
             difference(nine(late.at(p)), nine(by_brute_force(elastic, p, retardation)), 1e6 * grid.dx / 82e9, 1e6),
             2e-4);
@@ -274,9 +273,9 @@ TEST(InteriorField, LateDisplacementsHaveElasticLimits) {
   const ElementGrid grid = rectangles(7, 4);
   const Load load = random_load(grid, 9);
   const InteriorPoint p = {-5e-4, 2.1e-3, 3e-4};
-  const InteriorState elastic = InteriorField(steel, Body::first, grid, load.tractions()).at(p);
+  const InteriorState elastic = InteriorField(steel_body, Body::first, grid, load.tractions()).at(p);
   const auto late = [&](const Retardation& retardation) {
-    return InteriorField(steel, Body::first, grid, load.tractions(), retardation).at(p);
+    return InteriorField(steel_body, Body::first, grid, load.tractions(), retardation).at(p);
   };
   const double unit = std::abs(elastic.ux) + std::abs(elastic.uy) + std::abs(elastic.uz);
   for (const auto& [retardation, factor] : {std::pair<Retardation, double>{{0.8, 0}, 1.8},
@@ -296,7 +295,7 @@ TEST(InteriorField, LayersOfLateDisplacementsAreTheSumsAtTheCentres) {
   for (const ElementGrid& grid : {rectangles(9, 5), rectangles(4, 1), strips(8)})
     for (const double distance : {4e-4, -2e-3}) {
       const Load load = random_load(grid, 10);
-      const InteriorField field(steel, Body::second, grid, load.tractions(), {0.7, distance});
+      const InteriorField field(steel_body, Body::second, grid, load.tractions(), {0.7, distance});
       InteriorLayers layers(field, 1);
       for (const double depth : {0.0, 2e-4}) {
         const auto states = layers.at_depth(depth);
@@ -321,7 +320,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
       for (const ElementGrid& grid : {rectangles(9, 6), strips(12)}) {
         SCOPED_TRACE(text(grid));
         const Load load = random_load(grid, 11);
-        const Bodies bodies = viscoelastic(steel, slow, brass, creep2, velocity);
+        const Bodies bodies = viscoelastic(steel_body, slow, brass, creep2, velocity);
         std::vector<double> ux(grid.count()), uy(grid.count()), uz(grid.count());
         CoupledOperator::displacement(bodies, grid)
             .apply({load.px, load.py, load.pn}, std::array{std::span(ux), std::span(uy), std::span(uz)});
@@ -329,7 +328,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
           return InteriorLayers(InteriorField(material, body, grid, load.tractions(), retardation_of(creep, velocity)))
               .at_depth(0);
         };
-        const auto one = of(steel, Body::first, slow), two = of(brass, Body::second, creep2);
+        const auto one = of(steel_body, Body::first, slow), two = of(brass, Body::second, creep2);
         const double tolerance = 1e-8 * 1e6 * grid.mx * std::max(grid.dx, 1e-3) / 40e9;
         for (std::size_t k = 0; k < ux.size(); ++k) {
           EXPECT_NEAR(one[k].ux - two[k].ux, ux[k], tolerance);
@@ -342,7 +341,7 @@ TEST(InteriorField, LateSurfaceDisplacementsAreThoseOfTheContactProblem) {
 TEST(InteriorField, FarBelowOnlyTheResultantCounts) {
   const ElementGrid grid = rectangles(12, 10);
   const Load load = random_load(grid, 7);
-  const InteriorField field(steel, Body::first, grid, load.tractions());
+  const InteriorField field(steel_body, Body::first, grid, load.tractions());
   double fx = 0, fy = 0, fn = 0;
   for (std::size_t k = 0; k < grid.count(); ++k) {
     fx += load.px[k] * grid.element_area();
@@ -366,12 +365,12 @@ TEST(InteriorField, BelowASphere) {
   for (const int n : {20, 40, 80}) {
     const auto grid = ElementGrid::across_ellipse(a, a, n);
     const Load load = hertzian(grid, a);
-    const InteriorField field(steel, Body::first, grid, load.tractions());
+    const InteriorField field(steel_body, Body::first, grid, load.tractions());
     double worst = 0;
     for (const double x : {0.0, 0.3, 0.8, 1.1, 2.0})
       for (const double z : {0.25, 0.5, 1.0, 2.5})
         worst = std::max(worst, stress_difference(field.at({a * x, 0, a * z}).stress,
-                                                  validation::stress_below_sphere(steel.poisson_ratio, x, z)));
+                                                  validation::stress_below_sphere(steel_body.poisson_ratio, x, z)));
     EXPECT_LT(worst, 0.9 / (n * std::sqrt(n)));
     if (before > 0) {
       EXPECT_LT(worst, before / 2);
@@ -386,15 +385,16 @@ TEST(InteriorField, BelowACylinder) {
   for (const int n : {40, 80, 160}) {
     const auto grid = ElementGrid::across_line(a, n);
     const Load load = hertzian(grid, a);
-    const InteriorField field(steel, Body::first, grid, load.tractions());
-    const InteriorField pulled(steel, Body::first, grid, {load.pn, {}, {}});
+    const InteriorField field(steel_body, Body::first, grid, load.tractions());
+    const InteriorField pulled(steel_body, Body::first, grid, {load.pn, {}, {}});
     double worst = 0;
     for (const double x : {0.0, 0.3, -0.8, 1.1, 2.0})
       for (const double z : {0.2, 0.5, 0.786, 2.5}) {
         worst = std::max(worst, stress_difference(field.at({a * x, 5, a * z}).stress,
-                                                  validation::stress_below_cylinder(steel.poisson_ratio, x, z)));
-        worst = std::max(worst, stress_difference(pulled.at({a * x, 0, a * z}).stress,
-                                                  validation::stress_below_pulled_cylinder(steel.poisson_ratio, x, z)));
+                                                  validation::stress_below_cylinder(steel_body.poisson_ratio, x, z)));
+        worst = std::max(worst,
+                         stress_difference(pulled.at({a * x, 0, a * z}).stress,
+                                           validation::stress_below_pulled_cylinder(steel_body.poisson_ratio, x, z)));
       }
     EXPECT_LT(worst, 0.7 / (n * std::sqrt(n)));
     if (before > 0) {
@@ -415,10 +415,10 @@ TEST(InteriorField, RefusesInputOutOfRange) {
   };
   expect_error([&] { make({-1, 0.3}, grid, {}); }, "shear_modulus", "[Pa]");
   expect_error([&] { make({1, 0.6}, grid, {}); }, "poisson_ratio", "[-]: must be in [0, 0.5]");
-  expect_error([&] { make(steel, rectangles(0, 2), {}); }, "grid.mx", "[-]");
-  expect_error([&] { make(steel, grid, {five, {}, {}}); }, "size of px", "[-]");
-  expect_error([&] { make(steel, grid, {{}, bad, {}}); }, "py", "[Pa]");
-  const InteriorField field = make(steel, grid, {{}, {}, good});
+  expect_error([&] { make(steel_body, rectangles(0, 2), {}); }, "grid.mx", "[-]");
+  expect_error([&] { make(steel_body, grid, {five, {}, {}}); }, "size of px", "[-]");
+  expect_error([&] { make(steel_body, grid, {{}, bad, {}}); }, "py", "[Pa]");
+  const InteriorField field = make(steel_body, grid, {{}, {}, good});
   expect_error([&] { field.at({0, 0, -1e-9}); }, "depth", "[m]: must be at least 0");
   expect_error([&] { field.at({inf, 0, 0}); }, "x", "[m]");
   const std::vector<InteriorPoint> points = {{0, 0, 0}, {0, std::nan(""), 0}};

@@ -2,6 +2,7 @@
 
 #include "interior_states.hpp"
 #include "microslip/elasticity/influence.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 using Real = long double;
 constexpr double pi = std::numbers::pi;
-constexpr Material rubber{2e6, 0.41}, steel{82e9, 0.28};
+constexpr Material rubber{2e6, 0.41};
 constexpr double dx = 3e-4, dy = 2e-4;
 
 struct Point {
@@ -25,11 +26,11 @@ std::string text(const Point& p) {
   return "(" + std::to_string(p.x) + " dx, " + std::to_string(p.y) + " dy), depth " + std::to_string(p.depth) + " dx";
 }
 
-InteriorInfluence at(const Point& p, Body body = Body::first, const Material& material = steel) {
+InteriorInfluence at(const Point& p, Body body = Body::first, const Material& material = steel_body) {
   return interior_influence(material, body, dx, dy, p.x * dx, p.y * dy, p.depth * dx);
 }
 /// The displacement by which differences of displacements are measured.
-double unit(const Material& material = steel) {
+double unit(const Material& material = steel_body) {
   return dx / material.shear_modulus;
 }
 
@@ -120,9 +121,9 @@ TEST(InteriorInfluence, IsTheIntegralOfPointForces) {
   for (const Point& p : points()) {
     if (p.depth < 0.05) continue;
     const InteriorInfluence a = at(p);
-    EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel, p, p.depth * dx / 2), unit(), 1), 2e-14)
+    EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel_body, p, p.depth * dx / 2), unit(), 1), 2e-14)
         << text(p);
-    EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel, p, p.depth * dx / 2), unit(), 1), 2e-14)
+    EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel_body, p, p.depth * dx / 2), unit(), 1), 2e-14)
         << text(p);
   }
 }
@@ -133,8 +134,10 @@ TEST(InteriorInfluence, IsTheIntegralOfPointForcesBesideTheRectangle) {
     for (const Point& p :
          {Point{0.5, 0.7, depth}, {-0.5, 2, depth}, {0.8, 0.5, depth}, {5, -0.5, depth}, {1, 1, depth}}) {
       const InteriorInfluence a = at(p);
-      EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel, p, 0.05 * dy), unit(), 1), 2e-14) << text(p);
-      EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel, p, 0.05 * dy), unit(), 1), 2e-14) << text(p);
+      EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel_body, p, 0.05 * dy), unit(), 1), 2e-14)
+          << text(p);
+      EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel_body, p, 0.05 * dy), unit(), 1), 2e-14)
+          << text(p);
     }
 }
 
@@ -144,17 +147,17 @@ TEST(InteriorInfluence, FarAwayIsAPointForce) {
   for (const double distance : {30.0, 1e3, 1e5, 1e7})
     for (const Point& way : {Point{0.6, 0.3, 0.7}, {-0.2, 1.2, 0}, {0, 0, 1}, {1, 0, 0}}) {
       const Point p = {way.x * distance, way.y * distance, way.depth * distance};
-      const double r = distance * dx, stress = area / (r * r), displacement = area / (r * steel.shear_modulus);
+      const double r = distance * dx, stress = area / (r * r), displacement = area / (r * steel_body.shear_modulus);
       const InteriorInfluence a = at(p);
       const auto point = [&](auto force) {
-        const Sum s = force(steel, Real(p.x) * dx, Real(p.y) * dy, Real(p.depth) * dx);
+        const Sum s = force(steel_body, Real(p.x) * dx, Real(p.y) * dy, Real(p.depth) * dx);
         Nine rounded;
         for (std::size_t k = 0; k < s.size(); ++k) rounded[k] = static_cast<double>(s[k] * area);
         return rounded;
       };
       const double rounding = 2e-15 * distance, size = 3 / (distance * distance);
-      EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel, p, r), displacement, stress), rounding);
-      EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel, p, r), displacement, stress), rounding);
+      EXPECT_LT(difference(nine(a.pn), integrated(normal_force, steel_body, p, r), displacement, stress), rounding);
+      EXPECT_LT(difference(nine(a.px), integrated(tangential_force, steel_body, p, r), displacement, stress), rounding);
       EXPECT_LT(difference(nine(a.pn), point(normal_force), displacement, stress), rounding + size) << text(p);
       EXPECT_LT(difference(nine(a.px), point(tangential_force), displacement, stress), rounding + size) << text(p);
     }
@@ -177,7 +180,7 @@ template <class F> Nine derivative(F f, int axis, double step) {
 
 /// For each load in each body: stresses follow from displacements by Hooke's law, and balance.
 TEST(InteriorInfluence, HookesLawAndEquilibrium) {
-  for (const Material& m : {rubber, steel, Material{1, 0}})
+  for (const Material& m : {rubber, steel_body, Material{1, 0}})
     for (const Body body : {Body::first, Body::second})
       for (const Point& p : {Point{0.1, 0.2, 0.5}, {0.5, 0.5, 0.4}, {1.5, -0.3, 0.3}, {-0.7, 2, 1.5}})
         for (int load = 0; load < 3; ++load) {
@@ -216,7 +219,7 @@ TEST(InteriorInfluence, PlanesBelowCarryTheLoad) {
     for (double v = -12; v <= 12; v += step) {
       const double x = dx * std::sinh(u), y = dx * std::sinh(v);
       const double w = step * step * dx * dx * std::cosh(u) * std::cosh(v);
-      const auto a = nines(interior_influence(steel, Body::first, dx, dy, x, y, depth));
+      const auto a = nines(interior_influence(steel_body, Body::first, dx, dy, x, y, depth));
       for (int load = 0; load < 3; ++load) {
         const Nine& s = a[load];
         const std::array<double, 5> terms = {s[7], s[8], s[5], x * s[5], y * s[5]};
@@ -270,7 +273,8 @@ TEST(InteriorInfluence, TheSurfaceIsTheLimitFromWithin) {
 
 /// What influence() gives for two bodies, from each body alone; also for dissimilar ones.
 TEST(InteriorInfluence, SurfaceDisplacementsAreThoseOfTheContactProblem) {
-  for (const auto& [m1, m2] : {std::pair{steel, steel}, {rubber, steel}, {steel, Material{40e9, 0.33}}})
+  for (const auto& [m1, m2] :
+       {std::pair{steel_body, steel_body}, {rubber, steel_body}, {steel_body, Material{40e9, 0.33}}})
     for (const Point& p : {Point{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0}, {0.2, -0.4, 0}, {-3, 2, 0}, {0.5, 30, 0}}) {
       const CombinedMaterial combined = combine(m1, m2);
       const Influence both = influence(combined, dx, dy, p.x * dx, p.y * dy);
@@ -308,9 +312,9 @@ TEST(InteriorInfluence, NeighboursMakeOneRectangle) {
     for (const double y : {0.0, 0.5, -0.3, 1.2})
       for (const double off : {0.0, 1e-14, 1e-6, 0.2, 40.0}) {
         const double x = off * dx;
-        const auto left = nines(interior_influence(steel, Body::first, dx, dy, x + dx / 2, y * dy, depth * dx));
-        const auto right = nines(interior_influence(steel, Body::first, dx, dy, x - dx / 2, y * dy, depth * dx));
-        const auto whole = nines(interior_influence(steel, Body::first, 2 * dx, dy, x, y * dy, depth * dx));
+        const auto left = nines(interior_influence(steel_body, Body::first, dx, dy, x + dx / 2, y * dy, depth * dx));
+        const auto right = nines(interior_influence(steel_body, Body::first, dx, dy, x - dx / 2, y * dy, depth * dx));
+        const auto whole = nines(interior_influence(steel_body, Body::first, 2 * dx, dy, x, y * dy, depth * dx));
         for (int load = 0; load < 3; ++load) {
           EXPECT_LT(difference(combine(left[load], 1, right[load]), whole[load], unit(), 1), 1e-13)
               << load << ": " << off << ", " << y << ", " << depth;
@@ -341,7 +345,7 @@ TEST(InteriorInfluence, ExchangeOfAxes) {
   constexpr std::array<int, 3> exchanged_load = {1, 0, 2};
   for (const Point& p : points()) {
     const auto here = nines(at(p));
-    const auto there = nines(interior_influence(steel, Body::first, dy, dx, p.y * dy, p.x * dx, p.depth * dx));
+    const auto there = nines(interior_influence(steel_body, Body::first, dy, dx, p.y * dy, p.x * dx, p.depth * dx));
     for (int load = 0; load < 3; ++load)
       for (int c = 0; c < 9; ++c)
         EXPECT_NEAR(here[load][c], there[exchanged_load[load]][exchanged[c]], 1e-15 * (c < 3 ? unit() : 1));
@@ -362,8 +366,8 @@ TEST(InteriorInfluence, ScalesWithLengthAndModulus) {
   for (const Point& p : points())
     for (const double k : {0x1p-12, 3.7, 1e4}) {
       const auto one = nines(at(p));
-      const auto other = nines(interior_influence({k * steel.shear_modulus, steel.poisson_ratio}, Body::first, k * dx,
-                                                  k * dy, k * p.x * dx, k * p.y * dy, k * p.depth * dx));
+      const auto other = nines(interior_influence({k * steel_body.shear_modulus, steel_body.poisson_ratio}, Body::first,
+                                                  k * dx, k * dy, k * p.x * dx, k * p.y * dy, k * p.depth * dx));
       for (int load = 0; load < 3; ++load) EXPECT_LT(difference(one[load], other[load], unit(), 1), 2e-13) << text(p);
     }
 }
@@ -381,7 +385,7 @@ TEST(InteriorInfluence, RigidBody) {
 // --- endless strips
 
 InteriorInfluence strip_at(double x, double depth, double far = dx) {
-  return line_interior_influence(steel, Body::first, dx, x * dx, depth * dx, far);
+  return line_interior_influence(steel_body, Body::first, dx, x * dx, depth * dx, far);
 }
 
 /// With the length L the rest falls like (size/L)^2; the normal stresses from pressure, some of which are drawn along y
@@ -392,7 +396,8 @@ TEST(LineInteriorInfluence, IsTheLimitOfLongRectangles) {
       for (const double length : {1e3, 1e4}) {
         if (std::abs(x) == 0.5 && depth < 1e-12) continue;
         const auto strip = nines(strip_at(x, depth));
-        const auto rectangle = nines(interior_influence(steel, Body::first, dx, length * dx, x * dx, 0, depth * dx));
+        const auto rectangle =
+            nines(interior_influence(steel_body, Body::first, dx, length * dx, x * dx, 0, depth * dx));
         const double size = 1 + x * x + depth * depth, second = 10 * size / (length * length) + 1e-13;
         for (int load = 0; load < 3; ++load)
           EXPECT_LT(difference(strip[load], rectangle[load], 1e300, 1), load < 2 ? second : second + 0.3 / length)
@@ -403,7 +408,7 @@ TEST(LineInteriorInfluence, IsTheLimitOfLongRectangles) {
 TEST(LineInteriorInfluence, HookesLaw) {
   for (const double x : {0.1, 0.5, 1.4})
     for (int load = 0; load < 3; ++load) {
-      const double depth = 0.4, step = 2e-3 * dx, g = steel.shear_modulus, nu = steel.poisson_ratio;
+      const double depth = 0.4, step = 2e-3 * dx, g = steel_body.shear_modulus, nu = steel_body.poisson_ratio;
       const auto field = [&](const std::array<double, 3>& s) {
         return nines(strip_at(x + s[0] / dx, depth + s[2] / dx))[load];
       };
@@ -420,11 +425,11 @@ TEST(LineInteriorInfluence, HookesLaw) {
 
 TEST(LineInteriorInfluence, SurfaceDisplacementsAreThoseOfTheContactProblem) {
   for (const double x : {0.0, 0.3, 0.5, -0.5, 2.0, -70.0}) {
-    const CombinedMaterial combined = combine(rubber, steel);
+    const CombinedMaterial combined = combine(rubber, steel_body);
     const double far = 30 * dx;
     const Influence both = line_influence(combined, dx, x * dx, far);
     const auto a = nines(line_interior_influence(rubber, Body::first, dx, x * dx, 0, far));
-    const auto b = nines(line_interior_influence(steel, Body::second, dx, x * dx, 0, far));
+    const auto b = nines(line_interior_influence(steel_body, Body::second, dx, x * dx, 0, far));
     const auto apart = [&](int load, int component) { return a[load][component] - b[load][component]; };
     const double tolerance = 1e-13 * unit(Material{combined.shear_modulus, 0});
     EXPECT_NEAR(apart(0, 0), both.xx, tolerance);

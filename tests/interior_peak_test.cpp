@@ -1,6 +1,8 @@
 #include "microslip/interior/interior_peak.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,19 +16,10 @@ namespace {
 constexpr double a = 2e-3;
 
 std::vector<double> hertzian(const ElementGrid& grid) {
-  std::vector<double> pn;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) {
-      const double x = grid.x(i) / a, y = grid.line ? 0 : grid.y(j) / a;
-      pn.push_back(std::sqrt(std::max(0.0, 1 - x * x - y * y)));
-    }
-  return pn;
-}
-
-std::vector<double> depths(double first, double last, int count) {
-  std::vector<double> all;
-  for (int k = 0; k < count; ++k) all.push_back(first + (last - first) * k / (count - 1));
-  return all;
+  return over_grid(grid, [&](double x, double y) {
+    x /= a, y = grid.line ? 0 : y / a;
+    return std::sqrt(std::max(0.0, 1 - x * x - y * y));
+  });
 }
 
 /// Johnson 1985, section 4.2 and 3.4: 0.31 p0 at 0.48 a below a sphere with nu = 0.3, 0.30 p0 at 0.786 a below a
@@ -38,7 +31,7 @@ TEST(InteriorPeak, LargestShearBelowHertzsContacts) {
   grid.y0 += 0.2 * grid.dy;
   const auto pn = hertzian(grid);
   InteriorLayers layers(InteriorField(body, Body::second, grid, {{}, {}, pn}));
-  const InteriorPeak peak = find_largest(layers, depths(0.2 * a, 1.2 * a, 6), tresca);
+  const InteriorPeak peak = find_largest(layers, equal_steps(0.2 * a, 1.2 * a, 6), tresca);
   EXPECT_NEAR(peak.value / 2, 0.31, 0.001);
   EXPECT_NEAR(peak.point.depth / a, 0.48, 0.005);
   EXPECT_NEAR(peak.point.x / a, 0, 0.01);
@@ -48,7 +41,7 @@ TEST(InteriorPeak, LargestShearBelowHertzsContacts) {
   const auto line = ElementGrid::across_line(a, 101);
   const auto line_pn = hertzian(line);
   InteriorLayers line_layers(InteriorField(body, Body::first, line, {{}, {}, line_pn}));
-  const InteriorPeak line_peak = find_largest(line_layers, depths(0.2 * a, 1.2 * a, 6), tresca);
+  const InteriorPeak line_peak = find_largest(line_layers, equal_steps(0.2 * a, 1.2 * a, 6), tresca);
   EXPECT_NEAR(line_peak.value / 2, 0.300, 0.0005);
   EXPECT_NEAR(line_peak.point.depth / a, 0.786, 0.002);
   EXPECT_NEAR(line_peak.point.x / a, 0, 0.001);
@@ -62,7 +55,7 @@ TEST(InteriorPeak, NothingIsLarger) {
   std::vector<double> px(pn.size());
   for (std::size_t k = 0; k < px.size(); ++k) px[k] = -0.2 * pn[k];
   InteriorLayers layers(InteriorField(body, Body::first, grid, {px, {}, pn}), 2);
-  const auto planes = depths(0.1 * a, a, 10);
+  const auto planes = equal_steps(0.1 * a, a, 10);
   for (const StressMeasure measure : {StressMeasure(von_mises), StressMeasure(tresca)}) {
     const InteriorPeak peak = find_largest(layers, planes, measure);
     for (const double depth : planes)
@@ -82,8 +75,9 @@ TEST(InteriorPeak, StaysWithinTheDepths) {
   const auto grid = ElementGrid::across_ellipse(a, a, 21);
   const auto pn = hertzian(grid);
   InteriorLayers layers(InteriorField({82e9, 0.3}, Body::first, grid, {{}, {}, pn}));
-  EXPECT_EQ(find_largest(layers, depths(0.7 * a, a, 4), tresca).point.depth, depths(0.7 * a, a, 4).front());
-  EXPECT_EQ(find_largest(layers, depths(0.1 * a, 0.3 * a, 4), tresca).point.depth, depths(0.1 * a, 0.3 * a, 4).back());
+  EXPECT_EQ(find_largest(layers, equal_steps(0.7 * a, a, 4), tresca).point.depth, equal_steps(0.7 * a, a, 4).front());
+  EXPECT_EQ(find_largest(layers, equal_steps(0.1 * a, 0.3 * a, 4), tresca).point.depth,
+            equal_steps(0.1 * a, 0.3 * a, 4).back());
   const std::vector<double> one = {0.5 * a};
   EXPECT_EQ(find_largest(layers, one, tresca).point.depth, 0.5 * a);
 }

@@ -1,4 +1,5 @@
 #include "io/json.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <limits>
 #include <string>
@@ -14,7 +15,6 @@ TEST(Json, NumbersReadBackAsTheSame) {
 }
 
 TEST(Json, NumbersThatAreNotFiniteAreWords) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(io::json_text(io::json_number(infinity)), "\"inf\"\n");
   EXPECT_EQ(io::json_text(io::json_number(-infinity)), "\"-inf\"\n");
   EXPECT_EQ(io::json_text(io::json_number(std::numeric_limits<double>::quiet_NaN())), "\"nan\"\n");

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ TEST(LineTractionBound, IntegratesToTheSlidingForce) {
 }
 
 TEST(LineTractionBound, EllipticBoundIsFrictionTimesHertzsPressure) {
-  const LineContact line = line_contact_from_load(1, {82e9, 0.28, 0}, load);
+  const LineContact line = line_contact_from_load(1, steel, load);
   for (int i = -12; i <= 12; ++i) {
     const double x = 0.1 * i * line.half_width;
     EXPECT_NEAR(line_traction_bound(TractionBound::elliptic, line.half_width, load, mu, x), mu * line.pressure(x),

@@ -2,6 +2,7 @@
 // and C23. For Mz it has other coefficients.
 
 #include "microslip/simplified/fastsim2.hpp"
+#include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
@@ -106,9 +107,7 @@ TEST(LinearTheory, HoldsForEveryFlexibilityModel) {
         const auto expected = linear_theory(contact, contact.creepage, l, RollingDirection::forward);
         const auto f = solver.solve(contact);
         const double force = 1e-7 * friction_force(contact);
-        EXPECT_NEAR(f.fx, expected.fx, 1e-3 * force);
-        EXPECT_NEAR(f.fy, expected.fy, 1e-3 * force);
-        EXPECT_NEAR(f.mz, expected.mz, 1e-3 * force * std::max(contact.a, contact.b));
+        expect_forces(f, expected, 1e-3 * force, 1e-3 * force * std::max(contact.a, contact.b));
       }
   }
 }
@@ -119,9 +118,7 @@ TEST(LinearTheory, SlopeReductionReducesTheSlope) {
   for (const auto scheme : all_schemes) {
     RowSolver full(scheme, {}), reduced(scheme, {.slope_reduction = {.initial = 0.3, .at_infinity = 0.4, .decay = 2}});
     const auto f = full.solve(contact), r = reduced.solve(contact);
-    EXPECT_NEAR(r.fx / f.fx, 0.3, 1e-6);
-    EXPECT_NEAR(r.fy / f.fy, 0.3, 1e-6);
-    EXPECT_NEAR(r.mz / f.mz, 0.3, 1e-6);
+    expect_forces({r.fx / f.fx, r.fy / f.fy, r.mz / f.mz}, {0.3, 0.3, 0.3}, 1e-6);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "microslip/simplified/loaded_rows.hpp"
 
 #include "microslip/simplified/fastsim2.hpp"
+#include "tests/support/expect_close.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,9 +75,7 @@ TEST(LoadedRows, GiveAllOfFrictionInFullSliding) {
 TEST(LoadedRows, DoNotDependOnWhereTheContactIs) {
   const Creepage w{2e-4, 1e-4, 0.2};
   const ContactForces here = total(ellipse(12, w)), there = total(ellipse(12, w, 3e-3, -0.7));
-  EXPECT_NEAR(there.fx, here.fx, 1e-9 * load);
-  EXPECT_NEAR(there.fy, here.fy, 1e-9 * load);
-  EXPECT_NEAR(there.mz - 3e-3 * there.fy - 0.7 * there.fx, here.mz, 1e-9 * load);
+  expect_forces({there.fx, there.fy, there.mz - 3e-3 * there.fy - 0.7 * there.fx}, here, 1e-9 * load);
 }
 
 TEST(LoadedRows, CarryNothingWithoutLoad) {
@@ -122,9 +121,7 @@ TEST(LoadedRows, HaveFieldsThatAddUp) {
         EXPECT_NEAR(of_row, rows[j].load, 1e-12 * load);
         normal += of_row;
       }
-      EXPECT_NEAR(s.totals.fx, sum.fx, 1e-12 * load);
-      EXPECT_NEAR(s.totals.fy, sum.fy, 1e-12 * load);
-      EXPECT_NEAR(s.totals.mz, sum.mz, 1e-12 * load);
+      expect_forces(s.totals, sum, 1e-12 * load);
       EXPECT_NEAR(s.totals.slip_area, sum.slip_area, 1e-12 * a * b);
       EXPECT_NEAR(s.totals.frictional_power, power, 1e-10 * power);
       EXPECT_GT(normal, 0);

@@ -1,6 +1,6 @@
 // `microslip manual`: the man page.
 
-#include "tests/program_run.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <cstdlib>
 #include <string>

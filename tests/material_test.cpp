@@ -1,18 +1,16 @@
 #include "microslip/elasticity/material.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace microslip {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Material steel{.shear_modulus = 82e9, .poisson_ratio = 0.28};
 
 void expect_relative(double value, double expected, double tolerance) {

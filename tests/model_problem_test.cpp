@@ -1,6 +1,6 @@
 #include "microslip/simplified/model_problem.hpp"
 
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <algorithm>
 #include <cmath>

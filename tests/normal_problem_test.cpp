@@ -1,14 +1,16 @@
 #include "microslip/exact/normal/normal_problem.hpp"
 
 #include "dense_response.hpp"
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -21,7 +23,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
 constexpr double far_away = 1; // gap where one body has no surface [m]
 
 NormalLoad by_force(double force) {
@@ -31,14 +32,8 @@ NormalLoad by_approach(double approach) {
   return {NormalLoad::Given::approach, approach};
 }
 
-template <class Shape> Field gap_on(const ElementGrid& grid, Shape shape) {
-  Field gap;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) gap.push_back(shape(grid.x(i), grid.y(j)));
-  return gap;
-}
 Field paraboloid(const ElementGrid& grid, const GapCurvatures& gap) {
-  return gap_on(grid, [&](double x, double y) { return gap.x * x * x + gap.y * y * y; });
+  return over_grid(grid, [&](double x, double y) { return gap.x * x * x + gap.y * y * y; });
 }
 
 /// Waves of seeded lengths, directions and phases on a paraboloid: dozens of patches.
@@ -50,7 +45,7 @@ Field rough_gap(const ElementGrid& grid, const GapCurvatures& gap, double height
     const double length = grid.dx * grid.mx / (2 + 6 * uniform()), angle = 2 * pi * uniform(),
                  phase = 2 * pi * uniform();
     const double kx = 2 * pi / length * std::cos(angle), ky = 2 * pi / length * std::sin(angle);
-    const Field sine = gap_on(grid, [&](double x, double y) { return std::sin(kx * x + ky * y + phase); });
+    const Field sine = over_grid(grid, [&](double x, double y) { return std::sin(kx * x + ky * y + phase); });
     for (std::size_t k = 0; k < h.size(); ++k) h[k] += height / 12 * sine[k];
   }
   return h;
@@ -202,7 +197,7 @@ TEST(NormalProblem, LineContact) {
   for (const int n : {12, 24, 48, 96}) {
     SCOPED_TRACE(n);
     const ElementGrid grid = ElementGrid::across_line(a, n, 2, length);
-    const Field gap = gap_on(grid, [&](double x, double) { return curvature * x * x; });
+    const Field gap = over_grid(grid, [&](double x, double) { return curvature * x * x; });
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_force(per_length * length));
     expect_contact_conditions(grid, gap, s, 1e-8);
     EXPECT_NEAR(s.peak_pressure, line.peak_pressure, 1.5 / (n * n) * line.peak_pressure);
@@ -223,7 +218,7 @@ TEST(NormalProblem, FlatPunchWithSharpEdges) {
   const double a = 4e-3, per_length = 1e6;
   for (const int n : {20, 40, 80}) {
     const ElementGrid grid = ElementGrid::across_line(a, n, 3);
-    const Field gap = gap_on(grid, [&](double x, double) { return std::abs(x) < a ? 0 : far_away; });
+    const Field gap = over_grid(grid, [&](double x, double) { return std::abs(x) < a ? 0 : far_away; });
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_force(per_length));
     expect_contact_conditions(grid, gap, s, 1e-8);
     EXPECT_EQ(s.contact_elements, n);
@@ -242,7 +237,7 @@ TEST(NormalProblem, CircularPunch) {
   const double a = 5e-3, approach = 1e-5, exact = 2 * a * steel.contact_modulus() * approach;
   for (const int n : {15, 30, 60}) {
     const ElementGrid grid = ElementGrid::across_ellipse(a, a, n, 1);
-    const Field gap = gap_on(grid, [&](double x, double y) { return std::hypot(x, y) < a ? 0 : far_away; });
+    const Field gap = over_grid(grid, [&](double x, double y) { return std::hypot(x, y) < a ? 0 : far_away; });
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_approach(approach));
     EXPECT_EQ(s.status, Status::ok);
     EXPECT_NEAR(s.normal_force, exact, 0.6 / n * exact);
@@ -260,7 +255,7 @@ TEST(NormalProblem, TiltedPunch) {
   for (const double tilt : {0.3, 0.9, 2.0, 6.0, -2.0}) {
     SCOPED_TRACE(tilt);
     const double alpha = tilt * lift_off;
-    const Field gap = gap_on(grid, [&](double x, double) { return std::abs(x) < a ? alpha * x : far_away; });
+    const Field gap = over_grid(grid, [&](double x, double) { return std::abs(x) < a ? alpha * x : far_away; });
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_force(per_length));
     expect_contact_conditions(grid, gap, s, 1e-8);
     if (std::abs(tilt) > 1) {
@@ -281,7 +276,7 @@ TEST(NormalProblem, TiltedPunch) {
 TEST(NormalProblem, TiltedPlaneReachesTheBorder) {
   const ElementGrid grid = ElementGrid::across_ellipse(5e-3, 5e-3, 14);
   for (const double slope : {1e-4, -1e-4}) {
-    const Field gap = gap_on(grid, [&](double x, double y) { return slope * (x + 0.5 * y); });
+    const Field gap = over_grid(grid, [&](double x, double y) { return slope * (x + 0.5 * y); });
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_force(1e3));
     expect_contact_conditions(grid, gap, s, 1e-8);
     EXPECT_TRUE(s.touches_border);
@@ -301,7 +296,7 @@ TEST(NormalProblem, ContactThatReachesTheBorderIsFlagged) {
     EXPECT_EQ(NormalProblem(steel, grid).solve(paraboloid(grid, hertz.gap), by_force(82e3)).touches_border, touches);
   }
   ElementGrid line = ElementGrid::across_line(1e-3, 12);
-  const Field gap = gap_on(line, [](double x, double) { return x * x; });
+  const Field gap = over_grid(line, [](double x, double) { return x * x; });
   NormalProblem problem(steel, line);
   EXPECT_TRUE(problem.solve(gap, by_force(1e8)).touches_border);
   EXPECT_FALSE(problem.solve(gap, by_force(1e4)).touches_border);
@@ -316,7 +311,7 @@ TEST(NormalProblem, TwoPatchesFeelEachOtherAsPointForces) {
     const double d = apart * one.dx;
     two.mx = one.mx + apart;
     const Field gap =
-        gap_on(two, [&](double x, double y) { return single.gap.x * (std::min(x * x, (x - d) * (x - d)) + y * y); });
+        over_grid(two, [&](double x, double y) { return single.gap.x * (std::min(x * x, (x - d) * (x - d)) + y * y); });
     const NormalSolution s = NormalProblem(steel, two).solve(gap, by_force(2e4));
     EXPECT_EQ(s.status, Status::ok);
     const double mutual = 1e4 / (pi * steel.contact_modulus() * d);
@@ -331,7 +326,7 @@ TEST(NormalProblem, TwoPatchesFeelEachOtherAsPointForces) {
 /// The second paraboloid is lower by more than the first one's approach: it has nothing to carry until the load grows.
 TEST(NormalProblem, SecondPatchJoinsWithTheLoad) {
   const ElementGrid grid = ElementGrid::across_ellipse(4e-3, 1e-3, 40, 10, 1);
-  const Field gap = gap_on(grid, [](double x, double y) {
+  const Field gap = over_grid(grid, [](double x, double y) {
     const double left = x + 2e-3, right = x - 2e-3;
     return std::min(left * left, right * right + 3e-6) + y * y;
   });
@@ -391,7 +386,7 @@ TEST(NormalProblem, NotConvergedIsAStatus) {
 
 TEST(NormalProblem, NoContact) {
   const ElementGrid grid = ElementGrid::across_ellipse(4e-3, 4e-3, 10);
-  const Field gap = gap_on(grid, [](double x, double y) { return 1e-5 + x * x + y * y; });
+  const Field gap = over_grid(grid, [](double x, double y) { return 1e-5 + x * x + y * y; });
   for (const double approach : {-1e-3, 0.0, 1e-5}) {
     const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_approach(approach));
     EXPECT_EQ(s.status, Status::no_contact);
@@ -450,7 +445,7 @@ TEST(NormalProblem, SingleRowsAndColumns) {
 /// A gap with the grid's symmetries gives pressures with the same.
 TEST(NormalProblem, SymmetricGapsGiveSymmetricPressures) {
   const ElementGrid grid = ElementGrid::across_ellipse(4e-3, 4e-3, 17, 2);
-  const Field gap = gap_on(
+  const Field gap = over_grid(
       grid, [](double x, double y) { return 0.5 * (x * x + y * y) + 2e-6 * std::cos(3e3 * x) * std::cos(3e3 * y); });
   const NormalSolution s = NormalProblem(steel, grid).solve(gap, by_force(1e4));
   const auto p = [&](int i, int j) { return s.pressure[static_cast<std::size_t>(j) * grid.mx + i]; };
@@ -556,15 +551,14 @@ TEST(NormalProblem, OneObjectForManyGaps) {
 }
 
 TEST(NormalProblem, RefusesInputThatMakesNoSense) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const ElementGrid grid = ElementGrid::across_ellipse(4e-3, 4e-3, 5);
   NormalProblem problem(steel, grid);
   Field gap = paraboloid(grid, {0.5, 0.5});
-  for (const double force : {0.0, -1.0, nan, infinite})
+  for (const double force : {0.0, -1.0, nan, infinity})
     expect_error([&] { problem.solve(gap, by_force(force)); }, "normal_force", "[N]: must be positive and finite");
-  for (const double approach : {nan, infinite, -infinite})
+  for (const double approach : {nan, infinity, -infinity})
     expect_error([&] { problem.solve(gap, by_approach(approach)); }, "approach", "[m]: must be finite");
-  for (const double bad : {nan, infinite}) {
+  for (const double bad : {nan, infinity}) {
     Field broken = gap;
     broken[7] = bad;
     expect_error([&] { problem.solve(broken, by_force(1)); }, "gap[7]", "[m]: must be finite");

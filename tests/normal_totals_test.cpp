@@ -3,6 +3,8 @@
 #include "dense_response.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "tests/oracles/active_set_normal.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +16,12 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
-
 NormalLoad by_force(double force) {
   return {NormalLoad::Given::force, force};
 }
 
 Field paraboloid(const ElementGrid& grid, const GapCurvatures& c, double x0 = 0, double y0 = 0) {
-  Field gap;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      gap.push_back(c.x * (grid.x(i) - x0) * (grid.x(i) - x0) + c.y * (grid.y(j) - y0) * (grid.y(j) - y0));
-  return gap;
+  return over_grid(grid, [&](double x, double y) { return c.x * (x - x0) * (x - x0) + c.y * (y - y0) * (y - y0); });
 }
 
 /// e = h - delta + u_n with u_n summed pair by pair: closed in contact, open elsewhere.

@@ -1,13 +1,14 @@
 #include "io/output_file.hpp"
 
 #include "microslip/error.hpp"
-#include "tests/file_size_limit.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/file_size_limit.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-std::string contents(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 void write_file(const fs::path& path, const std::string& text) {
   io::OutputFile file(path);
   file.write(text);
@@ -37,12 +32,8 @@ void write_file(const fs::path& path, const std::string& text) {
 
 /// Why a file cannot be written, without its name.
 std::string refusal(const fs::path& path) {
-  try {
-    const io::OutputFile file(path);
-  } catch (const Error& error) {
-    return std::string(error.what()).substr(path.string().size());
-  }
-  return "no error";
+  const std::string text = error_of([&] { const io::OutputFile file(path); });
+  return text.substr(std::min(text.size(), path.string().size()));
 }
 
 TEST(OutputFile, AppearsAtCommitOnly) {

@@ -2,12 +2,12 @@
 
 #include "microslip/numerics/parity_toeplitz.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
 
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,15 +16,7 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
 constexpr Parity parities[] = {{false, false}, {true, false}, {false, true}, {true, true}};
-
-Field random_field(std::size_t size, unsigned seed) {
-  std::mt19937 engine(seed);
-  Field field(size);
-  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
-  return field;
-}
 
 /// A kernel by its values at offsets >= 0.
 struct Kernel {

@@ -2,7 +2,7 @@
 
 #include "microslip/railway/contact_search.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,9 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/contact_edges.hpp"
 #include "microslip/exact/fitted/pressure_curvature.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +19,8 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
 using Gap = std::function<double(double, double)>;
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double friction = 0.3, radius = 3e-3, load = 10e3, capacity = friction * load;
 
 const HertzContact& hertz() {
@@ -46,16 +47,9 @@ ElementGrid grid_over(double half_x, double half_y, int n, double x, double y) {
   return {.mx = 2 * nx + 1, .my = 2 * ny + 1, .x0 = (x - nx) * h, .y0 = (y - ny) * h, .dx = h, .dy = h};
 }
 
-Field gap_on(const Gap& gap, const ElementGrid& grid) {
-  Field h;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) h.push_back(gap(grid.x(i), grid.y(j)));
-  return h;
-}
-
 PatchRolling rolling(const Gap& gap, const ElementGrid& grid, double force = load,
                      RollingDirection direction = RollingDirection::forward) {
-  return {steel, grid, gap_on(gap, grid), {NormalLoad::Given::force, force}, direction};
+  return {steel, grid, over_grid(grid, gap), {NormalLoad::Given::force, force}, direction};
 }
 
 PatchRollingMotion motion(double xi, double eta, double phi) {
@@ -112,7 +106,7 @@ TEST(PatchRolling, FindsCartersForceOfCylinders) {
     for (const double place : {0.0, 0.2, 0.4, 0.6, 0.8}) {
       ElementGrid grid = ElementGrid::across_line(half_width, n, 5);
       grid.x0 += place * grid.dx;
-      const Field gap = gap_on([](double x, double) { return curvature * x * x; }, grid);
+      const Field gap = over_grid(grid, [](double x, double) { return curvature * x * x; });
       PatchRolling contact(steel, grid, gap, {NormalLoad::Given::force, line_load});
       const ContactSolution s = contact.solve({.friction = friction, .creepage = {-creepage, 0, 0}});
       EXPECT_EQ(s.report.status, Status::ok);
@@ -149,9 +143,8 @@ TEST(PatchRolling, AlongMinusXIsTheMirrorImage) {
   m.creepage.longitudinal *= -1;
   m.creepage.spin *= -1;
   const ContactSolution backward = rolling(image, grid, load, RollingDirection::backward).solve(m);
-  EXPECT_NEAR(backward.totals.fx, -forward.totals.fx, 1e-5 * capacity);
-  EXPECT_NEAR(backward.totals.fy, forward.totals.fy, 1e-5 * capacity);
-  EXPECT_NEAR(backward.totals.mz, -forward.totals.mz, 1e-5 * capacity * radius);
+  expect_forces(backward.totals, {-forward.totals.fx, forward.totals.fy, -forward.totals.mz}, 1e-5 * capacity,
+                1e-5 * capacity * radius);
 }
 
 TEST(PatchRolling, FullSlidingGivesFrictionTimesTheLoad) {
@@ -184,7 +177,7 @@ TEST(PatchRolling, ForcesGiveTheCreepagesBack) {
 
 TEST(PatchRolling, WithoutContactIsAStatus) {
   const ElementGrid grid = grid_over(radius, radius, 8, 0, 0);
-  PatchRolling apart(steel, grid, gap_on(circular, grid), {NormalLoad::Given::approach, -1e-6});
+  PatchRolling apart(steel, grid, over_grid(grid, circular), {NormalLoad::Given::approach, -1e-6});
   EXPECT_EQ(apart.contact(), nullptr);
   EXPECT_EQ(apart.solve(mixed).report.status, Status::no_contact);
 }
@@ -195,7 +188,7 @@ double rms_edge_error(int n) {
   for (const auto& [x, y] : positions) {
     const ElementGrid grid = grid_over(radius, radius, n, x, y);
     const NormalSolution normal =
-        NormalProblem(steel, grid).solve(gap_on(circular, grid), {NormalLoad::Given::force, load});
+        NormalProblem(steel, grid).solve(over_grid(grid, circular), {NormalLoad::Given::force, load});
     for (const ContactRun& run : contact_runs(grid, normal.pressure)) {
       const double row = grid.y(run.row);
       if (std::abs(row) > 0.9 * radius) continue;
@@ -217,9 +210,7 @@ TEST(ContactEdges, AreFoundWithinAFractionOfAnElementThatFalls) {
 TEST(PressureCurvature, IsExactWherePressureSquaredIsQuadratic) {
   ElementGrid grid = grid_over(radius, radius, 12, 0.3, 0.1);
   grid.dy *= 0.7;
-  Field pressure;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) pressure.push_back(hertz().pressure(grid.x(i), grid.y(j)));
+  const Field pressure = over_grid(grid, [](double x, double y) { return hertz().pressure(x, y); });
   const Field curvature = pressure_curvature(grid, pressure);
   int inner = 0;
   for (std::size_t k = 0; k < curvature.size(); ++k) {
@@ -239,7 +230,7 @@ TEST(PressureCurvature, GivesThePressureAtTheCentre) {
   const auto error = [](int n, double share) {
     const ElementGrid grid = grid_over(radius, radius, n, 0, 0);
     const Field pressure =
-        NormalProblem(steel, grid).solve(gap_on(circular, grid), {NormalLoad::Given::force, load}, 1e-11).pressure;
+        NormalProblem(steel, grid).solve(over_grid(grid, circular), {NormalLoad::Given::force, load}, 1e-11).pressure;
     const Field curvature = pressure_curvature(grid, pressure);
     double sum = 0;
     int count = 0;
@@ -300,9 +291,7 @@ TEST(PatchRolling, TakesTheMotionRowByRow) {
     m.variation = in_rows(mixed.creepage);
     const ContactSolution rows = patch.solve(m);
     ASSERT_EQ(rows.report.status, Status::ok);
-    EXPECT_NEAR(rows.totals.fx, rigid.totals.fx, 2e-6 * capacity);
-    EXPECT_NEAR(rows.totals.fy, rigid.totals.fy, 2e-6 * capacity);
-    EXPECT_NEAR(rows.totals.mz, rigid.totals.mz, 2e-6 * capacity * radius);
+    expect_forces(rows.totals, rigid.totals, 2e-6 * capacity, 2e-6 * capacity * radius);
     EXPECT_NEAR(rows.totals.frictional_power, rigid.totals.frictional_power, 1e-5 * rigid.totals.frictional_power);
   }
 }
@@ -321,7 +310,7 @@ TEST(PatchRolling, SlidesAtTheFrictionOfEachRow) {
 
 TEST(PatchRolling, TakesASolvedNormalProblemAndTractionsNearby) {
   const ElementGrid grid = grid_over(1.3 * radius, 1.3 * radius, 20, 0.3, 0.4);
-  const Field gap = gap_on(egg, grid);
+  const Field gap = over_grid(grid, egg);
   const NormalSolution normal = NormalProblem(steel, grid).solve(gap, {NormalLoad::Given::force, load});
   for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
     const ContactSolution from_gap = rolling(egg, grid, load, direction).solve(mixed);
@@ -343,7 +332,7 @@ TEST(PatchRolling, TakesASolvedNormalProblemAndTractionsNearby) {
 
 TEST(PatchRolling, KeepsItsElementsUnderAnotherLoad) {
   const ElementGrid grid = grid_over(1.3 * radius, 1.3 * radius, 20, 0.3, 0.4);
-  const Field gap = gap_on(egg, grid);
+  const Field gap = over_grid(grid, egg);
   NormalProblem normal(steel, grid);
   PatchRolling patch(steel, grid, normal.solve(gap, {NormalLoad::Given::force, load}));
   const NormalSolution more = normal.solve(gap, {NormalLoad::Given::force, 1.001 * load});

@@ -1,33 +1,17 @@
 #include "tests/oracles/prescribed_force.hpp"
 
+#include "spring_operator.hpp"
 #include "tests/oracles/friction_residual.hpp"
+#include "tests/support/fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
-
 constexpr double area = 0.3, flexibility = 2;
-
-/// Elements that do not feel each other.
-class Springs : public SlipOperator {
-public:
-  void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
-             std::span<double> sy) override {
-    ++products_;
-    for (std::size_t k = 0; k < px.size(); ++k) sx[k] = flexibility * px[k], sy[k] = flexibility * py[k];
-  }
-  double diagonal() const override { return flexibility; }
-  long products() const override { return products_; }
-
-private:
-  long products_ = 0;
-};
 
 /// Springs stick with p = -c/flexibility or slide with p = -g c/|c|.
 FrictionSolution solve_springs(const FrictionProblem& problem, double, std::span<const double>,
@@ -45,7 +29,7 @@ FrictionSolution solve_springs(const FrictionProblem& problem, double, std::span
 }
 
 double total(const Field& p) {
-  return area * std::accumulate(p.begin(), p.end(), 0.0);
+  return area * sum(p);
 }
 
 const Field bounds = {1, 2, 0.5, 3, 0, 0.1};
@@ -53,7 +37,7 @@ const Field cx = {0.1, -0.4, 0.3, 2, 1, 0}, cy = {0, 0.2, -0.7, 0.4, -1, 0};
 constexpr double capacity = 6.6 * area;
 
 TEST(PrescribedForce, WithoutForcesItIsTheSolver) {
-  Springs springs;
+  SpringOperator springs(flexibility);
   const FrictionSolution s = solve_prescribed_force({springs, bounds, cx, cy, area}, 1e-8, solve_springs);
   EXPECT_EQ(s.constant_x, 0);
   EXPECT_EQ(s.constant_y, 0);
@@ -62,7 +46,7 @@ TEST(PrescribedForce, WithoutForcesItIsTheSolver) {
 
 /// Equal springs under a common slip: F = -n area c/flexibility below the bound.
 TEST(PrescribedForce, EqualSpringsInClosedForm) {
-  Springs springs;
+  SpringOperator springs(flexibility);
   const Field g(40, 2.0), none(40, 0.0);
   for (const double share : {0.0, 0.1, -0.5, 0.9}) {
     const double force = share * 40 * 2 * area;
@@ -74,7 +58,7 @@ TEST(PrescribedForce, EqualSpringsInClosedForm) {
 }
 
 TEST(PrescribedForce, OneOrTwoForcesUpToNearlyFullSliding) {
-  Springs springs;
+  SpringOperator springs(flexibility);
   const Field share = {1, 0.9, 0.8, 0.7, 1, 0.6};
   for (const double size : {0.0, 0.3, 0.7, 0.9, 0.97})
     for (int k = 0; k < 12; ++k) {
@@ -102,7 +86,7 @@ TEST(PrescribedForce, OneOrTwoForcesUpToNearlyFullSliding) {
 
 /// No slip gives a force beyond friction.
 TEST(PrescribedForce, BeyondFrictionIsAStatus) {
-  Springs springs;
+  SpringOperator springs(flexibility);
   const FrictionSolution s =
       solve_prescribed_force({springs, bounds, cx, cy, area, 1.1 * capacity, 0}, 1e-8, solve_springs);
   EXPECT_EQ(s.status, Status::not_converged);

@@ -2,6 +2,7 @@
 
 #include "io/profile_file.hpp"
 #include "paths.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path source = MICROSLIP_SOURCE_DIR;
-
-Profile example(const char* name) {
-  return io::read_profile(source / "examples/profiles" / name).profile;
-}
 
 /// The largest distance of the points that one curve is laid through from another curve, for z above `lowest_z`, after
 /// the first is turned by `angle` from y to z and moved by `shift`.
@@ -49,7 +46,7 @@ double distance(const Profile& of, const Profile& from, double lowest_z, double 
 }
 
 TEST(ProfileDimensions, OfAnS1002WheelAreThoseOfTheStandard) {
-  const auto wheel = example("s1002.prw");
+  const auto wheel = example_profile("s1002.prw");
   EXPECT_EQ(default_tape_line(wheel), 0);
   const auto dimensions = wheel_dimensions(wheel, 0);
   EXPECT_NEAR(dimensions.flange_height.value(), 28e-3, 1e-8);
@@ -62,7 +59,7 @@ TEST(ProfileDimensions, OfAnS1002WheelAreThoseOfTheStandard) {
 }
 
 TEST(ProfileDimensions, DoNotDependOnTheOrigin) {
-  const auto wheel = example("s1002.prw");
+  const auto wheel = example_profile("s1002.prw");
   const auto at_zero = wheel_dimensions(wheel, 0);
   std::vector<ProfilePoint> points;
   for (const auto& piece : wheel.pieces()) points.push_back({piece.c[0].y + 0.07, piece.c[0].z - 3e-3});
@@ -84,7 +81,7 @@ TEST(ProfileDimensions, AreEmptyWhereTheProfileDoesNotReach) {
 }
 
 TEST(ProfileDimensions, GaugePointOfA60E1Rail) {
-  const auto rail = example("60e1.prr");
+  const auto rail = example_profile("60e1.prr");
   const auto gauge = gauge_point(rail);
   EXPECT_TRUE(gauge.reaches_height);
   EXPECT_NEAR(gauge.top.z, 0, 1e-9);
@@ -109,7 +106,7 @@ TEST(ProfileDimensions, GaugePointIsThatWhichProtrudesMost) {
 }
 
 TEST(ProfileDimensions, CrossingsAreThoseOfASampledCurve) {
-  const auto wheel = example("s1002.prw");
+  const auto wheel = example_profile("s1002.prw");
   for (const double z : {-0.027, -0.015, -0.005, -1e-4, 1e-3}) {
     const auto found = crossings(wheel, &ProfilePoint::z, z);
     std::size_t sampled = 0;
@@ -130,13 +127,13 @@ TEST(ProfileDimensions, ExamplesAgreeWithTheManchesterBenchmark) {
   const auto cases = source / "../shared/contact-cases";
   if (!fs::exists(cases)) GTEST_SKIP() << cases << " is absent";
   const auto wheel = io::read_profile(cases / "MBench_S1002_v3.prw").profile;
-  EXPECT_LT(distance(wheel, example("s1002.prw"), -1, 0, {0, 0}), 5e-7);
+  EXPECT_LT(distance(wheel, example_profile("s1002.prw"), -1, 0, {0, 0}), 5e-7);
   const auto rail = io::read_profile(cases / "MBench_UIC60_v3.prr").profile;
   const double angle = -1 / 40.;
   const ProfilePoint origin = {-7.4925e-3, -7.1e-5}; // of 60E1 in the benchmark's axes
   const ProfilePoint shift = {-std::cos(angle) * origin.y + std::sin(angle) * origin.z,
                               -std::sin(angle) * origin.y - std::cos(angle) * origin.z};
-  EXPECT_LT(distance(rail, example("60e1.prr"), -14e-3, angle, shift), 3e-5);
+  EXPECT_LT(distance(rail, example_profile("60e1.prr"), -14e-3, angle, shift), 3e-5);
 }
 
 /// The instrument printed Sd, Sh and qR in the file, from curves that it had

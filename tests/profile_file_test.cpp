@@ -2,7 +2,8 @@
 
 #include "microslip/error.hpp"
 #include "paths.hpp"
-#include "temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,14 +56,9 @@ std::string simpack(const std::string& keys, const std::string& points, int type
          "\n  point.begin\n" + points + "  point.end\nspline.end\n";
 }
 
-std::string error_of(const std::string& text, const std::string& name = "a.prr",
-                     const io::ProfileFileOptions& options = {}) {
-  try {
-    io::parse_profile(text, name, options);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string message_of(const std::string& text, const std::string& name = "a.prr",
+                       const io::ProfileFileOptions& options = {}) {
+  return error_of([&] { io::parse_profile(text, name, options); });
 }
 
 bool is_named(const std::vector<std::string>& texts, const std::string& part) {
@@ -161,10 +157,10 @@ TEST(ProfileFile, WhatFollowsMiniprofsNumbersIsARemark) {
     expect_points(prepared.profile, head(), remark);
     EXPECT_TRUE(is_named(prepared.report.steps, "left out the text behind the numbers of 1 line"));
   }
-  EXPECT_EQ(error_of("ColumnDef=X,Y,A\n\n1 2 3 a\n3 4 a\n", "a.ban"),
+  EXPECT_EQ(message_of("ColumnDef=X,Y,A\n\n1 2 3 a\n3 4 a\n", "a.ban"),
             "a.ban:4: a coordinate: \"a\" is not a finite number");
-  EXPECT_EQ(error_of("Rail=low\n\n1 2 a\n3 b 4\n", "a.ban"), "a.ban:4: a coordinate: \"b\" is not a finite number");
-  EXPECT_EQ(error_of("1 2\n3 x\n", "rail.txt"), "rail.txt:2: z: \"x\" is not a finite number") << "not of columns";
+  EXPECT_EQ(message_of("Rail=low\n\n1 2 a\n3 b 4\n", "a.ban"), "a.ban:4: a coordinate: \"b\" is not a finite number");
+  EXPECT_EQ(message_of("1 2\n3 x\n", "rail.txt"), "rail.txt:2: z: \"x\" is not a finite number") << "not of columns";
 }
 
 TEST(ProfileFile, ReadsWheelsAndOldAndManyProfilesOfMiniprof) {
@@ -184,7 +180,7 @@ TEST(ProfileFile, ReadsWheelsAndOldAndManyProfilesOfMiniprof) {
   const auto second = io::parse_profile(mpt, "wheel.mpt", {.section = 2});
   EXPECT_NEAR(second.profile.at(0).value.y * 1e3, wheel()[0].y + 3, 1e-9);
   EXPECT_TRUE(is_named(second.report.assumptions, "profile 2 of 2"));
-  EXPECT_EQ(error_of(mpt, "wheel.mpt", {.section = 3}), "wheel.mpt: section 3 is asked for: there are 2");
+  EXPECT_EQ(message_of(mpt, "wheel.mpt", {.section = 3}), "wheel.mpt: section 3 is asked for: there are 2");
 }
 
 TEST(ProfileFile, ReadsColumnsWithAnySeparator) {
@@ -203,7 +199,7 @@ TEST(ProfileFile, ReadsColumnsWithAnySeparator) {
   expect_points(remarked.profile, head(), "remarks");
   EXPECT_TRUE(is_named(remarked.report.assumptions, "1 line before the first number"));
   expect_points(io::parse_profile("61\n" + rows(head(), 1, 1), "x", rail).profile, head(), "count");
-  EXPECT_EQ(error_of("62\n" + rows(head(), 1, 1), "x", rail),
+  EXPECT_EQ(message_of("62\n" + rows(head(), 1, 1), "x", rail),
             "x: the first line announces 62 points, but there are 61; is it truncated?");
 }
 
@@ -239,44 +235,45 @@ TEST(ProfileFile, DecidesWhatColumnsLeaveOpenAndSaysSo) {
 }
 
 TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
-  EXPECT_EQ(error_of(""), "a.prr: is empty");
-  EXPECT_EQ(error_of(" \n\r\n"), "a.prr: is empty");
-  EXPECT_EQ(error_of(std::string("1 2\n\0\n", 6), "x"), "x: is not a text file: it has NUL bytes");
-  EXPECT_EQ(error_of("1 2\n", "rail.dat").find("rail.dat: the profile is 0 wide"), 0u);
-  EXPECT_EQ(error_of("\x7f"
-                     "ELF\x02\x01 \x03\xff\n",
-                     "rail.dat"),
+  EXPECT_EQ(message_of(""), "a.prr: is empty");
+  EXPECT_EQ(message_of(" \n\r\n"), "a.prr: is empty");
+  EXPECT_EQ(message_of(std::string("1 2\n\0\n", 6), "x"), "x: is not a text file: it has NUL bytes");
+  EXPECT_EQ(message_of("1 2\n", "rail.dat").find("rail.dat: the profile is 0 wide"), 0u);
+  EXPECT_EQ(message_of("\x7f"
+                       "ELF\x02\x01 \x03\xff\n",
+                       "rail.dat"),
             "rail.dat: there are no lines with two numbers, y and z");
-  EXPECT_EQ(error_of(rows(head(), 1, 1), "x").find("x: neither the file nor its name says"), 0u);
-  EXPECT_EQ(error_of(rows(head(), 0.03, 0.03), "rail").find("rail: the profile is 2.2369 wide, neither in mm"), 0u);
-  EXPECT_EQ(error_of("1 2\n3 nan\n", "rail"), "rail:2: z: \"nan\" is not a finite number");
-  EXPECT_EQ(error_of("nan 2\n3 4\n", "rail"), "rail:1: y: \"nan\" is not a finite number");
-  EXPECT_EQ(error_of("1 2\n3 4e999\n", "rail"), "rail:2: z: \"4e999\" is not a finite number");
-  EXPECT_EQ(error_of("1 2\n3,,4\n", "rail"), "rail:2: z: \"\" is not a finite number");
-  EXPECT_EQ(error_of("1 2\n\n3\n", "rail"), "rail:3: one number, \"3\", not y and z");
-  EXPECT_EQ(error_of(simpack("rotat = 1", rows(head(), 1, -1)) + "x").find("a.prr:"), 0u);
+  EXPECT_EQ(message_of(rows(head(), 1, 1), "x").find("x: neither the file nor its name says"), 0u);
+  EXPECT_EQ(message_of(rows(head(), 0.03, 0.03), "rail").find("rail: the profile is 2.2369 wide, neither in mm"), 0u);
+  EXPECT_EQ(message_of("1 2\n3 nan\n", "rail"), "rail:2: z: \"nan\" is not a finite number");
+  EXPECT_EQ(message_of("nan 2\n3 4\n", "rail"), "rail:1: y: \"nan\" is not a finite number");
+  EXPECT_EQ(message_of("1 2\n3 4e999\n", "rail"), "rail:2: z: \"4e999\" is not a finite number");
+  EXPECT_EQ(message_of("1 2\n3,,4\n", "rail"), "rail:2: z: \"\" is not a finite number");
+  EXPECT_EQ(message_of("1 2\n\n3\n", "rail"), "rail:3: one number, \"3\", not y and z");
+  EXPECT_EQ(message_of(simpack("rotat = 1", rows(head(), 1, -1)) + "x").find("a.prr:"), 0u);
 
   const auto whole = simpack("units.len.f = 1000", rows(head(), 1, -1));
-  EXPECT_EQ(error_of(whole.substr(0, whole.size() / 2 - 3)).find("a.prr"), 0u);
-  EXPECT_EQ(error_of(whole.substr(0, whole.find("  point.end"))),
+  EXPECT_EQ(message_of(whole.substr(0, whole.size() / 2 - 3)).find("a.prr"), 0u);
+  EXPECT_EQ(message_of(whole.substr(0, whole.find("  point.end"))),
             "a.prr: the file ends before point.end; is it truncated?");
-  EXPECT_EQ(error_of(simpack("units.len.f = 1000", "")),
+  EXPECT_EQ(message_of(simpack("units.len.f = 1000", "")),
             "a.prr: there are no points between point.begin and point.end");
-  EXPECT_EQ(error_of(simpack("units.len.f = 0", rows(head(), 1, -1))), "a.prr: units.len.f = 0: must be positive");
-  EXPECT_EQ(error_of(simpack("shift.y = left", "")), "a.prr:6: shift.y: \"left\" is not a finite number");
-  EXPECT_EQ(error_of(simpack("", "1 2 3 4\n")), "a.prr:8: 4 fields, not y, z and perhaps a weight");
-  EXPECT_EQ(error_of(simpack("units.len.f = 1000", "1 2\n1 2\n1 2\n1 2\n1 2\n")), // one point, again and again
+  EXPECT_EQ(message_of(simpack("units.len.f = 0", rows(head(), 1, -1))), "a.prr: units.len.f = 0: must be positive");
+  EXPECT_EQ(message_of(simpack("shift.y = left", "")), "a.prr:6: shift.y: \"left\" is not a finite number");
+  EXPECT_EQ(message_of(simpack("", "1 2 3 4\n")), "a.prr:8: 4 fields, not y, z and perhaps a weight");
+  EXPECT_EQ(message_of(simpack("units.len.f = 1000", "1 2\n1 2\n1 2\n1 2\n1 2\n")), // one point, again and again
             "a.prr: 1 point left: a profile needs at least 4");
-  // Metres where the file says mm, and vice versa.
-  EXPECT_NE(error_of(simpack("units.len.f = 1000", rows(head(), 1e-3, -1e-3))).find("is the unit of length right?"),
+  // Metres where the file says mm, and the other way round.
+  EXPECT_NE(message_of(simpack("units.len.f = 1000", rows(head(), 1e-3, -1e-3))).find("is the unit of length right?"),
             std::string::npos);
-  EXPECT_NE(error_of(simpack("units.len.f = 1", rows(head(), 1, -1))).find("is the unit of length right?"),
+  EXPECT_NE(message_of(simpack("units.len.f = 1", rows(head(), 1, -1))).find("is the unit of length right?"),
             std::string::npos);
-  EXPECT_EQ(error_of(whole, "a.prr", {.role = ProfileRole::wheel}), "a.prr: is the profile of a rail, not of a wheel");
-  EXPECT_EQ(error_of("ColumnDef=A,B\n\n1 2\n", "a.ban"), "a.ban: ColumnDef = \"A,B\" has no X or no Y");
-  EXPECT_EQ(error_of("Rail=low\n\n1 2\n3 x\n", "a.ban"), "a.ban:4: a coordinate: \"x\" is not a finite number");
-  EXPECT_EQ(error_of("Rail=low\n\n", "a.ban"), "a.ban: there are no points");
-  EXPECT_EQ(error_of("ColumnDef=X,A,Y\n\n1 2\n", "a.ban"), "a.ban:3: 2 numbers, but column 3 is needed");
+  EXPECT_EQ(message_of(whole, "a.prr", {.role = ProfileRole::wheel}),
+            "a.prr: is the profile of a rail, not of a wheel");
+  EXPECT_EQ(message_of("ColumnDef=A,B\n\n1 2\n", "a.ban"), "a.ban: ColumnDef = \"A,B\" has no X or no Y");
+  EXPECT_EQ(message_of("Rail=low\n\n1 2\n3 x\n", "a.ban"), "a.ban:4: a coordinate: \"x\" is not a finite number");
+  EXPECT_EQ(message_of("Rail=low\n\n", "a.ban"), "a.ban: there are no points");
+  EXPECT_EQ(message_of("ColumnDef=X,A,Y\n\n1 2\n", "a.ban"), "a.ban:3: 2 numbers, but column 3 is needed");
 }
 
 TEST(ProfileFile, SuggestsTheKeyThatWasMeant) {

@@ -1,7 +1,7 @@
 #include "microslip/railway/profile_preparation.hpp"
 
-#include "microslip/error.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,13 +37,8 @@ std::vector<ProfilePoint> wheel() {
   return points;
 }
 
-std::string error_of(std::vector<ProfilePoint> points, const ProfileTreatment& treatment = {}) {
-  try {
-    prepare_profile(ProfileRole::rail, std::move(points), treatment);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string message_of(const std::vector<ProfilePoint>& points, const ProfileTreatment& treatment = {}) {
+  return error_of([&] { prepare_profile(ProfileRole::rail, points, treatment); });
 }
 
 bool is_named(const std::vector<std::string>& texts, const std::string& part) {
@@ -95,7 +90,7 @@ TEST(ProfilePreparation, KeepsAnOverhangWhenEndsAreTrimmed) {
   EXPECT_EQ(prepared.profile.at(0).value.y, -0.030);
   EXPECT_LE(prepared.profile.at(prepared.profile.length()).value.y, 0.02);
   EXPECT_LT(gauge_point(prepared.profile, 0.03).point.y, -0.035); // the head's widest point is still there
-  EXPECT_NE(error_of(points, {.y_min = 0.1}).find("no point has y within"), std::string::npos);
+  EXPECT_NE(message_of(points, {.y_min = 0.1}).find("no point has y within"), std::string::npos);
 }
 
 TEST(ProfilePreparation, NamesWhatLooksWrong) {
@@ -127,22 +122,22 @@ TEST(ProfilePreparation, NamesWhatLooksWrong) {
 }
 
 TEST(ProfilePreparation, RefusesWhatIsNoProfile) {
-  EXPECT_EQ(error_of({{0, 0}}), "profile: 1 point: a profile needs at least 4");
-  EXPECT_NE(error_of(std::vector<ProfilePoint>(10)).find("1 point left"), std::string::npos);
+  EXPECT_EQ(message_of({{0, 0}}), "profile: 1 point: a profile needs at least 4");
+  EXPECT_NE(message_of(std::vector<ProfilePoint>(10)).find("1 point left"), std::string::npos);
   auto points = head();
   points[3].z = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(error_of(points).find("z of point 4 = nan [m]: must be finite"), std::string::npos);
+  EXPECT_NE(message_of(points).find("z of point 4 = nan [m]: must be finite"), std::string::npos);
   points[3] = {std::numeric_limits<double>::infinity(), 0};
-  EXPECT_NE(error_of(points).find("y of point 4 = inf"), std::string::npos);
+  EXPECT_NE(message_of(points).find("y of point 4 = inf"), std::string::npos);
   points = head();
   for (auto& p : points) p = {1e3 * p.y, 1e3 * p.z};
-  EXPECT_NE(error_of(points).find("is the unit of length right?"), std::string::npos);
+  EXPECT_NE(message_of(points).find("is the unit of length right?"), std::string::npos);
   for (auto& p : points) p = {1e-6 * p.y, 1e-6 * p.z};
-  EXPECT_NE(error_of(points).find("is the unit of length right?"), std::string::npos);
+  EXPECT_NE(message_of(points).find("is the unit of length right?"), std::string::npos);
   points = head(40);
   points.insert(points.begin() + 20, {{0.01, 0.001}, {0.01, -0.02}, {-0.01, -0.02}, {-0.01, 0.001}});
-  EXPECT_NE(error_of(points).find("crosses itself"), std::string::npos);
-  EXPECT_NE(error_of(std::vector<ProfilePoint>(20001)).find("20001 points"), std::string::npos);
+  EXPECT_NE(message_of(points).find("crosses itself"), std::string::npos);
+  EXPECT_NE(message_of(std::vector<ProfilePoint>(20001)).find("20001 points"), std::string::npos);
 }
 
 TEST(ProfilePreparation, TellsAxesByTheShape) {

@@ -1,6 +1,6 @@
 #include "microslip/railway/profile_smoothing.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>
 

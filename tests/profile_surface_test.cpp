@@ -2,6 +2,8 @@
 
 #include "microslip/error.hpp"
 #include "microslip/railway/profile_slices.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <cmath>
 #include <functional>
@@ -25,12 +27,6 @@ std::vector<SurfaceSlice> slices_of(const Field& field, const std::vector<double
     for (int v = 0; v < points; ++v) slices.back().points.push_back(field(at, v));
   }
   return slices;
-}
-
-std::vector<double> equal_steps(double first, double last, int count) {
-  std::vector<double> u;
-  for (int k = 0; k < count; ++k) u.push_back(first + (last - first) * k / (count - 1));
-  return u;
 }
 
 TEST(ProfileSurface, ReproducesCubicsWithTheirDerivatives) {
@@ -260,12 +256,9 @@ TEST(JoinedSlices, PartsThatSlicesLackAreInterrupted) {
 
 TEST(JoinedSlices, FeaturesThatCannotBeAreNamed) {
   const auto message = [](std::vector<double> features) {
-    try {
+    return error_of([&] {
       join_slices({{0, line_profile(3), {0, 1, 99}}, {1, line_profile(3), std::move(features)}}, {});
-      return std::string();
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
+    });
   };
   EXPECT_EQ(message({0, 1}), "slice 2: has other features than the first slice");
   EXPECT_EQ(message({-1, -1, 2}), "slice 2: has fewer than two features");

@@ -1,11 +1,11 @@
 #include "microslip/railway/profile.hpp"
 
-#include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -63,22 +63,16 @@ TEST(Profile, IsStraightOnBothSidesOfAKinkAndBeyondItsEnds) {
   EXPECT_NEAR(profile.at(profile.length() + 1).value.y, 1.02, 1e-12);
 }
 
-std::string error_of(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks = {}) {
-  try {
-    Profile(ProfileRole::rail, points, kinks);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
+std::string message_of(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks = {}) {
+  return error_of([&] { Profile(ProfileRole::rail, points, kinks); });
 }
 
 TEST(Profile, RefusesPointsThatMakeNoCurve) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(error_of({{0, 0}}), "profile: 1 points: must be at least 2");
-  EXPECT_EQ(error_of({{0, 0}, {0, 0}, {1, 0}}), "profile: points 1 and 2 are equal");
-  EXPECT_EQ(error_of({{0, 0}, {1, nan}}).find("profile: z of point 2 = nan [m]"), 0u);
-  EXPECT_EQ(error_of(arc(3, 1), {3}), "profile: kinks must be inner points in ascending order");
-  EXPECT_EQ(error_of(arc(3, 1)), "none");
+  EXPECT_EQ(message_of({{0, 0}}), "profile: 1 points: must be at least 2");
+  EXPECT_EQ(message_of({{0, 0}, {0, 0}, {1, 0}}), "profile: points 1 and 2 are equal");
+  EXPECT_EQ(message_of({{0, 0}, {1, nan}}).find("profile: z of point 2 = nan [m]"), 0u);
+  EXPECT_EQ(message_of(arc(3, 1), {3}), "profile: kinks must be inner points in ascending order");
+  EXPECT_EQ(message_of(arc(3, 1)), "no error");
 }
 
 } // namespace

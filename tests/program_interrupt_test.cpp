@@ -2,7 +2,8 @@
 
 #include "paths.hpp"
 #include "tests/contact_input_cases.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -58,26 +59,15 @@ bool ends(pid_t group) {
   return false;
 }
 
-void run_in_child(const TemporaryFolder& folder, Names words) {
-  setpgid(0, 0);
-  const int nowhere = open("/dev/null", O_RDWR);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-  if (chdir(folder.path().c_str()) != 0) _exit(127);
-  std::vector<char*> arguments;
-  for (auto& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(MICROSLIP_PROGRAM, arguments.data());
-  _exit(127);
-}
-
 /// Starts the program in a folder, sends SIGINT `times` to it and its children, as a terminal does, or SIGTERM to it
 /// alone, once it is `ready`, and returns the exit code as a shell has it.
 int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::function<bool(pid_t)>& ready,
               int times = 1, int signal = SIGINT) {
-  Names words = {"microslip"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t child = fork();
-  if (child == 0) run_in_child(folder, words);
+  if (child == 0) {
+    setpgid(0, 0);
+    become_program(folder, arguments);
+  }
   setpgid(child, child);
   int status = 0;
   bool ended = false;
@@ -94,7 +84,7 @@ int interrupt(const TemporaryFolder& folder, const Names& arguments, const std::
     waitpid(child, &status, 0);
     EXPECT_TRUE(ends(child)) << "a child of the program goes on";
   }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return exit_code(status);
 }
 
 bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
@@ -105,9 +95,7 @@ bool has_ending(const TemporaryFolder& folder, const std::string& ending) {
 
 /// The example of two bodies with some lines replaced.
 std::string case_with(const std::vector<std::pair<std::string, std::string>>& changes) {
-  auto text = contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml");
-  for (const auto& [from, to] : changes) text.replace(text.find(from), from.size(), to);
-  return text;
+  return with(contents(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml"), changes);
 }
 
 TEST(ProgramInterrupt, Solve) {

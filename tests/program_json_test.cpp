@@ -3,8 +3,8 @@
 #include "io/json.hpp"
 #include "microslip/version.hpp"
 #include "paths.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <algorithm>
 #include <filesystem>

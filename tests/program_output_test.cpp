@@ -1,6 +1,6 @@
 // Where nothing can be written commands say so before they compute, and leave nothing.
 
-#include "tests/program_run.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <algorithm>
 #include <filesystem>

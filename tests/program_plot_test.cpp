@@ -1,6 +1,6 @@
 // `plot` where what draws the pictures does not get to its end.
 
-#include "tests/program_run.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <filesystem>
 #include <string>

@@ -4,8 +4,8 @@
 #include "io/profile_file.hpp"
 #include "microslip/railway/profile_dimensions.hpp"
 #include "paths.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -1,7 +1,7 @@
 // microslip validate --report, microslip bench.
 
 #include "io/json.hpp"
-#include "program_run.hpp"
+#include "tests/support/program_run.hpp"
 #include "validation/study.hpp"
 
 #include <sstream>

@@ -1,8 +1,9 @@
 // `microslip sweep`: one result file of many cases, whatever happens in between.
 
 #include "paths.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -15,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,11 +24,7 @@
 namespace microslip {
 namespace {
 
-const std::string two_bodies = "[case.body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\n"
-                               "poisson_ratio = 0.28\n[case.body2]\nrolling_radius = inf\ntransverse_radius = 0.3\n"
-                               "young_modulus = 210e9\npoisson_ratio = 0.28\n[case.load]\nnormal_force = 80e3\n"
-                               "[case.friction]\ncoefficient = 0.3\n[case.motion]\nrolling_speed = 30\n"
-                               "[case.solution]\ntheory = \"exact\"\ngrid = [12, 12]\n";
+const std::string two_bodies = in_sweep(two_bodies_text + "[solution]\ntheory = \"exact\"\ngrid = [12, 12]\n");
 
 std::string grid(int count) {
   return "[grid]\nmotion.creepage_longitudinal = { from = 1e-4, to = 4e-3, count = " + std::to_string(count) + " }\n" +
@@ -123,7 +119,7 @@ TEST(ProgramSweep, BadInputLeavesNothing) {
 class Running {
 public:
   Running(const TemporaryFolder& folder, const std::vector<std::string>& arguments) : child_(fork()) {
-    if (child_ == 0) start(folder, arguments);
+    if (child_ == 0) become_program(folder, arguments);
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -140,21 +136,10 @@ public:
       waitpid(child_, &status_, 0);
       child_ = -1;
     }
-    return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+    return exit_code(status_);
   }
 
 private:
-  static void start(const TemporaryFolder& folder, std::vector<std::string> arguments) {
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
-    if (chdir(folder.path().c_str()) != 0) _exit(127);
-    std::vector<char*> words = {const_cast<char*>("microslip")};
-    for (auto& word : arguments) words.push_back(word.data());
-    words.push_back(nullptr);
-    execv(MICROSLIP_PROGRAM, words.data());
-    _exit(127);
-  }
-
   pid_t child_;
   int status_ = 0;
 };

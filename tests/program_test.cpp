@@ -5,8 +5,8 @@
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
 #include "paths.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <chrono>
 #include <cmath>

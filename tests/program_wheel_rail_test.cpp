@@ -1,6 +1,6 @@
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <algorithm>
 #include <string>
@@ -29,7 +29,7 @@ TEST(ProgramWheelRail, PrintsForcesAndAColumnForEachPatch) {
 
 TEST(ProgramWheelRail, WarnsOfContactsThatAreNoHalfSpaces) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "210e9", "210e6"), "--json --no-pictures");
+  const auto outcome = solve(folder, with(wheel_rail_text, "210e9", "210e6"), "--json --no-pictures");
   const std::string warning = "the approach is too large beside a radius for a half-space";
   EXPECT_NE(outcome.errors.find(warning), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.output.find(warning), std::string::npos);
@@ -37,8 +37,8 @@ TEST(ProgramWheelRail, WarnsOfContactsThatAreNoHalfSpaces) {
 
 TEST(ProgramWheelRail, PrintsARowForEachStateOfASweep) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "[material]",
-                                               "[sweep]\nlateral = { from = 0.0, to = 0.004, count = 5 }\n[material]"));
+  const auto outcome = solve(folder, with(wheel_rail_text, "[material]",
+                                          "[sweep]\nlateral = { from = 0.0, to = 0.004, count = 5 }\n[material]"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   std::size_t rows = 0;
@@ -50,8 +50,7 @@ TEST(ProgramWheelRail, PrintsARowForEachStateOfASweep) {
 
 TEST(ProgramWheelRail, WritesFieldsOfEachPatchAtTheExactLevel) {
   const TemporaryFolder folder;
-  const auto outcome =
-      solve(folder, with_part(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12\nshape = \"flat\""));
+  const auto outcome = solve(folder, with(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12\nshape = \"flat\""));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors.rfind("microslip: warning: w.toml: patches are solved as flat", 0), 0u) << outcome.errors;
   const Hdf5Reader file(folder / "out/result.h5");
@@ -68,7 +67,7 @@ TEST(ProgramWheelRail, WritesFieldsOfEachPatchAtTheExactLevel) {
 TEST(ProgramWheelRail, PrintsADocument) {
   const TemporaryFolder folder;
   const auto outcome =
-      solve(folder, with_part(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12"), "--no-pictures --json");
+      solve(folder, with(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12"), "--no-pictures --json");
   const auto document = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(document["kind"], "wheel_rail");
   EXPECT_EQ(document["patches"]["state"].size(), 2u);
@@ -79,21 +78,21 @@ TEST(ProgramWheelRail, PrintsADocument) {
 
 TEST(ProgramWheelRail, EndsWithOneWhereNothingTouches) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "vertical_force = 80e3", "vertical = 0.05"));
+  const auto outcome = solve(folder, with(wheel_rail_text, "vertical_force = 80e3", "vertical = 0.05"));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.errors.find("w.toml: wheel and rail do not touch"), std::string::npos) << outcome.errors;
 }
 
 TEST(ProgramWheelRail, EndsWithZeroWhereItOnlyWarns) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "80e3", "80"));
+  const auto outcome = solve(folder, with(wheel_rail_text, "80e3", "80"));
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.errors.find("is it in kN?"), std::string::npos) << outcome.errors;
 }
 
 TEST(ProgramWheelRail, EndsWithOneWhereAResultCannotBeMeant) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "s1002.prw\"", "s1002.prw\"\nz_axis = \"up\""));
+  const auto outcome = solve(folder, with(wheel_rail_text, "s1002.prw\"", "s1002.prw\"\nz_axis = \"up\""));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.output.find("implausible"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.errors.find("are the files exchanged, or is z mirrored?"), std::string::npos) << outcome.errors;
@@ -102,7 +101,7 @@ TEST(ProgramWheelRail, EndsWithOneWhereAResultCannotBeMeant) {
 
 TEST(ProgramWheelRail, RefusesWhatMakesNoSense) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheel_rail_text, "60e1.prr", "gone.prr"));
+  const auto outcome = solve(folder, with(wheel_rail_text, "60e1.prr", "gone.prr"));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.errors.rfind("microslip: w.toml:6: rail.profile: ", 0), 0u) << outcome.errors;
 }

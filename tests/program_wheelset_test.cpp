@@ -1,6 +1,6 @@
-#include "tests/hdf5_reader.hpp"
-#include "tests/program_run.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/program_run.hpp"
 
 #include <string>
 
@@ -8,10 +8,6 @@
 
 namespace microslip {
 namespace {
-
-const std::string wheelset_text =
-    with_part(with_part(with_part(wheel_rail_text, "\"left\"", "\"both\""), "lateral = 0.0061", "lateral = 0.003"),
-              "vertical_force = 80e3", "vertical_force = 120e3");
 
 Outcome solve(const TemporaryFolder& folder, const std::string& text) {
   save(folder / "w.toml", text);
@@ -36,8 +32,8 @@ TEST(ProgramWheelset, PrintsTheWheelsetItsWheelsAndTheirPatches) {
 
 TEST(ProgramWheelset, PrintsARowForEachStateOfASweep) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheelset_text, "[material]",
-                                               "[sweep]\nlateral = [0, 0.002]\naxle_torque = [0, 1e3]\n[material]"));
+  const auto outcome = solve(
+      folder, with(wheelset_text, "[material]", "[sweep]\nlateral = [0, 0.002]\naxle_torque = [0, 1e3]\n[material]"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   for (const auto* text : {"  lateral  axle_torque  Fy left", "        2         1000"})
     EXPECT_NE(outcome.output.find(text), std::string::npos) << text << "\n" << outcome.output;
@@ -45,7 +41,7 @@ TEST(ProgramWheelset, PrintsARowForEachStateOfASweep) {
 
 TEST(ProgramWheelset, EndsWithOneWhereThereIsNoEquilibrium) {
   const TemporaryFolder folder;
-  const auto outcome = solve(folder, with_part(wheelset_text, "lateral = 0.003", "roll_moment = 1e6"));
+  const auto outcome = solve(folder, with(wheelset_text, "lateral = 0.003", "roll_moment = 1e6"));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.errors.find("no height, roll and rolling speed give the load and the torque"), std::string::npos)
       << outcome.errors;

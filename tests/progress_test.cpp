@@ -7,7 +7,7 @@
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
-#include "steel_contact.hpp"
+#include "tests/test_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -157,8 +157,8 @@ TEST(Progress, OfCoarserGridsAndGivenForces) {
 }
 
 TEST(Progress, OfBodiesAndFrictionThatNeedASequence) {
-  const Material steel{82e9, 0.28}, aluminium{26e9, 0.34};
-  const auto pair = combine(steel, aluminium);
+  const Material aluminium{26e9, 0.34};
+  const auto pair = combine(steel_body, aluminium);
   EllipticContact unlike = contact(), falling = contact();
   unlike.shear_modulus = pair.shear_modulus;
   unlike.poisson_ratio = pair.poisson_ratio;
@@ -167,8 +167,8 @@ TEST(Progress, OfBodiesAndFrictionThatNeedASequence) {
   ExactOptions viscoelastic_bodies = of_unlike, layered = of_unlike, plain = of_unlike, alternating = of_unlike;
   of_unlike.bodies = alternating.bodies = Bodies(pair);
   alternating.coupling = Coupling::alternating;
-  viscoelastic_bodies.bodies = viscoelastic(steel, {0.5, 1e-3}, steel, {}, 10);
-  layered.bodies = Bodies(combine(steel, steel));
+  viscoelastic_bodies.bodies = viscoelastic(steel_body, {0.5, 1e-3}, steel_body, {}, 10);
+  layered.bodies = Bodies(combine(steel_body, steel_body));
   layered.bodies->layer = {.flexibility = 1e-14};
   const auto ended_anywhere = [](const ExactOptions& options, const EllipticContact& rolling) {
     expect_ended_anywhere(60, [&](const Progress& progress) {
@@ -203,7 +203,7 @@ TEST(Progress, OfTheDeformedGap) {
 
 /// The contact above on a grid.
 struct OnGrid {
-  CombinedMaterial material{82e9, 0.28, 0};
+  CombinedMaterial material = steel;
   EllipticContact elliptic = contact();
   ElementGrid grid = ElementGrid::across_ellipse(elliptic.a, elliptic.b, 24, 24, 4);
   std::vector<double> gap =

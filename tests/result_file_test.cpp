@@ -2,9 +2,10 @@
 
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
-#include "tests/file_size_limit.hpp"
-#include "tests/hdf5_reader.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/file_size_limit.hpp"
+#include "tests/support/hdf5_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -99,12 +100,8 @@ TEST(ResultFile, RefusesAFolderThatCannotBeWritten) {
   std::ofstream(folder / "file") << "x";
   const fs::path below_a_file = folder / "file/r.h5", in_proc = "/proc/r.h5", nowhere = folder / "none/r.h5";
   for (const auto& path : {below_a_file, in_proc, nowhere}) {
-    try {
-      const io::ResultFile file(path, {.kind = "k"});
-      FAIL() << path;
-    } catch (const Error& error) {
-      EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": cannot be written: ", 0), 0u) << error.what();
-    }
+    const std::string text = error_of([&] { const io::ResultFile file(path, {.kind = "k"}); });
+    EXPECT_TRUE(text.starts_with(path.string() + ": cannot be written: ")) << text;
   }
   EXPECT_EQ(folder.entries(), std::vector<std::string>{"file"});
 }
@@ -117,11 +114,7 @@ TEST(ResultFile, LeavesNothingOnAFullDisk) {
     io::ResultFile file(folder / "r.h5", {.kind = "k"});
     file.array("field", field, "Pa", "d");
     const FileSizeLimit limit(4096);
-    try {
-      file.commit();
-    } catch (const Error& error) {
-      text = error.what();
-    }
+    text = error_of([&] { file.commit(); });
   }
   EXPECT_EQ(text, (folder / "r.h5").string() + ": cannot be written: File too large");
   EXPECT_TRUE(fs::is_empty(folder.path()));

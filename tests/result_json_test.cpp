@@ -3,9 +3,10 @@
 #include "io/hdf5_handle.hpp"
 #include "io/json_result.hpp"
 #include "io/result_file.hpp"
-#include "microslip/error.hpp"
 #include "microslip/version.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cstdint>
 #include <fstream>
@@ -16,8 +17,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(ResultJson, HasGroupsUnitsAndAttributes) {
   const TemporaryFolder folder;
@@ -61,13 +60,8 @@ TEST(ResultJson, RefusesAFormatOfLaterVersions) {
     H5Awrite(format.get(), type.get(), static_cast<const void*>(&number));
   }
   EXPECT_EQ(io::result_json(folder / "now.h5").at("format"), "2");
-  try {
-    io::result_json(folder / "later.h5");
-    FAIL() << "a format that is not known was read";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.what(),
-              (folder / "later.h5").string() + ": has format 3 of result files; this version of microslip reads 2");
-  }
+  EXPECT_EQ(error_of([&] { io::result_json(folder / "later.h5"); }),
+            (folder / "later.h5").string() + ": has format 3 of result files; this version of microslip reads 2");
 }
 
 TEST(ResultJson, LeavesFieldsOut) {
@@ -122,12 +116,7 @@ TEST(ResultJson, RefusesWhatIsNoResultFile) {
   std::ofstream(folder / "text.h5") << "no HDF5";
   for (const auto* name : {"text.h5", "none.h5"}) {
     const auto path = folder / name;
-    try {
-      io::result_json(path);
-      ADD_FAILURE() << name;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.what(), path.string() + ": cannot be read as HDF5");
-    }
+    EXPECT_EQ(error_of([&] { io::result_json(path); }), path.string() + ": cannot be read as HDF5");
   }
 }
 

@@ -1,33 +1,16 @@
 #include "microslip/exact/halfspace/rolling_difference.hpp"
 
 #include "microslip/exact/halfspace/surface_operator.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace microslip {
 namespace {
-
-using Field = std::vector<double>;
-
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
-
-Field random_field(std::size_t size, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> traction(-1e8, 1e8);
-  Field field(size);
-  for (double& value : field) value = traction(engine);
-  return field;
-}
-
-double largest(const Field& field) {
-  double most = 0;
-  for (const double value : field) most = std::max(most, std::abs(value));
-  return most;
-}
 
 void expect_same(const Field& found, const Field& wanted) {
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(found[k], wanted[k], 1e-12 * largest(wanted));
@@ -45,7 +28,7 @@ TEST(RollingDifference, IsThatOfTheKernelsOfSlipAndDisplacement) {
   for (const ElementGrid& grid : grids)
     for (const Bodies& bodies : {Bodies(steel), layered})
       for (const int columns : {1, -1, 3, -2}) {
-        const Field px = random_field(grid.count(), 1), py = random_field(grid.count(), 2);
+        const Field px = random_field(grid.count(), 1, 1e8), py = random_field(grid.count(), 2, 1e8);
         Field sx(px), sy(px), wanted_x(px), wanted_y(px);
         RollingDifference rolling(bodies, grid, columns);
         TangentialOperator difference = TangentialOperator::difference(bodies, grid, columns * grid.dx);

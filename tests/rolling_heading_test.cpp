@@ -1,8 +1,10 @@
 // Steady rolling in any direction of the grid.
 
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -21,9 +23,8 @@ ContactStep rolling(double a, double b, int nx, int ny, double heading, double d
   s.bodies = material;
   s.grid = ElementGrid::across_ellipse(a, b, nx, ny, 2);
   const HertzContact hertz = hertz_from_ellipse(a, b, material, 50e3);
-  for (int j = 0; j < s.grid.my; ++j)
-    for (int i = 0; i < s.grid.mx; ++i)
-      s.gap.push_back(hertz.gap.x * std::pow(s.grid.x(i), 2) + hertz.gap.y * std::pow(s.grid.y(j), 2));
+  s.gap = over_grid(s.grid,
+                    [&](double x, double y) { return hertz.gap.x * std::pow(x, 2) + hertz.gap.y * std::pow(y, 2); });
   s.load = {NormalLoad::Given::force, 50e3};
   s.friction = {FrictionLaw::coulomb(0.3)};
   s.motion.heading = heading;
@@ -49,9 +50,7 @@ TEST(RollingHeading, AQuarterTurnTurnsTheSolution) {
     const ContactForces x = forces_of(along_x), y = forces_of(along_y);
     const double rounding = 1e-7 * 0.3 * 50e3;
     EXPECT_GT(std::hypot(x.fx, x.fy), 0.1 * 0.3 * 50e3);
-    EXPECT_NEAR(y.fx, -x.fy, rounding);
-    EXPECT_NEAR(y.fy, x.fx, rounding);
-    EXPECT_NEAR(y.mz, x.mz, rounding * 5e-3);
+    expect_forces(y, {-x.fy, x.fx, x.mz}, rounding, rounding * 5e-3);
   }
 }
 

@@ -1,7 +1,7 @@
 // The moment of the pressure about y: rolling resistance of viscoelastic bodies.
 
 #include "microslip/rolling/elliptic_contact.hpp"
-#include "steel_contact.hpp"
+#include "tests/test_cases.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -5,6 +5,7 @@
 #include "microslip/exact/halfspace/surface_operator.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 #include "microslip/numerics/transforms.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@ namespace microslip {
 namespace {
 
 using Field = std::vector<double>;
-
-constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 
 double some_traction(std::size_t k) {
   return std::sin(1.3 * double(k)) + 0.2 * std::cos(0.1 * double(k * k % 97));

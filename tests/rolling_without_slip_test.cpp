@@ -1,6 +1,6 @@
 #include "validation/rolling_without_slip.hpp"
 
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <cmath>
 #include <numbers>

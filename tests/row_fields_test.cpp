@@ -1,6 +1,6 @@
 #include "microslip/damage/wear.hpp"
 #include "microslip/simplified/row_solver.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
@@ -141,9 +141,7 @@ TEST(RowFields, TractionsAddUpToTheForces) {
       mz += f.elements.area[k] * (f.elements.x[k] * f.fields.traction.y[k] - f.elements.y[k] * f.fields.traction.x[k]);
     }
     const double force = friction_force(contact);
-    ASSERT_NEAR(f.totals.fx, fx, 1e-14 * force);
-    ASSERT_NEAR(f.totals.fy, fy, 1e-14 * force);
-    ASSERT_NEAR(f.totals.mz, mz, 1e-14 * force * std::max(contact.a, contact.b));
+    expect_forces(f.totals, {fx, fy, mz}, 1e-14 * force, 1e-14 * force * std::max(contact.a, contact.b));
   });
 }
 
@@ -151,9 +149,7 @@ TEST(RowFields, ForcesAreThoseOfTheForcesAlone) {
   for_all_fields(9, 8, [](RowSolver solver, const EllipticContact& contact, const ContactSolution& f) {
     const ContactForces expected = solver.solve(contact);
     const double force = friction_force(contact);
-    ASSERT_NEAR(f.totals.fx, expected.fx, 1e-14 * force);
-    ASSERT_NEAR(f.totals.fy, expected.fy, 1e-14 * force);
-    ASSERT_NEAR(f.totals.mz, expected.mz, 1e-14 * friction_moment(contact));
+    expect_forces(f.totals, expected, 1e-14 * force, 1e-14 * friction_moment(contact));
     ASSERT_NEAR(f.totals.slip_area, expected.slip_area, 1e-10 * ellipse_area(contact));
   });
 }

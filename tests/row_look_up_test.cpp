@@ -4,12 +4,15 @@
 
 #include "io/creep_table_file.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/error.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +26,6 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double a = 6e-3, b = 4e-3, mu = 0.3, load = 60e3, speed = 2;
 
 std::shared_ptr<const CreepForceTable> steel_table() {
@@ -86,9 +88,7 @@ TEST(RowLookUp, HertzsEllipseHasTheTablesForces) {
   for (const Creepage& w : creepages) {
     const Sum found = sum_of(ellipse_rows(13, 2e-3, 0.03, w), 2e-3, 0.03, 1);
     const ContactForces wanted = table_forces(w);
-    EXPECT_NEAR(found.fx, wanted.fx, 1e-9 * mu * load);
-    EXPECT_NEAR(found.fy, wanted.fy, 1e-9 * mu * load);
-    EXPECT_NEAR(found.mz, wanted.mz, 1e-9 * mu * load * std::sqrt(a * b));
+    expect_forces(found, wanted, 1e-9 * mu * load, 1e-9 * mu * load * std::sqrt(a * b));
   }
 }
 
@@ -110,9 +110,7 @@ TEST(RowLookUp, BackwardIsForwardInAMirror) {
     const Creepage mirrored{-w.longitudinal, w.lateral, -w.spin};
     const Sum forward = sum_of(ellipse_rows(13, 1e-3, 0, w), 1e-3, 0, 1),
               backward = sum_of(ellipse_rows(13, -1e-3, 0, mirrored), -1e-3, 0, 1, -1);
-    EXPECT_NEAR(backward.fx, -forward.fx, 1e-9 * mu * load);
-    EXPECT_NEAR(backward.fy, forward.fy, 1e-9 * mu * load);
-    EXPECT_NEAR(backward.mz, -forward.mz, 1e-12 * load);
+    expect_forces(backward, {-forward.fx, forward.fy, -forward.mz}, 1e-9 * mu * load, 1e-12 * load);
   }
 }
 
@@ -218,9 +216,7 @@ TEST(RowLookUp, TheMirrorImageOfAPatchHasTheMirroredForces) {
     for (const Creepage& w : in_all_directions(size)) {
       const Sum forces = DoubleEllipse{0.5}.by_table(w),
                 image = DoubleEllipse{-0.5}.by_table({w.longitudinal, -w.lateral, -w.spin});
-      EXPECT_NEAR(image.fx, forces.fx, 1e-9 * mu * load);
-      EXPECT_NEAR(image.fy, -forces.fy, 1e-9 * mu * load);
-      EXPECT_NEAR(image.mz, -forces.mz, 1e-9 * mu * load * std::sqrt(a * b));
+      expect_forces(image, {forces.fx, -forces.fy, -forces.mz}, 1e-9 * mu * load, 1e-9 * mu * load * std::sqrt(a * b));
     }
 }
 
@@ -244,9 +240,8 @@ TEST(RowLookUp, SmallCreepagesOfALopsidedPatchHaveTheForcesOfLinearTheory) {
     const ContactSolution s = exact.solve({.friction = mu, .creepage = w});
     const Sum found = shape.by_table(w);
     const double unit = steel.shear_modulus * a * b * small;
-    EXPECT_NEAR(found.fx, s.totals.fx, 0.15 * unit); // of some 4: on these elements linear theory itself is by 0.1 off
-    EXPECT_NEAR(found.fy, s.totals.fy, 0.15 * unit);
-    EXPECT_NEAR(found.mz, s.totals.mz, 0.15 * unit * c);
+    expect_forces(found, s.totals, 0.15 * unit,
+                  0.15 * unit * c); // of some 4: on these elements linear theory itself is by 0.1 off
   }
 }
 
@@ -270,18 +265,9 @@ TEST(RowLookUp, ALopsidedPatchHasTheForcesOfTheExactTheory) {
   EXPECT_LT(std::sqrt(largest), 0.06);
 }
 
-/// The example's profiles, a wheel on the right.
+/// A wheel on the right.
 WheelRailBodies example_bodies() {
-  const std::string folder = std::string(MICROSLIP_SOURCE_DIR) + "/examples/profiles/";
-  WheelRailBodies bodies{io::read_profile(folder + "60e1.prr").profile,
-                         io::read_profile(folder + "s1002.prw").profile,
-                         {},
-                         {},
-                         TrackSide::right,
-                         steel,
-                         {{0, mu}}};
-  bodies.track.cant = 1.0 / 40;
-  return bodies;
+  return s1002_on_60e1(TrackSide::right);
 }
 
 WheelRail table_level(WheelRailBodies bodies) {
@@ -360,12 +346,7 @@ TEST(TableLevel, DerivativesAreThoseOfDifferences) {
 }
 
 void expect_refused(const WheelRailMethod& method, const std::string& reason) {
-  try {
-    WheelRail(example_bodies(), method);
-    ADD_FAILURE() << "no Error: " << reason;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-  }
+  expect_words([&] { WheelRail(example_bodies(), method); }, reason);
 }
 
 TEST(TableLevel, WhatItCannotDoIsSaid) {

@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 
 TEST(RowInfluence, IsTheIntegralOverTheRow) {
   const RowInfluence influence;

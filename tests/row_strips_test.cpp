@@ -3,6 +3,8 @@
 #include "microslip/railway/row_strips.hpp"
 
 #include "microslip/simplified/creepage_coefficients.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +14,6 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double a = 6e-3, b = 4e-3, mu = 0.3, load = 60e3, capacity = mu * load;
 const double c = std::sqrt(a * b);
 
@@ -50,9 +51,7 @@ TEST(RowStrips, RowsOfAnEllipseBearWhatItsStripsDo) {
     for (const Creepage& w : creepages) {
       const RowStrips strips(steel, {.a = a, .b = b, .slant = slant}, capacity);
       const RowForces rows = total(strips, ellipse_rows(400, slant, w)), ellipse = strips.ellipse(w);
-      EXPECT_NEAR(rows.fx, ellipse.fx, 1e-3 * capacity);
-      EXPECT_NEAR(rows.fy, ellipse.fy, 1e-3 * capacity);
-      EXPECT_NEAR(rows.mz, ellipse.mz, 1e-3 * capacity * c);
+      expect_forces(rows, ellipse, 1e-3 * capacity, 1e-3 * capacity * c);
     }
 }
 
@@ -70,9 +69,7 @@ TEST(RowStrips, StripsThatSlideBearWhatFrictionDoes) {
   const Creepage w{0.6, 0.8, 0};
   const RowStrips strips(steel, {.a = a, .b = b}, capacity);
   const RowForces f = strips.ellipse(w);
-  EXPECT_NEAR(f.fx, -0.6 * capacity, 1e-5 * capacity);
-  EXPECT_NEAR(f.fy, -0.8 * capacity, 1e-5 * capacity);
-  EXPECT_NEAR(f.mz, 0, 1e-5 * capacity * c);
+  expect_forces(f, {-0.6 * capacity, -0.8 * capacity, 0}, 1e-5 * capacity, 1e-5 * capacity * c);
 }
 
 TEST(RowStrips, ASkewedLoadMakesAPatchStiffer) {

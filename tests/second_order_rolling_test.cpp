@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
-#include "steel_contact.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/test_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +62,7 @@ Rolled roll(const EllipticContact& contact, int n, double tolerance = 1e-9) {
 
 /// The test of the refinement paper, sections 3 to 5.
 EllipticContact paper_test() {
-  EllipticContact contact;
-  contact.a = 5e-3;
-  contact.b = 25e-3;
-  contact.shear_modulus = 82e9;
-  contact.poisson_ratio = 0.28;
-  contact.normal_force = 1.3e-6 * contact.shear_modulus;
-  contact.friction = FrictionLaw::coulomb(0.3);
-  contact.creepage.longitudinal = 0.000857;
-  return contact;
+  return steel_contact(5e-3, 25e-3, 1.3e-6 * steel.shear_modulus, {0.000857, 0, 0});
 }
 
 /// In all of them there is adhesion and slip.
@@ -147,18 +140,12 @@ TEST(SecondOrderRolling, ObeysCoulombsLaw) {
   }
 }
 
-void expect_near(const Forces& f, const Forces& expected, double tolerance) {
-  EXPECT_NEAR(f.fx, expected.fx, tolerance);
-  EXPECT_NEAR(f.fy, expected.fy, tolerance);
-  EXPECT_NEAR(f.mz, expected.mz, tolerance);
-}
-
 TEST(SecondOrderRolling, MirrorImageInY) {
   for (EllipticContact contact : partial_slip_cases()) {
     const Forces f = roll(contact, 14).forces();
     contact.creepage.lateral *= -1;
     contact.creepage.spin *= -1;
-    expect_near(roll(contact, 14).forces(), {f.fx, -f.fy, -f.mz}, 1e-8);
+    expect_forces(roll(contact, 14).forces(), {f.fx, -f.fy, -f.mz}, 1e-8);
   }
 }
 
@@ -167,7 +154,7 @@ TEST(SecondOrderRolling, OppositeCreepagesGiveOppositeForces) {
   for (EllipticContact contact : partial_slip_cases()) {
     const Forces f = roll(contact, 14).forces();
     contact.creepage = {-contact.creepage.longitudinal, -contact.creepage.lateral, -contact.creepage.spin};
-    expect_near(roll(contact, 14).forces(), {-f.fx, -f.fy, -f.mz}, 1e-8);
+    expect_forces(roll(contact, 14).forces(), {-f.fx, -f.fy, -f.mz}, 1e-8);
   }
 }
 
@@ -177,12 +164,12 @@ TEST(SecondOrderRolling, DoesNotDependOnUnits) {
     // Millimetres and kilonewtons.
     contact.a *= 1e3, contact.b *= 1e3, contact.shear_modulus *= 1e-9, contact.normal_force *= 1e-3;
     contact.creepage.spin *= 1e-3;
-    expect_near(roll(contact, 14).forces(), f, 1e-8);
+    expect_forces(roll(contact, 14).forces(), f, 1e-8);
     // Creepages as large as load and stiffness ask for.
     contact.normal_force *= 7;
     contact.shear_modulus *= 3;
     contact.creepage.longitudinal *= 7 / 3.0, contact.creepage.lateral *= 7 / 3.0, contact.creepage.spin *= 7 / 3.0;
-    expect_near(roll(contact, 14).forces(), f, 1e-8);
+    expect_forces(roll(contact, 14).forces(), f, 1e-8);
   }
 }
 
@@ -261,7 +248,7 @@ TEST(SecondOrderRolling, StartDoesNotMatter) {
     input.start.px = from_zero.solution.friction.px;
     input.start.py = from_zero.solution.friction.py;
     const Forces f = from_zero.forces(), g = roll(contact, 12, 12, input).forces();
-    expect_near(g, f, 1e-8);
+    expect_forces(g, f, 1e-8);
   }
 }
 

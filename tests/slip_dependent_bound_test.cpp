@@ -3,6 +3,8 @@
 #include "dense_response.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +40,8 @@ std::vector<Named> bounds() {
   const FrictionLaw falling[] = {
       FrictionLaw::exponential(0.15, {.drop = 0.25, .half_velocity = 2}),
       FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 1}, {.drop = 0.1, .half_velocity = 3})};
-  const ThermalBody steel = {20, 50, 7850, 450};
-  const FrictionHeating heating = {{{.change = -0.1, .begin = 30, .range = 300}}, {steel, steel}, 20};
+  const ThermalBody body = {20, 50, 7850, 450};
+  const FrictionHeating heating = {{{.change = -0.1, .begin = 30, .range = 300}}, {body, body}, 20};
   const FrictionMemory memory = {.distance = 1e-3, .slowest = 0.1};
   const InterfaceLayer hardens = {.flexibility = 0, .yield_stress = 5e7, .hardening = 3e12};
   const InterfaceLayer softens = {.flexibility = 0, .yield_stress = 7.7e7, .hardening = -1e11};
@@ -122,15 +124,13 @@ TEST(SlipDependentBound, SlipGrowsWithTheSize) {
 /// A sphere with a layer.
 ContactStep sphere(int n, const InterfaceLayer& layer, double friction) {
   const double a = 4e-3;
-  const CombinedMaterial steel = {82e9, 0.28, 0};
   ContactStep s;
   s.bodies = steel;
   s.bodies.layer = layer;
   s.grid = ElementGrid::across_ellipse(a, a, n, 2);
   const HertzContact hertz = hertz_from_ellipse(a, a, steel, 50e3);
-  for (int j = 0; j < s.grid.my; ++j)
-    for (int i = 0; i < s.grid.mx; ++i)
-      s.gap.push_back(hertz.gap.x * std::pow(s.grid.x(i), 2) + hertz.gap.y * std::pow(s.grid.y(j), 2));
+  s.gap = over_grid(s.grid,
+                    [&](double x, double y) { return hertz.gap.x * std::pow(x, 2) + hertz.gap.y * std::pow(y, 2); });
   s.load = {NormalLoad::Given::force, 50e3};
   s.friction = {FrictionLaw::coulomb(friction)};
   s.motion.creepage = {1.5e-3, -1e-3, 0.4};
@@ -225,7 +225,6 @@ TEST(YieldingLayer, TransientRollingEndsInTheSteadyState) {
 
 /// A cylinder's tractions by projected iteration with dense sums, each element on the bound that its slip gives it.
 TEST(YieldingLayer, OfACylinderIsThatOfANaiveIteration) {
-  const CombinedMaterial steel = {82e9, 0.28, 0};
   const double a = 4e-3, curvature = 1 / 0.92;
   const InterfaceLayer layer = {.flexibility = 0, .yield_stress = 6e7, .hardening = 4e12};
   ContactStep step;

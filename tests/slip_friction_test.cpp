@@ -2,10 +2,11 @@
 
 #include "microslip/exact/classical/slip_friction.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,6 @@ TEST(SlipFriction, RefusesWhatMakesNoSense) {
 
 /// A cylinder that rolls.
 ContactStep cylinder(double creepage, const FrictionLaw& friction) {
-  const CombinedMaterial steel = {82e9, 0.28, 0};
   const double a = 4e-3, curvature = 1 / 0.92;
   ContactStep step;
   step.grid = ElementGrid::across_line(a, 60, 2);

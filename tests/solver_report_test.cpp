@@ -1,6 +1,6 @@
 #include "microslip/contact/solver_report.hpp"
+#include "tests/support/numbers.hpp"
 
-#include <limits>
 #include <sstream>
 #include <string>
 
@@ -26,7 +26,6 @@ TEST(SolverReport, HasAReasonUnlessItIsOk) {
 }
 
 TEST(SolverReport, WithoutAResidualSpeaksOfOverflow) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::string overflow = "overflow or underflow in the computation: check units and magnitudes";
   EXPECT_EQ(reason_of({.status = Status::not_converged, .residual = nan}), overflow);
   EXPECT_EQ(reason_of({.status = Status::invalid_input}), overflow);

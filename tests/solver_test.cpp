@@ -1,11 +1,11 @@
 #include "microslip/rolling/solver.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/simplified/fastsim2.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/test_cases.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #include "validation/study.hpp"
 
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <filesystem>

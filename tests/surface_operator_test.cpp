@@ -1,16 +1,17 @@
 #include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include "dense_response.hpp"
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <random>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <utility>
@@ -18,8 +19,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
 
 ElementGrid rectangles(int mx, int my, double dx = 3e-4, double dy = 2e-4) {
   return {.mx = mx, .my = my, .x0 = -1e-3, .y0 = 2e-3, .dx = dx, .dy = dy, .line = false};
@@ -37,22 +36,12 @@ std::string text(const ElementGrid& grid) {
   return std::to_string(grid.mx) + " x " + std::to_string(grid.my) + (grid.line ? " strips" : " rectangles");
 }
 
-Field random_field(const ElementGrid& grid, unsigned seed) {
-  std::mt19937 engine(seed);
-  Field field(grid.count());
-  for (double& value : field) value = 1e6 * (static_cast<double>(engine()) * 0x1p-31 - 1);
-  return field;
+Field random_tractions(const ElementGrid& grid, unsigned seed) {
+  return random_field(grid.count(), seed, 1e6);
 }
 
-double largest(const Field& field) {
-  double most = 0;
-  for (double value : field) most = std::max(most, std::abs(value));
-  return most;
-}
 double dot(const Field& a, const Field& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 /// Rounding, of products and of influences far away, is measured by the displacement of the element itself.
@@ -76,7 +65,7 @@ double scale_of(const ElementGrid& grid, const Field& p) {
 TEST(SurfaceResponse, NormalIsTheDenseSum) {
   for (const ElementGrid& grid : grids()) {
     SCOPED_TRACE(text(grid));
-    const Field p = random_field(grid, 1);
+    const Field p = random_tractions(grid, 1);
     Field u(p.size());
     NormalOperator(steel, grid).apply(p, u);
     expect_same(u, dense_normal_displacement(steel, grid, p), scale_of(grid, p));
@@ -86,7 +75,7 @@ TEST(SurfaceResponse, NormalIsTheDenseSum) {
 TEST(SurfaceResponse, TangentialIsTheDenseSum) {
   for (const ElementGrid& grid : grids()) {
     SCOPED_TRACE(text(grid));
-    const Field px = random_field(grid, 1), py = random_field(grid, 2);
+    const Field px = random_tractions(grid, 1), py = random_tractions(grid, 2);
     const PlaneFields u = apply(TangentialOperator::displacement(steel, grid), px, py);
     const PlaneFields exact = dense_displacement(steel, grid, px, py);
     expect_same(u.x, exact.x, scale_of(grid, px));
@@ -100,7 +89,7 @@ TEST(SurfaceResponse, DisplacementAtShiftedPoints) {
     for (const double elements : {0.25, -1.0, 1.7, -40.0}) {
       SCOPED_TRACE(text(grid) + ", shift " + std::to_string(elements));
       const double shift = elements * grid.dx, length = 3.2;
-      const Field px = random_field(grid, 1), py = random_field(grid, 2);
+      const Field px = random_tractions(grid, 1), py = random_tractions(grid, 2);
       PlaneFields u = apply(TangentialOperator::displacement(steel, grid, {shift, 0}, length), px, py);
       const PlaneFields exact = dense_displacement(steel, grid, px, py, shift);
       for (Field* field : {&u.x, &u.y})
@@ -116,7 +105,7 @@ TEST(SurfaceResponse, GrowthIsADifferenceOfDisplacements) {
     for (const double elements : {1.0, -1.0, 0.3, -2.5, 5.0}) {
       SCOPED_TRACE(text(grid) + ", step " + std::to_string(elements));
       const double step = elements * grid.dx, length = std::abs(step);
-      const Field px = random_field(grid, 1), py = random_field(grid, 2);
+      const Field px = random_tractions(grid, 1), py = random_tractions(grid, 2);
       PlaneFields difference = apply(TangentialOperator::difference(steel, grid, step), px, py);
       PlaneFields exact = dense_displacement(steel, grid, px, py);
       const PlaneFields before = dense_displacement(steel, grid, px, py, step);
@@ -151,8 +140,8 @@ TEST(SurfaceResponse, IsReciprocalAndPositive) {
     SCOPED_TRACE(text(grid));
     NormalOperator normal(steel, grid);
     for (unsigned seed = 1; seed < 6; ++seed) {
-      const Field px = random_field(grid, seed), py = random_field(grid, seed + 10);
-      const Field qx = random_field(grid, seed + 20), qy = random_field(grid, seed + 30);
+      const Field px = random_tractions(grid, seed), py = random_tractions(grid, seed + 10);
+      const Field qx = random_tractions(grid, seed + 20), qy = random_tractions(grid, seed + 30);
       const PlaneFields u = apply(TangentialOperator::displacement(steel, grid), px, py);
       const PlaneFields v = apply(TangentialOperator::displacement(steel, grid), qx, qy);
       const double energy = dot(px, u.x) + dot(py, u.y);
@@ -179,8 +168,9 @@ TEST(SurfaceResponse, GrowthIsPositiveForWholeElements) {
   for (const ElementGrid& grid : grids())
     for (const int elements : {1, -1, 2, 5})
       for (unsigned seed = 1; seed < 6; ++seed)
-        EXPECT_GT(
-            rate_of_work(steel, grid, elements * grid.dx, random_field(grid, seed), random_field(grid, seed + 10)), 0)
+        EXPECT_GT(rate_of_work(steel, grid, elements * grid.dx, random_tractions(grid, seed),
+                               random_tractions(grid, seed + 10)),
+                  0)
             << text(grid) << ", step " << elements;
 }
 
@@ -196,7 +186,7 @@ TEST(SurfaceResponse, GrowthIsNotPositiveForShortStepsOnLongElements) {
 
 TEST(SurfaceResponse, CountsItsProductsAndCanBeMoved) {
   const ElementGrid grid = rectangles(6, 4);
-  const Field px = random_field(grid, 1), py = random_field(grid, 2);
+  const Field px = random_tractions(grid, 1), py = random_tractions(grid, 2);
   TangentialOperator response = TangentialOperator::difference(steel, grid, grid.dx);
   const PlaneFields exact = apply(TangentialOperator::difference(steel, grid, grid.dx), px, py);
   Field sx(px.size()), sy(px.size());
@@ -217,7 +207,7 @@ TEST(SurfaceResponse, DistinctObjectsInDistinctThreads) {
   const auto work = [](unsigned thread, Field& u) {
     for (int round = 0; round < 10; ++round) {
       const ElementGrid grid = rectangles(10 + static_cast<int>(thread), 9);
-      const Field px = random_field(grid, thread), py = random_field(grid, 7);
+      const Field px = random_tractions(grid, thread), py = random_tractions(grid, 7);
       u = apply(TangentialOperator::difference(steel, grid, grid.dx), px, py).x;
     }
   };
@@ -229,7 +219,6 @@ TEST(SurfaceResponse, DistinctObjectsInDistinctThreads) {
 }
 
 TEST(SurfaceResponse, RefusesGridsThatMakeNoSense) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {0.0, -1e-3, nan}) {
     EXPECT_THROW(NormalOperator(steel, rectangles(3, 3, bad)), Error);
     EXPECT_THROW(TangentialOperator::difference(steel, rectangles(3, 3, 1e-3, bad), 1e-3), Error);

@@ -3,7 +3,7 @@
 #include "microslip/thermal/surface_temperature.hpp"
 
 #include "microslip/error.hpp"
-#include "tests/expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace microslip {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr ThermalBody steel = {20, 50, 7850, 450}, brass = {80, 120, 8500, 380};
+constexpr ThermalBody thermal_steel = {20, 50, 7850, 450}, brass = {80, 120, 8500, 380};
 constexpr double speed = 30;
 
 ElementGrid row_of(int elements, double dx) {
@@ -40,18 +40,18 @@ double mean_temperature(const ThermalBody& body1, const ThermalBody& body2) {
 TEST(SurfaceTemperature, ConstantHeatInAStrip) {
   const int n = 60, first = 10, last = 35;
   const double dx = 1e-4, q = 2e8, length = (last - first) * dx;
-  const auto t = surface_temperature(row_of(n, dx), RollingDirection::backward, speed, {steel, brass},
+  const auto t = surface_temperature(row_of(n, dx), RollingDirection::backward, speed, {thermal_steel, brass},
                                      constant(first, last, n, 1e9), constant(first, last, n, q));
-  const double b1 = steel.effusivity(), b2 = brass.effusivity(), mean = mean_temperature(steel, brass);
+  const double b1 = thermal_steel.effusivity(), b2 = brass.effusivity(), mean = mean_temperature(thermal_steel, brass);
   const double per_heat = 2 * q / ((b1 + b2) * std::sqrt(pi * speed));
   for (int i = 0; i < n; ++i) {
     const double way = (i + 0.5 - first) * dx;
-    double expected1 = steel.bulk_temperature, expected2 = brass.bulk_temperature;
+    double expected1 = thermal_steel.bulk_temperature, expected2 = brass.bulk_temperature;
     if (way > 0 && i < last) expected1 = expected2 = mean + per_heat * std::sqrt(way);
     if (i >= last) {
       const double rise = per_heat * (std::sqrt(way) - std::sqrt(way - length));
       const double share = 2 / pi * std::asin(std::sqrt(length / way));
-      expected1 += (mean - steel.bulk_temperature) * share + rise;
+      expected1 += (mean - thermal_steel.bulk_temperature) * share + rise;
       expected2 += (mean - brass.bulk_temperature) * share + rise;
     }
     EXPECT_NEAR(t.body1[i], expected1, 1e-9 * q / 1e6) << i;
@@ -64,13 +64,14 @@ TEST(SurfaceTemperature, ConstantHeatInAStrip) {
 /// above the bulk, 0.652 a behind the middle (the integral by a fine quadrature).
 TEST(SurfaceTemperature, HeatLikeHertzsPressure) {
   const double a = 5.88e-3, q0 = 2.3e8;
-  const double peak = 2.188307 * q0 * std::sqrt(a) / (2 * steel.effusivity() * std::sqrt(pi * speed));
+  const double peak = 2.188307 * q0 * std::sqrt(a) / (2 * thermal_steel.effusivity() * std::sqrt(pi * speed));
   double last_error = 1;
   for (const int across : {20, 80, 320}) {
     const ElementGrid grid = {across, 1, -a + a / across, 0, 2 * a / across, 1e-3};
     std::vector<double> heat;
     for (int i = 0; i < across; ++i) heat.push_back(q0 * std::sqrt(1 - std::pow(grid.x(i) / a, 2)));
-    const auto t = surface_temperature(grid, RollingDirection::forward, speed, {steel, steel}, heat, heat);
+    const auto t =
+        surface_temperature(grid, RollingDirection::forward, speed, {thermal_steel, thermal_steel}, heat, heat);
     const double error = std::abs(t.highest - 20 - peak) / peak;
     EXPECT_LT(error, 0.3 / across);
     EXPECT_LT(error, last_error);
@@ -88,14 +89,15 @@ TEST(SurfaceTemperature, BodiesAndDirectionsMayBeSwapped) {
     pressure[i] = 1e8;
     heat[i] = 1e7 * i;
   }
-  const auto t = surface_temperature(grid, RollingDirection::forward, speed, {steel, brass}, pressure, heat);
-  const auto swapped = surface_temperature(grid, RollingDirection::forward, speed, {brass, steel}, pressure, heat);
+  const auto t = surface_temperature(grid, RollingDirection::forward, speed, {thermal_steel, brass}, pressure, heat);
+  const auto swapped =
+      surface_temperature(grid, RollingDirection::forward, speed, {brass, thermal_steel}, pressure, heat);
   const auto mirror = [&](std::vector<double> field) {
     for (int j = 0; j < rows; ++j) std::reverse(field.begin() + j * n, field.begin() + (j + 1) * n);
     return field;
   };
-  const auto back =
-      surface_temperature(grid, RollingDirection::backward, speed, {steel, brass}, mirror(pressure), mirror(heat));
+  const auto back = surface_temperature(grid, RollingDirection::backward, speed, {thermal_steel, brass},
+                                        mirror(pressure), mirror(heat));
   for (int k = 0; k < n * rows; ++k) {
     EXPECT_NEAR(swapped.body2[k], t.body1[k], 1e-9);
     EXPECT_NEAR(swapped.body1[k], t.body2[k], 1e-9);
@@ -155,14 +157,17 @@ TEST(SurfaceTemperature, TwoContactsInARowAgreeWithHeatConductionInDepth) {
 TEST(SurfaceTemperature, NamesWhatIsOutOfRange) {
   const std::vector<double> field(10, 1);
   const auto solve = [&](const ThermalBody& body, double at_speed) {
-    return surface_temperature(row_of(10, 1e-4), RollingDirection::forward, at_speed, {steel, body}, field, field);
+    return surface_temperature(row_of(10, 1e-4), RollingDirection::forward, at_speed, {thermal_steel, body}, field,
+                               field);
   };
   expect_error([&] { solve({20, 0, 7850, 450}, 1); }, "body2.conductivity", "[W/(m K)]");
   expect_error([&] { solve({20, 50, -1, 450}, 1); }, "body2.density", "[kg/m^3]");
   expect_error([&] { solve({20, 50, 7850, 0}, 1); }, "body2.heat_capacity", "[J/(kg K)]");
   expect_error([&] { solve({INFINITY, 50, 7850, 450}, 1); }, "body2.bulk_temperature", "[deg C]");
-  expect_error([&] { solve(steel, 0); }, "rolling_speed", "[m/s]");
-  EXPECT_THROW(surface_temperature(row_of(9, 1e-4), RollingDirection::forward, 1, {steel, steel}, field, field), Error);
+  expect_error([&] { solve(thermal_steel, 0); }, "rolling_speed", "[m/s]");
+  EXPECT_THROW(
+      surface_temperature(row_of(9, 1e-4), RollingDirection::forward, 1, {thermal_steel, thermal_steel}, field, field),
+      Error);
 }
 
 } // namespace

@@ -4,8 +4,9 @@
 
 #include "campaign/rows.hpp"
 #include "microslip/error.hpp"
-#include "tests/program_run.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/program_run.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +32,7 @@ std::vector<double> numbers(const campaign::SweepSpec& spec, std::size_t k) {
 }
 
 void expect_refused(const std::string& text, const std::string& what) {
-  try {
-    const campaign::SweepSpec spec(text, "s.toml");
-    ADD_FAILURE() << "no Error: " << what;
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what() << "\nexpected: " << what;
-  }
+  expect_words([&] { campaign::SweepSpec(text, "s.toml"); }, what);
 }
 
 TEST(SweepSpec, KeysOfACasesOwnSweepAreNone) {
@@ -77,12 +73,7 @@ TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
   EXPECT_EQ(spec.base().at_path("load.normal_force").value_or(0.0), 80e3);
   const auto refused = [&](const std::string& line) {
     campaign::SweepSpec wrong("[grid]\n" + line + "\n" + base, "s.toml");
-    try {
-      wrong.convert_units(units);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return error_of([&] { wrong.convert_units(units); });
   };
   EXPECT_EQ(refused("body.radius = [1, \"2 N\"]"),
             "s.toml:2: body.radius = \"2 N\" [m]: must be in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
@@ -177,12 +168,8 @@ TEST(SweepSpec, AKeyVariesOnce) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a,c.c,a.a\n1,2,3\n");
   const auto expect_twice = [&](const std::string& text, const std::string& file) {
-    try {
-      campaign::SweepSpec(text, (folder / "s.toml").string());
-      ADD_FAILURE() << text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.what(), (folder / file).string() + ": a.a: is varied twice");
-    }
+    EXPECT_EQ(error_of([&] { campaign::SweepSpec(text, (folder / "s.toml").string()); }),
+              (folder / file).string() + ": a.a: is varied twice");
   };
   expect_twice(std::string("[list]\nfile = \"l.csv\"\n") + inside, "l.csv");
   expect_twice(std::string("[grid]\na.a = [1, 2]\n\"c.c, a.a\" = [3]\n") + inside, "s.toml");
@@ -193,13 +180,8 @@ TEST(SweepSpec, WrongUnitsInListsHaveTheirLine) {
   save(folder / "l.csv", "a.a\n3 mm\n\n4 kN\n");
   campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
   EXPECT_EQ(spec.place(1), (folder / "l.csv").string() + ":4: ");
-  try {
-    spec.convert_units({{"a.a", "m"}});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with(spec.place(1) + "a.a = \"4 kN\" [m]: must be in"))
-        << error.what();
-  }
+  const std::string text = error_of([&] { spec.convert_units({{"a.a", "m"}}); });
+  EXPECT_TRUE(text.starts_with(spec.place(1) + "a.a = \"4 kN\" [m]: must be in")) << text;
 }
 
 std::string sample(int count, int seed) {

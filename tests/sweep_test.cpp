@@ -4,20 +4,20 @@
 
 #include "io/case_file.hpp"
 #include "io/wheel_rail_case.hpp"
-#include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 #include "paths.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/omp_threads.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 namespace microslip {
 namespace {
@@ -26,10 +26,7 @@ std::string example(const std::string& name) {
   return std::string(MICROSLIP_SOURCE_DIR) + "/examples/" + name;
 }
 
-const std::string two_bodies = "[case.body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\n"
-                               "poisson_ratio = 0.28\n[case.body2]\nrolling_radius = inf\ntransverse_radius = 0.3\n"
-                               "young_modulus = 210e9\npoisson_ratio = 0.28\n[case.load]\nnormal_force = 80e3\n"
-                               "[case.friction]\ncoefficient = 0.3\n[case.motion]\nrolling_speed = 30\n";
+const std::string two_bodies = in_sweep(two_bodies_text);
 
 std::string wheel_case(const char* side) {
   return "[case.track]\ngauge = 1.435\ncant = 0.05\n[case.rail]\nprofile = \"profiles/60e1.prr\"\n[case.wheelset]\n"
@@ -39,18 +36,6 @@ std::string wheel_case(const char* side) {
          "\"\nvertical_force = 80e3\nforward_velocity = 30\n[case.material]\nyoung_modulus = 210e9\npoisson_ratio = "
          "0.28\n[case.friction]\ncoefficient = 0.3\n[case.solution]\ngrid = 12\n";
 }
-
-/// The last bits of the exact theory depend on the number of threads.
-class OneThread {
-public:
-  OneThread() : before_(omp_get_max_threads()) { omp_set_num_threads(1); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-  ~OneThread() { omp_set_num_threads(before_); }
-
-private:
-  int before_;
-};
 
 struct Row {
   std::vector<double> values;
@@ -78,7 +63,7 @@ double number(const campaign::Sweep& sweep, const Row& row, const std::string& p
 /// The same bits for every case by itself, with a new worker, and in random order after one another.
 void expect_independent_rows(const campaign::Sweep& sweep) {
   const std::size_t count = sweep.spec().count();
-  const OneThread as_in_a_batch;
+  const OmpThreads one(1); // as in a batch: the last bits of the exact theory depend on their number
   std::vector<Row> alone;
   for (std::size_t i = 0; i < count; ++i) alone.push_back(row_of(sweep, sweep.make_worker(), i));
   std::vector<std::size_t> order(2 * count);
@@ -95,7 +80,7 @@ TEST(Sweep, OfTwoBodiesByBothTheories) {
                               "s.toml");
   ASSERT_EQ(sweep.spec().count(), 12u);
   const campaign::RowWorker worker = sweep.make_worker();
-  const OneThread as_in_a_batch;
+  const OmpThreads one(1); // as in a batch: the last bits of the exact theory depend on their number
   for (std::size_t i = 0; i < 12; ++i) {
     auto text = two_bodies.substr(0, two_bodies.find("[case.load]"));
     text += "[case.load]\nnormal_force = " + std::string(i / 3 % 2 == 0 ? "50e3" : "80e3") +
@@ -187,7 +172,7 @@ TEST(Sweep, OfAWheelIsThatOfItsCase) {
   for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
   io::WheelRailCase input = io::parse_wheel_rail_case(text, example("c.toml"));
   const campaign::RowWorker worker = sweep.make_worker();
-  const OneThread as_in_a_batch;
+  const OmpThreads one(1); // as in a batch: the last bits of the exact theory depend on their number
   for (const std::size_t i : {1, 0}) {
     input.states.front().state.lateral = i == 0 ? 0 : 0.006;
     const auto expected = WheelRail(io::bodies_of(input), input.method)
@@ -206,20 +191,11 @@ TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
   const campaign::RowWorker worker = sweep.make_worker();
   std::vector<double> row(sweep.columns().size());
   for (int round = 0; round < 2; ++round) {
-    try {
-      worker(0, row, {});
-      ADD_FAILURE();
-    } catch (const Error& error) {
-      EXPECT_STREQ(error.what(), "s.toml: load.normal_force = -1 [N]: must be positive and finite");
-    }
+    EXPECT_EQ(error_of([&] { worker(0, row, {}); }), "s.toml: load.normal_force = -1 [N]: must be positive and finite");
     EXPECT_EQ(worker(1, row, {}), "");
   }
-  try {
-    const campaign::Sweep wrong("[grid]\nload.normal_forse = [1, 80e3]\n" + two_bodies, "s.toml");
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "s.toml: load.normal_forse: unknown key; did you mean normal_force?");
-  }
+  EXPECT_EQ(error_of([] { campaign::Sweep("[grid]\nload.normal_forse = [1, 80e3]\n" + two_bodies, "s.toml"); }),
+            "s.toml: load.normal_forse: unknown key; did you mean normal_force?");
 }
 
 TEST(Sweep, ReasonsOfWhatIsNotSolved) {
@@ -241,13 +217,11 @@ TEST(Sweep, KeepsTheQuantitiesThatAreAskedFor) {
   for (const auto& column : sweep.columns()) paths.push_back(column.path);
   EXPECT_EQ(paths, (std::vector<std::string>{"contact/status", "contact/warning_code", "hertz/b", "contact/fx",
                                              "contact/mz"}));
-  try {
-    const campaign::Sweep wrong(
-        "[grid]\nload.normal_force = [80e3]\n" + two_bodies + "[output]\nquantities = [\"slip_aera\"]\n", "s.toml");
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("did you mean slip_area?"), std::string::npos) << error.what();
-  }
+  const auto misspelt = [] {
+    campaign::Sweep("[grid]\nload.normal_force = [80e3]\n" + two_bodies + "[output]\nquantities = [\"slip_aera\"]\n",
+                    "s.toml");
+  };
+  expect_words(misspelt, "did you mean slip_area?");
 }
 
 } // namespace

@@ -1,10 +1,11 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
+#include "tests/support/fields.hpp"
+#include "tests/support/omp_threads.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <random>
 #include <string>
 #include <thread>
 #include <utility>
@@ -16,8 +17,6 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
-
 struct Shape {
   int mx, my;
 
@@ -26,13 +25,6 @@ struct Shape {
 
 std::string text(const Shape& s) {
   return std::to_string(s.mx) + " x " + std::to_string(s.my);
-}
-
-Field random_field(std::size_t size, unsigned seed) {
-  std::mt19937 engine(seed);
-  Field field(size);
-  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
-  return field;
 }
 
 /// Kernels with the symmetries of SymmetricToeplitz: random for the offsets 0 .. mx - 1, 0 .. my - 1. xy, being odd, is
@@ -101,18 +93,6 @@ double error(const RandomKernels& kernels, const Pair& p, const Pair& u, std::si
 /// A grid that the transforms do in several threads.
 constexpr Shape large{130, 171};
 
-/// Number of OpenMP threads while it lives.
-class Threads {
-public:
-  explicit Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-  ~Threads() { omp_set_num_threads(before_); }
-
-private:
-  int before_;
-};
-
 TEST(SymmetricToeplitz, IsTheDenseProduct) {
   for (int mx = 1; mx <= 12; ++mx)
     for (int my = 1; my <= 12; ++my) {
@@ -153,7 +133,7 @@ TEST(SymmetricToeplitz, NumberOfThreadsDoesNotMatterToTheLastBit) {
   const Pair p = random_pair(large, 22);
   std::vector<Pair> results;
   for (const int count : {1, 2, 3}) {
-    const Threads threads(count);
+    const OmpThreads threads(count);
     SymmetricToeplitz transform = kernels.transform();
     results.push_back(product(transform, large, p));
   }
@@ -165,7 +145,7 @@ TEST(SymmetricToeplitz, NumberOfThreadsDoesNotMatterToTheLastBit) {
 TEST(SymmetricToeplitz, FewerThreadsThanItWasMadeFor) {
   const RandomKernels kernels(large, 31);
   const Pair p = random_pair(large, 32);
-  const Threads threads(3);
+  const OmpThreads threads(3);
   SymmetricToeplitz transform = kernels.transform();
   const Pair with_three = product(transform, large, p);
   const int levels = omp_get_max_active_levels();

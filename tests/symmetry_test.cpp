@@ -1,6 +1,7 @@
 // What must not change, or change predictably, when a contact is mirrored, reversed or measured in other units.
 
 #include "microslip/simplified/row_solver.hpp"
+#include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 
 #include <cmath>
@@ -47,12 +48,11 @@ std::vector<RowSolver> solvers(int mx, int my) {
 
 constexpr double rounding = 1e-13;
 
-void expect_forces(const ContactForces& forces, const Signs& signs, const ContactForces& expected,
+void expect_signed(const ContactForces& forces, const Signs& signs, const ContactForces& expected,
                    const EllipticContact& contact) {
   const double force = friction_force(contact);
-  ASSERT_NEAR(forces.fx, signs.x * expected.fx, rounding * force) << describe(contact);
-  ASSERT_NEAR(forces.fy, signs.y * expected.fy, rounding * force) << describe(contact);
-  ASSERT_NEAR(forces.mz, signs.turn * expected.mz, rounding * friction_moment(contact)) << describe(contact);
+  expect_forces(forces, {signs.x * expected.fx, signs.y * expected.fy, signs.turn * expected.mz}, rounding * force,
+                rounding * friction_moment(contact), describe(contact));
 }
 
 /// The same solver must answer creepages with changed signs by forces with changed signs.
@@ -61,7 +61,7 @@ void expect_symmetry(const Signs& creepages, const Signs& forces) {
   for (RowSolver& solver : solvers(7, 6)) {
     SCOPED_TRACE(describe(solver));
     for (const EllipticContact& contact : all)
-      expect_forces(solver.solve(with_signs(contact, creepages)), forces, solver.solve(contact), contact);
+      expect_signed(solver.solve(with_signs(contact, creepages)), forces, solver.solve(contact), contact);
   }
 }
 
@@ -91,7 +91,7 @@ TEST(Symmetry, RollingBackwardIsTheMirrorImageOfRollingForward) {
     options.direction = RollingDirection::backward;
     RowSolver backward(solver.scheme(), options);
     for (const EllipticContact& contact : all)
-      expect_forces(backward.solve(with_signs(contact, {-1, 1, -1})), {-1, 1, -1}, forward.solve(contact), contact);
+      expect_signed(backward.solve(with_signs(contact, {-1, 1, -1})), {-1, 1, -1}, forward.solve(contact), contact);
   }
 }
 
@@ -135,9 +135,8 @@ void expect_same_in_units(double length, double force, double tolerance) {
       if (contact.friction.kind() != FrictionLaw::Kind::coulomb) continue;
       const EllipticContact other = in_units(contact, length, force);
       const ContactForces f = solver.solve(contact), g = solver.solve(other);
-      ASSERT_NEAR(g.fx / force, f.fx, tolerance * friction_force(contact));
-      ASSERT_NEAR(g.fy / force, f.fy, tolerance * friction_force(contact));
-      ASSERT_NEAR(g.mz / (force * length), f.mz, tolerance * friction_moment(contact));
+      expect_forces({g.fx / force, g.fy / force, g.mz / (force * length)}, f, tolerance * friction_force(contact),
+                    tolerance * friction_moment(contact));
       if (tolerance == 0) {
         ASSERT_EQ(g.adhesion_area / (length * length), f.adhesion_area);
       }
@@ -161,7 +160,7 @@ TEST(Symmetry, UnitOfTimeDoesNotMatter) {
     contact.friction = FrictionLaw::exponential(0.1, {.drop = 0.2, .half_velocity = 0.5});
     other.rolling_speed = 20 * 3600;
     other.friction = FrictionLaw::exponential(0.1, {.drop = 0.2, .half_velocity = 0.5 * 3600});
-    expect_forces(solver.solve(other), {1, 1, 1}, solver.solve(contact), contact);
+    expect_signed(solver.solve(other), {1, 1, 1}, solver.solve(contact), contact);
   }
 }
 
@@ -180,7 +179,7 @@ TEST(Symmetry, ForcesAreHomogeneousInCreepagesAndLoad) {
         f.fx /= k;
         f.fy /= k;
         f.mz /= k;
-        expect_forces(f, {1, 1, 1}, solver.solve(contact), contact);
+        expect_signed(f, {1, 1, 1}, solver.solve(contact), contact);
       }
     }
   }

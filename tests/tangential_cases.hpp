@@ -5,6 +5,7 @@
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 #include "test_cases.hpp"
+#include "tests/support/expect_close.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,10 +30,7 @@ struct Problem {
 
 inline Problem with_gap(const CombinedMaterial& material, const ElementGrid& grid, const GapCurvatures& curvature,
                         double normal_force, double friction, double length) {
-  Field gap;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      gap.push_back(curvature.x * grid.x(i) * grid.x(i) + curvature.y * grid.y(j) * grid.y(j));
+  const Field gap = over_grid(grid, [&](double x, double y) { return curvature.x * x * x + curvature.y * y * y; });
   Field bound = NormalProblem(material, grid).solve(gap, {NormalLoad::Given::force, normal_force}).pressure;
   for (double& g : bound) g *= friction;
   return {material, grid, std::move(bound), friction * normal_force, length};
@@ -46,19 +44,7 @@ inline Problem elliptic(const EllipticContact& c, int n, int m, int margin = 1) 
 }
 
 inline EllipticContact steel_contact(double ratio) {
-  return {.a = 4e-3 * std::sqrt(ratio),
-          .b = 4e-3 / std::sqrt(ratio),
-          .shear_modulus = 82e9,
-          .poisson_ratio = 0.28,
-          .normal_force = 5e4,
-          .friction = FrictionLaw::coulomb(0.3),
-          .creepage = {}};
-}
-
-/// Creepages in units of those at which linear theory, with each alone, reaches mu Fn.
-inline Creepage scaled_creepage(const EllipticContact& contact, double xi, double eta, double phi) {
-  const Creepage unit = saturating_creepage(contact);
-  return {xi * unit.longitudinal, eta * unit.lateral, phi * unit.spin};
+  return steel_contact(4e-3 * std::sqrt(ratio), 4e-3 / std::sqrt(ratio), 5e4);
 }
 
 inline TangentialSolution solve(const Problem& p, const TangentialInput& input) {
@@ -132,9 +118,7 @@ inline void expect_solution(const Problem& p, const TangentialInput& input, cons
       (slides[k] ? sliding : adhesion) += area;
     }
   const double rounding = 1e-12 * p.capacity;
-  EXPECT_NEAR(s.forces.fx, fx, rounding);
-  EXPECT_NEAR(s.forces.fy, fy, rounding);
-  EXPECT_NEAR(s.forces.mz, mz, rounding * (p.length + p.grid.my * p.grid.dy));
+  expect_forces(s.forces, {fx, fy, mz}, rounding, rounding * (p.length + p.grid.my * p.grid.dy));
   EXPECT_NEAR(s.frictional_power, power, 1e-12 * std::abs(power));
   EXPECT_GE(s.frictional_power, -slip_unit * p.capacity * input.rolling_speed);
   EXPECT_GE(s.elastic_energy, 0);

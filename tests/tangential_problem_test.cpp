@@ -1,14 +1,15 @@
 #include "microslip/exact/classical/tangential_problem.hpp"
 
-#include "expect_error.hpp"
 #include "tangential_cases.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,9 +102,7 @@ TEST(TangentialProblem, NoSlipGivesKalkersCoefficients) {
     for (std::size_t k = 0; k < 5; ++k)
       EXPECT_NEAR(-found[k] / (unit * size), kalker[k], 3.2 / n * std::abs(kalker[k])) << k;
     const double rounding = 1e-5 * unit * size;
-    EXPECT_NEAR(all.fx, 2 * xi.fx, rounding);
-    EXPECT_NEAR(all.fy, 3 * eta.fy - 2 * phi.fy, rounding);
-    EXPECT_NEAR(all.mz, 3 * eta.mz - 2 * phi.mz, rounding * c);
+    expect_forces(all, {2 * xi.fx, 3 * eta.fy - 2 * phi.fy, 3 * eta.mz - 2 * phi.mz}, rounding, rounding * c);
   }
 }
 
@@ -289,9 +288,7 @@ TEST(TangentialProblem, MarchingEndsInTheSteadyState) {
         ASSERT_EQ(s.forces.status, Status::ok);
         state = s.tractions;
       }
-      EXPECT_NEAR(s.forces.fx, steady.forces.fx, 1e-5 * p.capacity);
-      EXPECT_NEAR(s.forces.fy, steady.forces.fy, 1e-5 * p.capacity);
-      EXPECT_NEAR(s.forces.mz, steady.forces.mz, 1e-5 * p.capacity * contact.a);
+      expect_forces(s.forces, steady.forces, 1e-5 * p.capacity, 1e-5 * p.capacity * contact.a);
       EXPECT_NEAR(s.frictional_power, steady.frictional_power, 1e-4 * steady.frictional_power);
     }
 }
@@ -397,16 +394,15 @@ TEST(TangentialProblem, OneObjectForManyProblems) {
 }
 
 TEST(TangentialProblem, RefusesInputThatMakesNoSense) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const Problem p = elliptic(steel_contact(1), 4, 4);
   const auto expect = [&](auto change, const std::string& field, const std::string& range) {
     TangentialInput input;
     change(input);
     expect_error([&] { solve(p, input); }, field, range);
   };
-  for (const double bad : {-1e-4, nan, infinite})
+  for (const double bad : {-1e-4, nan, infinity})
     expect([&](auto& in) { in.step = bad; }, "step", "[m]: must be in [0, ");
-  for (const double bad : {nan, infinite, -infinite}) {
+  for (const double bad : {nan, infinity, -infinity}) {
     expect([&](auto& in) { in.creepage.longitudinal = bad; }, "creepage.longitudinal", "[-]: must be finite");
     expect([&](auto& in) { in.creepage.lateral = bad; }, "creepage.lateral", "[-]: must be finite");
     expect([&](auto& in) { in.creepage.spin = bad; }, "creepage.spin", "[1/m]: must be finite");
@@ -415,16 +411,15 @@ TEST(TangentialProblem, RefusesInputThatMakesNoSense) {
   }
   for (const double bad : {-0.1, 1.1, nan})
     expect([&](auto& in) { in.spin_offset = bad; }, "spin_offset", "[-]: must be in [0, 1]");
-  for (const double bad : {0.0, -2.0, nan, infinite})
+  for (const double bad : {0.0, -2.0, nan, infinity})
     expect([&](auto& in) { in.rolling_speed = bad; }, "rolling_speed", "[m/s]: must be positive and finite");
   for (const double bad : {0.0, -1e-6, 2.0, nan})
     expect([&](auto& in) { in.tolerance = bad; }, "tolerance", "[-]: must be in [1e-14, 0.1]");
 }
 
 TEST(TangentialProblem, RefusesFieldsThatMakeNoSense) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   Problem p = elliptic(steel_contact(1), 4, 4);
-  for (const double bad : {-1.0, nan, infinite}) {
+  for (const double bad : {-1.0, nan, infinity}) {
     Problem broken = p;
     broken.bound[3] = bad;
     expect_error([&] { solve(broken, {}); }, "bound[3]", "[Pa]: must be finite and not negative");

@@ -2,7 +2,7 @@
 
 #include "microslip/friction/temperature_effect.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <cmath>
 #include <random>

@@ -2,6 +2,7 @@
 
 #include "microslip/simplified/creepage_coefficients.hpp"
 #include "microslip/simplified/row_solver.hpp"
+#include "tests/support/steel.hpp"
 
 #include <array>
 #include <cmath>
@@ -34,13 +35,8 @@ inline std::vector<EllipticContact> test_cases() {
           const double creep = magnitude * friction * std::sqrt(shape.a * shape.b) / shape.radius;
           const double angle = direction * std::numbers::pi / 6;
           cases.push_back(
-              {.a = shape.a,
-               .b = shape.b,
-               .shear_modulus = 82e9,
-               .poisson_ratio = 0.28,
-               .normal_force = 82e3,
-               .friction = FrictionLaw::coulomb(friction),
-               .creepage = {creep * std::cos(angle), creep * std::sin(angle), spin * friction / shape.radius}});
+              steel_contact(shape.a, shape.b, 82e3,
+                            {creep * std::cos(angle), creep * std::sin(angle), spin * friction / shape.radius}));
         }
   return cases;
 }
@@ -72,6 +68,20 @@ inline Creepage saturating_creepage(const EllipticContact& contact) {
   const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
   const double ab = contact.a * contact.b, unit = friction_force(contact) / (contact.shear_modulus * ab);
   return {unit / c.c11, unit / c.c22, unit / (c.c23 * std::sqrt(ab))};
+}
+
+/// Creepages in units of those at which linear theory, with each alone, reaches mu Fn.
+inline Creepage scaled_creepage(const EllipticContact& contact, double xi, double eta, double phi) {
+  const Creepage unit = saturating_creepage(contact);
+  return {xi * unit.longitudinal, eta * unit.lateral, phi * unit.spin};
+}
+
+/// Steel under 82 kN with creepages in parts of those of saturation.
+inline EllipticContact steel_contact(double a, double b, double longitudinal, double lateral, double spin) {
+  EllipticContact contact = steel_contact(a, b, 82e3);
+  contact.rolling_speed = 20;
+  contact.creepage = scaled_creepage(contact, longitudinal, lateral, spin);
+  return contact;
 }
 
 /// Contacts of all shapes, materials and loads, from nearly full adhesion to nearly full sliding; the same sequence

@@ -2,7 +2,8 @@
 
 #include "microslip/exact/normal/thin_sheet.hpp"
 
-#include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
 
 #include <cmath>
 #include <limits>
@@ -19,10 +20,7 @@ constexpr double flexibility = 2e-12; // m/Pa
 constexpr double curvature = 10, a = 2e-3, delta = curvature * a * a;
 
 std::vector<double> paraboloid(const ElementGrid& grid, double across) {
-  std::vector<double> gap;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) gap.push_back(curvature * grid.x(i) * grid.x(i) + across * grid.y(j) * grid.y(j));
-  return gap;
+  return over_grid(grid, [=](double x, double y) { return curvature * x * x + across * y * y; });
 }
 
 NormalLoad approach(double value) {
@@ -98,12 +96,7 @@ TEST(ThinSheet, BodiesThatDoNotReachEachOther) {
 TEST(ThinSheet, NamesInputOutOfRange) {
   const ElementGrid grid = ElementGrid::across_ellipse(a, a, 2, 2, 0);
   const auto message = [&](double l, std::size_t gaps, const NormalLoad& load, std::vector<char> excluded) {
-    try {
-      solve_thin_sheet(l, grid, std::vector<double>(gaps), load, excluded);
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return error_of([&] { solve_thin_sheet(l, grid, std::vector<double>(gaps), load, excluded); });
   };
   EXPECT_EQ(message(0, 4, force(1), {}).find("flexibility = 0 [m/Pa]"), 0U);
   EXPECT_EQ(message(1, 3, force(1), {}), "gap: must have mx times my = 4 values");

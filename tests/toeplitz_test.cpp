@@ -1,13 +1,13 @@
 #include "microslip/numerics/toeplitz.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <span>
 #include <string>
 #include <thread>
@@ -17,19 +17,11 @@
 namespace microslip {
 namespace {
 
-using Field = std::vector<double>;
-
 struct Shape {
   int mx, my;
 };
 constexpr Shape shapes[] = {{1, 1}, {1, 17}, {23, 1}, {2, 2}, {5, 7}, {12, 11}, {33, 20}, {64, 64}};
 
-Field random_field(std::size_t size, unsigned seed) {
-  std::mt19937 engine(seed);
-  Field field(size);
-  for (double& value : field) value = static_cast<double>(engine()) * 0x1p-31 - 1;
-  return field;
-}
 Field random_kernel(const Shape& s, unsigned seed) {
   return random_field((2 * std::size_t(s.mx) - 1) * (2 * std::size_t(s.my) - 1), seed);
 }

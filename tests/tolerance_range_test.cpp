@@ -3,16 +3,17 @@
 #include "io/case_file.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/contact/limits.hpp"
-#include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/rolling/solver.hpp"
-#include "tests/program_run.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/program_run.hpp"
+#include "tests/support/steel.hpp"
 
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,8 +22,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string text(double number) {
   std::ostringstream stream;
@@ -35,35 +34,25 @@ std::string text(double number) {
 template <class Take> void expect_range(double low, double high, const std::string& field, const Take& take) {
   for (const double good : {low, high}) EXPECT_NO_THROW(take(good)) << field << ", " << good;
   for (const double bad : {low * 0.99, high * 1.01, 1.0, 0.55, 0.0, -1e-6, nan}) {
-    std::string said;
-    try {
-      take(bad);
-    } catch (const Error& error) {
-      said = error.what();
-    }
+    const std::string said = error_of([&] { take(bad); });
     EXPECT_NE(said.find(field + " = "), std::string::npos) << field << ", " << bad << ": " << said;
     EXPECT_NE(said.find("[-]: must be in ["), std::string::npos) << field << ", " << bad << ": " << said;
   }
 }
 
-const std::string two_bodies =
-    "[body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
-    "[body2]\nrolling_radius = inf\ntransverse_radius = 0.3\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
-    "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n[motion]\nrolling_speed = 30\ncreepage_longitudinal = "
-    "0.001\n[solution]\n";
-
 TEST(ToleranceRange, OfTheExactTheoryIsOne) {
   constexpr double low = smallest_tolerance, high = largest_tolerance;
   expect_range(low, high, "tolerance", [](double t) { EllipticContactSolver({.mx = 4, .my = 4, .tolerance = t}); });
   expect_range(low, high, "solution.tolerance", [](double t) { Solver({.tolerance = t}); });
-  expect_range(low, high, "solution.tolerance",
-               [](double t) { io::parse_case(two_bodies + "tolerance = " + text(t) + "\n", "c.toml"); });
+  expect_range(low, high, "solution.tolerance", [](double t) {
+    io::parse_case(two_bodies_text + "creepage_longitudinal = 0.001\n[solution]\ntolerance = " + text(t) + "\n",
+                   "c.toml");
+  });
 }
 
 TEST(ToleranceRange, OfProblemsOnAGridIsTheSame) {
   const ElementGrid grid{2, 2, -1e-3, -1e-3, 2e-3, 2e-3};
   const std::vector<double> gap(grid.count(), 0.0), bound(grid.count(), 1e8);
-  const CombinedMaterial steel{82e9, 0.28, 0};
   const NormalLoad load{NormalLoad::Given::force, 1e3};
   expect_range(smallest_tolerance, largest_tolerance, "tolerance",
                [&](double t) { (void)NormalProblem(steel, grid).solve(gap, load, t); });

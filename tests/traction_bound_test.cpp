@@ -1,12 +1,13 @@
 #include "microslip/friction/traction_bound.hpp"
 
-#include "expect_error.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace microslip {
@@ -14,8 +15,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr auto shapes = {TractionBound::parabolic, TractionBound::elliptic};
 
 /// The bound's integral over the ellipse, on curves where 1 - (x/a)^2 - (y/b)^2 = w^2: both bounds are then polynomials
@@ -54,7 +53,6 @@ TEST(TractionBound, PeaksAreAsFourToThree) {
 }
 
 TEST(TractionBound, EllipticBoundIsFrictionTimesHertzsPressure) {
-  const CombinedMaterial steel{.shear_modulus = 82e9, .poisson_ratio = 0.28, .dissimilarity = 0};
   const HertzContact contact = hertz_from_ellipse(0.004, 0.02, steel, 82e3);
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {

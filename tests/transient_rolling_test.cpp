@@ -3,7 +3,8 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/edge_element.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/test_cases.hpp"
 #include "validation/half_line.hpp"
 
 #include <cmath>
@@ -147,9 +148,8 @@ TEST(TransientRolling, BackwardIsTheMirrorImage) {
   contact.creepage.spin *= -1;
   const ContactSolution backward =
       EllipticContactSolver({.mx = 12, .my = 12, .direction = RollingDirection::backward}).solve(contact, motion);
-  EXPECT_NEAR(backward.totals.fx, -forward.totals.fx, 1e-9 * friction_force(contact));
-  EXPECT_NEAR(backward.totals.fy, forward.totals.fy, 1e-9 * friction_force(contact));
-  EXPECT_NEAR(backward.totals.mz, -forward.totals.mz, 1e-9 * friction_moment(contact));
+  expect_forces(backward.totals, {-forward.totals.fx, forward.totals.fy, -forward.totals.mz},
+                1e-9 * friction_force(contact), 1e-9 * friction_moment(contact));
 }
 
 TEST(TransientRolling, ForcesThatArePrescribedAreThoseOfEachStep) {

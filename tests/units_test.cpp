@@ -1,6 +1,7 @@
 #include "io/units.hpp"
 
 #include "microslip/error.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <cmath>
 #include <limits>
@@ -95,16 +96,12 @@ TEST(Units, ScalesNumbersOfAColumn) {
   EXPECT_THROW(io::scale_to_unit("column t", "K", "deg C"), Error);
 }
 
-std::string error_of(const std::string& text, const std::string& unit) {
-  try {
-    return "no error, but " + std::to_string(io::number_in_unit("load.normal_force", text, unit));
-  } catch (const Error& error) {
-    return error.what();
-  }
+std::string message_of(const std::string& text, const std::string& unit) {
+  return error_of([&] { io::number_in_unit("load.normal_force", text, unit); });
 }
 
 TEST(Units, AnotherKindIsRefusedWithTheRightUnits) {
-  EXPECT_EQ(error_of("80 mm", "N"),
+  EXPECT_EQ(message_of("80 mm", "N"),
             "load.normal_force = \"80 mm\" [N]: must be in N, kN, MN, kgf, lbf or kip, e.g. \"80 kN\"");
   const Text texts[] = {
       {"300 m", "1/m", 0}, {"0.4 1/m", "m", 0},        {"10 s", "m/s", 0},   {"10 1/s", "rad/s", 0},
@@ -112,39 +109,42 @@ TEST(Units, AnotherKindIsRefusedWithTheRightUnits) {
       {"5 kg", "N", 0},    {"50 W/m K", "W/(m K)", 0}, {"3 m", "rad", 0},    {"2 rad/m", "m", 0},
   };
   for (const auto& [text, unit, value] : texts)
-    EXPECT_NE(error_of(text, unit).find("]: must be in "), std::string::npos) << error_of(text, unit);
+    EXPECT_NE(message_of(text, unit).find("]: must be in "), std::string::npos) << message_of(text, unit);
 }
 
 TEST(Units, AnUnknownUnitGetsTheNearestRightOne) {
-  EXPECT_EQ(error_of("80 kn", "N"), "load.normal_force = \"80 kn\" [N]: unknown unit \"kn\"; did you mean kN?");
-  EXPECT_EQ(error_of("2 kNm", "N m"), "load.normal_force = \"2 kNm\" [N m]: unknown unit \"kNm\"; did you mean kN m?");
-  EXPECT_EQ(error_of("210 Gpa", "Pa"), "load.normal_force = \"210 Gpa\" [Pa]: unknown unit \"Gpa\"; did you mean GPa?");
-  EXPECT_EQ(error_of("20 furlongs", "m"), "load.normal_force = \"20 furlongs\" [m]: unknown unit \"furlongs\"; must be "
-                                          "in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
+  EXPECT_EQ(message_of("80 kn", "N"), "load.normal_force = \"80 kn\" [N]: unknown unit \"kn\"; did you mean kN?");
+  EXPECT_EQ(message_of("2 kNm", "N m"),
+            "load.normal_force = \"2 kNm\" [N m]: unknown unit \"kNm\"; did you mean kN m?");
+  EXPECT_EQ(message_of("210 Gpa", "Pa"),
+            "load.normal_force = \"210 Gpa\" [Pa]: unknown unit \"Gpa\"; did you mean GPa?");
+  EXPECT_EQ(message_of("20 furlongs", "m"),
+            "load.normal_force = \"20 furlongs\" [m]: unknown unit \"furlongs\"; must be "
+            "in m, mm, um, cm, km, in or ft, e.g. \"460 mm\"");
 }
 
 TEST(Units, ProductsHaveTwoFactorsAndSlopesARun) {
   for (const char* unit : {"kN\u00b7", "kN*", "kN.", "kN/"})
-    EXPECT_NE(error_of(std::string("80 ") + unit, "N").find("; did you mean kN?"), std::string::npos)
-        << error_of(std::string("80 ") + unit, "N");
+    EXPECT_NE(message_of(std::string("80 ") + unit, "N").find("; did you mean kN?"), std::string::npos)
+        << message_of(std::string("80 ") + unit, "N");
   for (const char* text : {"1:", "1:0", "1:-20", "1:x", "1:20 deg"})
-    EXPECT_NE(error_of(text, "rad").find("]: must be a slope such as \"1:40\""), std::string::npos)
-        << error_of(text, "rad");
-  EXPECT_NE(error_of("1:20", "m").find("unknown unit"), std::string::npos);
+    EXPECT_NE(message_of(text, "rad").find("]: must be a slope such as \"1:40\""), std::string::npos)
+        << message_of(text, "rad");
+  EXPECT_NE(message_of("1:20", "m").find("unknown unit"), std::string::npos);
 }
 
 TEST(Units, TextIsANumberAndAUnitAndNothingElse) {
-  EXPECT_NE(error_of("80", "N").find("has no unit; must be in N,"), std::string::npos);
-  EXPECT_NE(error_of("0.3", "-").find("must be a number without quotes"), std::string::npos);
-  EXPECT_NE(error_of("80,5 kN", "N").find("must have a decimal point"), std::string::npos);
+  EXPECT_NE(message_of("80", "N").find("has no unit; must be in N,"), std::string::npos);
+  EXPECT_NE(message_of("0.3", "-").find("must be a number without quotes"), std::string::npos);
+  EXPECT_NE(message_of("80,5 kN", "N").find("must have a decimal point"), std::string::npos);
   for (const char* text : {"", " ", "kN", "eighty kN", "- 3 kN"})
-    EXPECT_NE(error_of(text, "N").find("must be a number, or one with its unit such as \"80 kN\""), std::string::npos)
-        << text << ": " << error_of(text, "N");
+    EXPECT_NE(message_of(text, "N").find("must be a number, or one with its unit such as \"80 kN\""), std::string::npos)
+        << text << ": " << message_of(text, "N");
   // What UDUNITS would take for a factor, a date, a logarithm or another origin.
   for (const char* text : {"1 435 mm", "1 s since 2000", "3 m @ 2", "1 lg(re 1 m)", "3 \xff", "3 mm;", "3 (m",
                            "3 m99999999999999999999", "3 m m m m m m m m m m m m m m m m m m m m m m m m"})
-    EXPECT_NE(error_of(text, "m").find("load.normal_force = "), std::string::npos)
-        << text << ": " << error_of(text, "m");
+    EXPECT_NE(message_of(text, "m").find("load.normal_force = "), std::string::npos)
+        << text << ": " << message_of(text, "m");
 }
 
 int own_handler(const char*, va_list) {

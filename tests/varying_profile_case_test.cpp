@@ -2,8 +2,8 @@
 
 #include "cases/wheel_rail_result.hpp"
 #include "microslip/error.hpp"
-#include "tests/temporary_folder.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -53,15 +53,14 @@ protected:
 };
 
 std::string with_slices(const std::string& text, const std::string& rail) {
-  return with_part(text, rail_line, "profile = \"" + rail + "\"");
+  return with(text, rail_line, "profile = \"" + rail + "\"");
 }
 
-const std::string both = with_part(with_part(wheel_rail_text, "\"left\"", "\"both\""), "0.0061", "0.002");
+const std::string both = with(wheel_rail_text, {{"\"left\"", "\"both\""}, {"0.0061", "0.002"}});
 
 TEST_F(VaryingProfileCase, OfEqualSlicesIsThatOfTheFixedProfiles) {
   const auto fixed = solve(wheel_rail_text);
-  const auto sliced =
-      solve(with_part(with_slices(wheel_rail_text, "same.slcs"), wheel_line, "profile = \"round.slcw\""));
+  const auto sliced = solve(with(with_slices(wheel_rail_text, "same.slcs"), wheel_line, "profile = \"round.slcw\""));
   ASSERT_EQ(sliced.status, Status::ok);
   ASSERT_EQ(sliced.patches.size(), fixed.patches.size());
   // Slices are sampled every half millimetre, and this is contact on tread and flange.
@@ -71,35 +70,34 @@ TEST_F(VaryingProfileCase, OfEqualSlicesIsThatOfTheFixedProfiles) {
 }
 
 TEST_F(VaryingProfileCase, FollowsAWaveAlongTheTrack) {
-  const std::string text = with_part(with_slices(with_part(wheel_rail_text, "0.0061", "0.0"), "wave.slcs"), "lateral",
-                                     "longitudinal = 0.5\nlateral");
-  const double trough = solve(text).vertical, crest = solve(with_part(text, "= 0.5", "= 1.5")).vertical;
+  const std::string text =
+      with(with_slices(with(wheel_rail_text, "0.0061", "0.0"), "wave.slcs"), "lateral", "longitudinal = 0.5\nlateral");
+  const double trough = solve(text).vertical, crest = solve(with(text, "= 0.5", "= 1.5")).vertical;
   EXPECT_NEAR(crest - trough, 2e-4, 2e-6);
 }
 
 TEST_F(VaryingProfileCase, NamesWhatIsWrong) {
   const std::string text = with_slices(wheel_rail_text, "same.slcs");
   EXPECT_NE(message(with_slices(wheel_rail_text, "none.slcs")).find("case.toml:6: rail.profile: "), std::string::npos);
-  EXPECT_NE(message(with_part(text, "lateral", "longitudinal = 4\nlateral"))
-                .find("wheel.longitudinal = 4 [m]: must be in [0, 3]"),
-            std::string::npos);
-  EXPECT_NE(message(with_part(text, "lateral", "longitudinal = -0.1\nlateral")).find("must be in [0, 3]"),
+  EXPECT_NE(
+      message(with(text, "lateral", "longitudinal = 4\nlateral")).find("wheel.longitudinal = 4 [m]: must be in [0, 3]"),
+      std::string::npos);
+  EXPECT_NE(message(with(text, "lateral", "longitudinal = -0.1\nlateral")).find("must be in [0, 3]"),
             std::string::npos);
   EXPECT_NE(message(text + "[sweep]\nlongitudinal = [0.0, 3.5]\n").find("sweep.longitudinal = 3.5 [m]"),
             std::string::npos);
-  EXPECT_NE(message(with_part(text, "lateral", "longitudinel = 1\nlateral")).find("longitudinal"), std::string::npos);
-  EXPECT_NE(message(with_part(text, "lateral", "pitsh = 1\nlateral")).find("pitch"), std::string::npos);
-  EXPECT_NE(message(with_part(text, "[rail]", "roller_radius = 0.5\n[rail]")).find("a roller cannot have a profile"),
+  EXPECT_NE(message(with(text, "lateral", "longitudinel = 1\nlateral")).find("longitudinal"), std::string::npos);
+  EXPECT_NE(message(with(text, "lateral", "pitsh = 1\nlateral")).find("pitch"), std::string::npos);
+  EXPECT_NE(message(with(text, "[rail]", "roller_radius = 0.5\n[rail]")).find("a roller cannot have a profile"),
             std::string::npos);
   EXPECT_NE(message(with_slices(wheel_rail_text, "round.slcw")).find("holds slices of a wheel"), std::string::npos);
-  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radios = 0.5\n[rail]")).find("roller_radius"),
+  EXPECT_NE(message(with(wheel_rail_text, "[rail]", "roller_radios = 0.5\n[rail]")).find("roller_radius"),
             std::string::npos);
-  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radius = 0.001\n[rail]")).find("roller_radius"),
+  EXPECT_NE(message(with(wheel_rail_text, "[rail]", "roller_radius = 0.001\n[rail]")).find("roller_radius"),
             std::string::npos);
-  EXPECT_NE(
-      message(with_part(wheel_rail_text, "[rail]", "roller_radius = 1000\n[rail]")).find("must be in [-100, 100]"),
-      std::string::npos);
-  EXPECT_NE(message(with_part(wheel_rail_text, "[rail]", "roller_radius = 0.0\n[rail]"))
+  EXPECT_NE(message(with(wheel_rail_text, "[rail]", "roller_radius = 1000\n[rail]")).find("must be in [-100, 100]"),
+            std::string::npos);
+  EXPECT_NE(message(with(wheel_rail_text, "[rail]", "roller_radius = 0.0\n[rail]"))
                 .find("track.roller_radius = 0 [m]: must not be 0; without it there are rails"),
             std::string::npos);
 }
@@ -131,7 +129,7 @@ TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
   const auto plain = cases::solve_case(io::parse_wheelset_case(both, name()), {});
   EXPECT_EQ(alike.solutions[0].force.y, plain.solutions[0].force.y);
   // A right rail that is 0.1 mm lower lets the wheelset lean.
-  const std::string there = with_part(both, "lateral", "longitudinal = 0.5\nlateral");
+  const std::string there = with(both, "lateral", "longitudinal = 0.5\nlateral");
   const auto other =
       cases::solve_case(io::parse_wheelset_case(there + "[right_rail]\nprofile = \"wave.slcs\"\n", name()), {});
   EXPECT_EQ(other.status, Status::ok);
@@ -148,7 +146,7 @@ TEST_F(VaryingProfileCase, HasARightSideOfItsOwn) {
 
 TEST_F(VaryingProfileCase, OfALargeRollerIsThatOfARail) {
   const auto rail = solve(wheel_rail_text);
-  const auto roller = solve(with_part(wheel_rail_text, "[rail]", "roller_radius = 100.0\n[rail]"));
+  const auto roller = solve(with(wheel_rail_text, "[rail]", "roller_radius = 100.0\n[rail]"));
   ASSERT_EQ(roller.status, Status::ok);
   EXPECT_NEAR(roller.force.y, rail.force.y, 0.01 * 80e3);
   EXPECT_NEAR(roller.force.x, rail.force.x, 0.01 * 80e3);

@@ -6,8 +6,8 @@
 #include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 
-#include "expect_error.hpp"
-#include "steel_contact.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/test_cases.hpp"
 
 #include <cmath>
 #include <numbers>

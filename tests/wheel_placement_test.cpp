@@ -2,7 +2,8 @@
 
 #include "microslip/error.hpp"
 
-#include "expect_error.hpp"
+#include "tests/support/expect_close.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -107,12 +108,6 @@ NominalPlacement right_placement() {
   p.rail.axes = rotation_about_x(-0.025);
   p.wheel.lateral *= -1;
   return p;
-}
-
-void expect_near(const Vec3<double>& a, const Vec3<double>& b, double tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
 TEST(WheelPlacement, ARightWheelIsTheMirrorImageOfALeftOne) {

@@ -3,8 +3,9 @@
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/table/creep_force_table.hpp"
-#include "tests/temporary_folder.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <set>
@@ -21,16 +22,11 @@ io::WheelRailCase parse(const std::string& text) {
 }
 
 io::WheelRailCase parse_with(const std::string& part, const std::string& replacement) {
-  return parse(with_part(wheel_rail_text, part, replacement));
+  return parse(with(wheel_rail_text, part, replacement));
 }
 
 std::string message_with(const std::string& part, const std::string& replacement) {
-  try {
-    parse_with(part, replacement);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { parse_with(part, replacement); });
 }
 
 TEST(WheelRailCase, ReadsTheShortestCase) {
@@ -80,7 +76,7 @@ TEST(WheelRailCase, ReadsEveryNumberOfTheStateInItsSection) {
     std::string text = wheel_rail_text;
     if (const auto given = text.find("\n" + name + " ="); given != std::string::npos)
       text.erase(given, text.find('\n', given + 1) - given);
-    const io::WheelRailCase input = parse(with_part(text, head, head + name + " = 0.015625\n"));
+    const io::WheelRailCase input = parse(with(text, head, head + name + " = 0.015625\n"));
     EXPECT_EQ(q.value(input.states[0].state), 0.015625) << name;
   }
   const io::WheelRailCase input = parse_with("vertical_force = 80e3", "vertical = -0.0002");
@@ -124,15 +120,14 @@ TEST(WheelRailCase, ProfilesArePathsFromTheFilesFolder) {
   std::filesystem::create_directory(folder / "p");
   const std::string profile = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
   std::filesystem::copy_file(profile, folder / "p/rail.prr");
-  const auto text = with_part(wheel_rail_text, profile, "p/rail.prr");
+  const auto text = with(wheel_rail_text, profile, "p/rail.prr");
   const auto input = io::parse_wheel_rail_case(text, (folder / "w.toml").string());
   EXPECT_EQ(input.rail.profile.length(), parse(wheel_rail_text).rail.profile.length());
   // What the file does not say, or is to be treated otherwise.
-  const auto larger =
-      io::parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\nscale = 2.0"), (folder / "w").string());
+  const auto larger = io::parse_wheel_rail_case(with(text, "[rail]", "[rail]\nscale = 2.0"), (folder / "w").string());
   EXPECT_NEAR(larger.rail.profile.length(), 2 * input.rail.profile.length(), 1e-9);
   const auto cut =
-      io::parse_wheel_rail_case(with_part(text, "[rail]", "[rail]\ntrim = [-0.1, 0.02]"), (folder / "w").string());
+      io::parse_wheel_rail_case(with(text, "[rail]", "[rail]\ntrim = [-0.1, 0.02]"), (folder / "w").string());
   EXPECT_LT(cut.rail.profile.at(cut.rail.profile.length()).value.y, 0.0201);
 }
 

@@ -3,7 +3,8 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 
 namespace microslip {
 namespace {
-
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 
 /// A crowned right wheel on a rail at y = 0.2 m, which is plane or a cylinder along the track.
 WheelRailBodies bodies(double crown, double radius, double rail_curvature) {

@@ -6,8 +6,11 @@
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
-#include "expect_error.hpp"
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
+#include "tests/support/sphere_on_rail.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,28 +24,12 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double hardness = 2.7e9, shear_yield = 300e6, friction = 0.3;
 
 WheelRailBodies example(TrackSide side, const SurfaceStrength& strength) {
-  const auto profiles = std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles";
-  static const Profile rail = io::read_profile(profiles / "60e1.prr").profile,
-                       wheel = io::read_profile(profiles / "s1002.prw").profile;
-  return {.rail = rail,
-          .wheel = wheel,
-          .track = {.rail_origin = {}, .cant = 1.0 / 40},
-          .wheelset = {},
-          .side = side,
-          .material = steel,
-          .friction = {{0, friction}},
-          .strength = strength};
-}
-
-WheelState<double> running(double lateral, double yaw) {
-  WheelState<double> s;
-  s.lateral = lateral, s.yaw = yaw;
-  s.forward_velocity = 30, s.pitch_velocity = 30 / 0.46;
-  return s;
+  WheelRailBodies bodies = s1002_on_60e1(side);
+  bodies.strength = strength;
+  return bodies;
 }
 
 double number_of(const WheelRailPatch& patch, std::string_view name) {
@@ -60,7 +47,7 @@ TEST(WheelRailDamage, IsGivenWhereItsStrengthIs) {
         if (hard) strength.hardness = hardness;
         if (yields) strength.shear_yield_strength = shear_yield;
         WheelRail contact(example(TrackSide::left, strength), {.level = level, .elements = 10});
-        const auto s = contact.solve(running(6.1e-3, 2e-3), 80e3);
+        const auto s = contact.solve(running(6.1e-3, 2e-3, 0, 30), 80e3);
         ASSERT_EQ(s.status, Status::ok);
         for (const WheelRailPatch& patch : s.patches) {
           for (const auto* name : {"worn_area", "wear_depth"}) EXPECT_EQ(std::isnan(number_of(patch, name)), !hard);
@@ -78,7 +65,7 @@ TEST(WheelRailDamage, IsTheSameOnBothSides) {
   for (const WheelRailLevel level : levels) {
     WheelRail left(example(TrackSide::left, strength), {.level = level, .elements = 10}),
         right(example(TrackSide::right, strength), {.level = level, .elements = 10});
-    const WheelState<double> state = running(6.1e-3, 2e-3);
+    const WheelState<double> state = running(6.1e-3, 2e-3, 0, 30);
     const auto a = left.solve(state, 80e3), b = right.solve(state.mirrored(), 80e3);
     ASSERT_EQ(a.patches.size(), b.patches.size());
     EXPECT_EQ(a.y_over_q, b.y_over_q);
@@ -100,7 +87,7 @@ TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
   for (const WheelRailLevel level : levels)
     for (const double lateral : {-3e-3, 2e-3, 6.1e-3}) {
       WheelRail contact(example(TrackSide::left, strength), {.level = level, .elements = 16, .fields = true});
-      const auto s = contact.solve(running(lateral, 4e-3), 80e3);
+      const auto s = contact.solve(running(lateral, 4e-3, 0, 30), 80e3);
       ASSERT_EQ(s.status, Status::ok);
       ASSERT_EQ(s.fields.size(), s.patches.size());
       for (std::size_t i = 0; i < s.patches.size(); ++i) {
@@ -124,7 +111,7 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
   for (const WheelRailMethod& method : {WheelRailMethod{.fields = true}, planes, surfaces})
     for (const double lateral : {-3e-3, 2e-3, 6.1e-3}) {
       WheelRail contact(example(TrackSide::left, {}), method);
-      const auto s = contact.solve(running(lateral, 4e-3), 80e3);
+      const auto s = contact.solve(running(lateral, 4e-3, 0, 30), 80e3);
       ASSERT_EQ(s.fields.size(), s.patches.size());
       for (std::size_t i = 0; i < s.patches.size(); ++i) {
         const ContactSolution& f = s.fields[i];
@@ -147,16 +134,8 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
 
 /// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track, and its state with a contact angle [rad].
 WheelRail sphere_on_cylinder(WheelRailLevel level) {
-  WheelRailBodies bodies{.rail = round_head(0.1),
-                         .wheel = spherical_wheel(0.1, 0.03),
-                         .track = {},
-                         .wheelset = {},
-                         .side = TrackSide::left,
-                         .material = steel,
-                         .friction = {{0, friction}},
-                         .strength = {hardness, shear_yield}};
-  bodies.track.rail_origin = ProfilePoint{0.7, 0};
-  bodies.wheelset = {.flange_back_distance = 1.4, .flange_back_position = 0, .nominal_radius = 0.1, .tape_circle = {}};
+  WheelRailBodies bodies = sphere_on_rail(0.1, 0.1);
+  bodies.strength = {hardness, shear_yield};
   return WheelRail(std::move(bodies), {.level = level, .elements = 24});
 }
 WheelState<double> leaning(double angle) {
@@ -189,7 +168,7 @@ TEST(WheelRailDamage, NadalsLimitIsThatOfTheAngleOfFriction) {
   for (const double angle : {0.2, 0.8, 1.2})
     for (const double mu : {0.0, 0.1, 0.5}) EXPECT_NEAR(nadal_limit(angle, mu), std::tan(angle - std::atan(mu)), 1e-12);
   WheelRail contact(example(TrackSide::left, {}));
-  const auto s = contact.solve(running(0, 0), 80e3);
+  const auto s = contact.solve(running(0, 0, 0, 30), 80e3);
   // S1002: 70 degrees.
   EXPECT_NEAR(*s.nadal_limit, std::tan(70 * std::numbers::pi / 180 - std::atan(friction)), 0.01);
   WheelRail sphere = sphere_on_cylinder(WheelRailLevel::fastsim2);

@@ -4,7 +4,9 @@
 #include "microslip/railway/contact_search.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,17 +18,7 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double friction = 0.3;
-
-/// S1002 on 60E1, canted 1:40.
-WheelRailBodies pair(TrackSide side = TrackSide::left) {
-  const auto profile = [](const char* name) {
-    return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
-  };
-  static const Profile rail = profile("60e1.prr"), wheel = profile("s1002.prw");
-  return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, side, steel, {{0, friction}}};
-}
 
 /// Both levels, the exact one with few elements, since what is kept does not depend on them.
 const WheelRailMethod methods[] = {{}, {.level = WheelRailLevel::exact, .elements = 10}};
@@ -53,7 +45,7 @@ double size(const Vec3<double>& v) {
 TEST(WheelRailInvariance, InAMirrorAcrossTheTrackTravelTurnsRound) {
   // x, the velocities along it, pitch and yaw change their signs; forces along x and moments about y and z do.
   for (const WheelRailMethod& method : methods) {
-    WheelRail contact(pair(), method);
+    WheelRail contact(s1002_on_60e1(), method);
     for (const WheelState<double>& forward : states(0)) {
       WheelState<double> backward = forward;
       for (double* odd : {&backward.yaw, &backward.forward_velocity, &backward.pitch_velocity, &backward.yaw_velocity})
@@ -83,7 +75,8 @@ TEST(WheelRailInvariance, InAMirrorAcrossTheTrackTravelTurnsRound) {
 
 /// The state with rail and wheelset turned by the same angle about the x axis, then moved.
 WheelState<double> moved(const WheelState<double>& state, double angle, const Vec3<double>& way) {
-  const NominalPlacement nominal = nominal_placement(pair().track, pair().rail, {}, pair().wheel);
+  const NominalPlacement nominal =
+      nominal_placement(s1002_on_60e1().track, s1002_on_60e1().rail, {}, s1002_on_60e1().wheel);
   const auto turn = rotation_about_x(angle);
   const auto there = [&](const Vec3<double>& place) { return turn * place + way; };
   const Vec3<double> rail = nominal.rail.origin, rail_there = there(rail);
@@ -99,7 +92,7 @@ WheelState<double> moved(const WheelState<double>& state, double angle, const Ve
 
 TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
   for (const WheelRailMethod& method : methods) {
-    WheelRail contact(pair(), method);
+    WheelRail contact(s1002_on_60e1(), method);
     for (WheelState<double> state : states(0)) {
       state.vertical = contact.solve(state, 60e3).vertical;
       const auto a = contact.solve(state), b = contact.solve(moved(state, 0, {0, 3e-3, -2e-3}));
@@ -122,7 +115,7 @@ TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
 TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
   // Almost: where a patch has its frame, and its rows, depends on the overlap along the vertical, which does not turn.
   for (const WheelRailMethod& method : methods) {
-    WheelRail contact(pair(), method);
+    WheelRail contact(s1002_on_60e1(), method);
     for (WheelState<double> state : states(0)) {
       state.vertical = contact.solve(state, 60e3).vertical;
       const double angle = 0.02;
@@ -140,7 +133,7 @@ TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
 TEST(WheelRailInvariance, TheHeightThatBearsAForceGivesThatForce) {
   // Also where two lobes are about to become one patch, with a load that is hard to share out.
   for (const PatchShape shape : {PatchShape::flat, PatchShape::curved}) {
-    WheelRail contact(pair(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 16});
+    WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 16});
     int solved = 0;
     for (const double y : {1e-3, 4.94e-3, 4.9505e-3, 4.95108e-3, 4.9525e-3, 4.97e-3, 6e-3}) {
       WheelState<double> state;
@@ -157,7 +150,7 @@ TEST(WheelRailInvariance, TheHeightThatBearsAForceGivesThatForce) {
 
 TEST(WheelRailInvariance, OnlyRatiosOfVelocitiesMatter) {
   for (const WheelRailMethod& method : methods) {
-    WheelRail contact(pair(), method);
+    WheelRail contact(s1002_on_60e1(), method);
     for (const WheelState<double>& slow : states(0)) {
       WheelState<double> fast = slow;
       for (double* velocity : {&fast.forward_velocity, &fast.lateral_velocity, &fast.vertical_velocity,
@@ -177,7 +170,7 @@ TEST(WheelRailInvariance, FrictionTakesWhatCreepagesPutIn) {
   // A row loses what its rigid slip does, since the body's displacement comes back at the trailing edge.
   const WheelRailMethod planes{.level = WheelRailLevel::exact, .shape = PatchShape::flat};
   for (const WheelRailMethod& method : {WheelRailMethod{}, WheelRailMethod{.level = WheelRailLevel::exact}, planes}) {
-    WheelRail contact(pair(), method);
+    WheelRail contact(s1002_on_60e1(), method);
     for (const WheelState<double>& state : states(0)) {
       const auto s = contact.solve(state, 50e3);
       for (const WheelRailPatch& p : s.patches) {
@@ -208,7 +201,7 @@ double parameter_at(const Profile& rail, double y) {
 }
 
 TEST(WheelRailInvariance, RowsOfCurvedPatchesSlideAtTheFrictionOfTheirInclination) {
-  WheelRailBodies bodies = pair();
+  WheelRailBodies bodies = s1002_on_60e1();
   const auto coefficient = [](double angle) { return 0.3 + 0.4 * angle; };
   bodies.friction = {{-0.5, coefficient(-0.5)}, {0.5, coefficient(0.5)}};
   WheelRail contact(bodies, {.level = WheelRailLevel::exact, .shape = PatchShape::curved, .elements = 16});
@@ -235,7 +228,7 @@ TEST(WheelRailInvariance, RowsOfCurvedPatchesSlideAtTheFrictionOfTheirInclinatio
 }
 
 TEST(WheelRailInvariance, BothLevelsSlideAtTheSameFrictionOnCurvedPatches) {
-  WheelRailBodies bodies = pair();
+  WheelRailBodies bodies = s1002_on_60e1();
   bodies.friction = {{-0.5, 0.1}, {0.5, 0.5}};
   const auto sliding = [&](WheelRailLevel level, double direction) {
     WheelRail contact(bodies, {.level = level, .shape = PatchShape::curved, .elements = 20});

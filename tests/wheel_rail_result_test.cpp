@@ -2,7 +2,7 @@
 
 #include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <cmath>
 #include <string>
@@ -12,12 +12,11 @@
 namespace microslip {
 namespace {
 
-const std::string exact_text =
-    with_part(with_part(wheel_rail_text, "\"fastsim2\"", "\"exact\"\ngrid = 12\nshape = \"curved\""),
-              "lateral = 0.0061", "lateral = 0.0061\nyaw = 0.002");
+const std::string exact_text = with(wheel_rail_text, {{"\"fastsim2\"", "\"exact\"\ngrid = 12\nshape = \"curved\""},
+                                                      {"lateral = 0.0061", "lateral = 0.0061\nyaw = 0.002"}});
 const std::string right_text =
-    with_part(with_part(with_part(exact_text, "\"left\"", "\"right\""), "lateral = 0.0061", "lateral = -0.0061"),
-              "yaw = 0.002", "yaw = -0.002");
+    with(exact_text,
+         {{"\"left\"", "\"right\""}, {"lateral = 0.0061", "lateral = -0.0061"}, {"yaw = 0.002", "yaw = -0.002"}});
 
 io::WheelRailCase parse(const std::string& text) {
   return io::parse_wheel_rail_case(text, "w.toml");
@@ -104,7 +103,7 @@ TEST(WheelRailResult, WearNumberIsThePowerByCreepagesWhereSignsAgree) {
 }
 
 TEST(WheelRailResult, DocumentHasAnArrayForEachStateAndPatch) {
-  const auto text = with_part(wheel_rail_text, "[material]", "[sweep]\nlateral = [0, 0.0061]\n[material]");
+  const auto text = with(wheel_rail_text, "[material]", "[sweep]\nlateral = [0, 0.0061]\n[material]");
   const io::WheelRailCase input = parse(text);
   const cases::WheelRailResult result = cases::solve_case(input);
   const io::Json document = cases::case_document(input, result, {.kind = cases::kind_of(input)});
@@ -124,8 +123,9 @@ TEST(WheelRailResult, HasStressesInsideBelowEachPatchAtBothLevels) {
   const std::string points = "[interior]\nx = [-1e-3, 0]\ny = [0]\nz = [-3e-3, 2e-3]\n[material]";
   for (const auto* theory : {"\"fastsim2\"", "\"exact\"\ngrid = 12"})
     for (const bool sweeps : {false, true}) {
-      const auto text = with_part(with_part(wheel_rail_text, "\"fastsim2\"", theory), "[material]",
-                                  (sweeps ? "[sweep]\nlateral = [0, 0.0061]\n" : "") + points);
+      const auto text =
+          with(wheel_rail_text,
+               {{"\"fastsim2\"", theory}, {"[material]", (sweeps ? "[sweep]\nlateral = [0, 0.0061]\n" : "") + points}});
       const io::WheelRailCase input = parse(text);
       const cases::WheelRailResult result = cases::solve_case(input);
       const io::Json document = cases::case_document(input, result, {.kind = cases::kind_of(input)});
@@ -148,15 +148,15 @@ TEST(WheelRailResult, LeavesOutWhatIsNotGiven) {
     return cases::case_document(input, cases::solve_case(input), {.kind = cases::kind_of(input)});
   };
   const io::Json without = document_of(wheel_rail_text),
-                 with = document_of(with_part(wheel_rail_text, "[friction]",
-                                              "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
+                 hard = document_of(
+                     with(wheel_rail_text, "[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
   for (const auto* name : {"worn_area", "wear_depth", "fatigue_index", "shakedown_load"}) {
     EXPECT_FALSE(without["patches"].contains(name)) << name;
-    EXPECT_TRUE(with["patches"].contains(name)) << name;
+    EXPECT_TRUE(hard["patches"].contains(name)) << name;
   }
   EXPECT_FALSE(without["wheel"].contains("worn_area"));
-  EXPECT_EQ(with["units"]["wheel/worn_area"], "m^2");
-  EXPECT_EQ(with["inputs"]["material"]["hardness"], 2.7e9);
+  EXPECT_EQ(hard["units"]["wheel/worn_area"], "m^2");
+  EXPECT_EQ(hard["inputs"]["material"]["hardness"], 2.7e9);
   EXPECT_TRUE(without["wheel"].contains("nadal_limit"));
 }
 
@@ -166,23 +166,23 @@ TEST(WheelRailResult, WarnsOfWhatIsNotToBeTrusted) {
     for (const auto& warning : cases::solve_case(parse(text)).warnings) all += warning + "\n";
     return all;
   };
-  EXPECT_EQ(warnings_of(with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0")), "");
-  const auto flange = with_part(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0068");
+  EXPECT_EQ(warnings_of(with(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0")), "");
+  const auto flange = with(wheel_rail_text, "lateral = 0.0061", "lateral = 0.0068");
   const std::string climbing = "the flange may climb", flat = "patches are solved as flat where the surfaces are not";
   EXPECT_NE(warnings_of(flange).find(climbing), std::string::npos);
   EXPECT_EQ(warnings_of(flange).find(flat), std::string::npos) << "rows follow the surface";
-  const auto exact = with_part(flange, "\"fastsim2\"", "\"exact\"\ngrid = 12");
+  const auto exact = with(flange, "\"fastsim2\"", "\"exact\"\ngrid = 12");
   EXPECT_EQ(warnings_of(exact).find(flat), std::string::npos);
-  EXPECT_NE(warnings_of(with_part(exact, "grid = 12", "grid = 12\nshape = \"flat\"")).find(flat), std::string::npos);
-  const auto cut = with_part(with_part(wheel_rail_text, "[rail]", "[rail]\ntrim = [-0.1, 0.001]"), "lateral = 0.0061",
-                             "lateral = 0.0");
+  EXPECT_NE(warnings_of(with(exact, "grid = 12", "grid = 12\nshape = \"flat\"")).find(flat), std::string::npos);
+  const auto cut =
+      with(wheel_rail_text, {{"[rail]", "[rail]\ntrim = [-0.1, 0.001]"}, {"lateral = 0.0061", "lateral = 0.0"}});
   EXPECT_NE(warnings_of(cut).find("end of a profile"), std::string::npos) << warnings_of(cut);
 }
 
 TEST(WheelRailResult, StatesWithoutContactSayHowMany) {
-  const auto text = with_part(with_part(wheel_rail_text, "vertical_force = 80e3\n", "vertical = 0.0\n"), "[material]",
-                              "[sweep]\nvertical = [-0.0004, 0.01, 0.02]\n[material]");
-  const cases::WheelRailResult result = cases::solve_case(parse(with_part(text, "vertical = 0.0\n", "")));
+  const auto text = with(wheel_rail_text, {{"vertical_force = 80e3\n", "vertical = 0.0\n"},
+                                           {"[material]", "[sweep]\nvertical = [-0.0004, 0.01, 0.02]\n[material]"}});
+  const cases::WheelRailResult result = cases::solve_case(parse(with(text, "vertical = 0.0\n", "")));
   EXPECT_EQ(result.status, Status::no_contact);
   EXPECT_EQ(result.reason, "wheel and rail do not touch (2 of 3 states)");
   EXPECT_EQ(result.solutions[0].status, Status::ok);

@@ -6,7 +6,9 @@
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/rolling/elliptic_contact.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/sphere_on_rail.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,29 +18,18 @@
 namespace microslip {
 namespace {
 
-constexpr Material steel{82e9, 0.28};
 constexpr double load = 5e3, radius = 0.1, friction = 0.3;
 
 /// A sphere on a rail with a top of this radius.
-WheelRail sphere_on_rail(WheelRailLevel level, double head) {
-  WheelRailBodies bodies{.rail = round_head(head, 0.02),
-                         .wheel = spherical_wheel(radius, 0.03),
-                         .track = {},
-                         .wheelset = {},
-                         .side = TrackSide::left,
-                         .material = combine(steel, steel),
-                         .friction = {{0, friction}}};
-  bodies.track.rail_origin = ProfilePoint{0.7, 0};
-  bodies.wheelset = {
-      .flange_back_distance = 1.4, .flange_back_position = 0, .nominal_radius = radius, .tape_circle = {}};
-  return WheelRail(std::move(bodies), {.level = level, .elements = 32, .fields = true});
+WheelRail sphere_with_fields(WheelRailLevel level, double head) {
+  return WheelRail(sphere_on_rail(radius, head, 0.02), {.level = level, .elements = 32, .fields = true});
 }
 
 /// Rolling with a creepage, or none.
 WheelRailSolution solution_of(WheelRailLevel level, double head, double creepage) {
   WheelState<double> state;
   state.forward_velocity = 2, state.pitch_velocity = 2 / radius * (1 - creepage);
-  return sphere_on_rail(level, head).solve(state, load);
+  return sphere_with_fields(level, head).solve(state, load);
 }
 
 double error_of(WheelRailLevel level) {
@@ -48,15 +39,15 @@ double error_of(WheelRailLevel level) {
 // Johnson 1985, (3.45): below the middle of a circle, with z in radii.
 TEST(WheelRailStress, IsHertzsBelowTheMiddleOfACircle) {
   const double flat = 1e3;
-  const HertzContact hertz = hertz_from_load(
-      gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, flat}), combine(steel, steel), load);
+  const HertzContact hertz =
+      hertz_from_load(gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, flat}), steel, load);
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, flat, 0);
     ASSERT_EQ(s.fields.size(), 1u);
-    const double p0 = hertz.peak_pressure, nu = steel.poisson_ratio;
+    const double p0 = hertz.peak_pressure, nu = steel_body.poisson_ratio;
     for (const double depth : {0.5, 0.8, 1.5, -0.5, -1.0}) {
       const double d = std::abs(depth);
-      const auto states = interior_states(steel, steel, s.fields[0], {{0}, {0}, {depth * hertz.a}});
+      const auto states = interior_states(steel_body, steel_body, s.fields[0], {{0}, {0}, {depth * hertz.a}});
       const double along = -p0 / (1 + d * d), across = -p0 * (1 + nu) * (1 - d * std::atan(1 / d)) - along / 2;
       EXPECT_NEAR(states[0].stress.zz / p0, along / p0, error_of(level)) << depth;
       EXPECT_NEAR(states[0].stress.xx / p0, across / p0, error_of(level)) << depth;
@@ -66,23 +57,23 @@ TEST(WheelRailStress, IsHertzsBelowTheMiddleOfACircle) {
 }
 
 TEST(WheelRailStress, IsThatOfThePlainContactWithTheSameEllipse) {
-  const HertzContact hertz = hertz_from_load(
-      gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, radius}), combine(steel, steel), load);
+  const HertzContact hertz =
+      hertz_from_load(gap_curvatures({radius, std::numeric_limits<double>::infinity(), radius, radius}), steel, load);
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, radius, 1e-3);
     ASSERT_EQ(s.fields.size(), 1u);
     const ContactSolution plain = EllipticContactSolver({.mx = 32, .my = 32})
                                       .solve({.a = hertz.a,
                                               .b = hertz.b,
-                                              .shear_modulus = steel.shear_modulus,
-                                              .poisson_ratio = steel.poisson_ratio,
+                                              .shear_modulus = steel_body.shear_modulus,
+                                              .poisson_ratio = steel_body.poisson_ratio,
                                               .normal_force = load,
                                               .friction = FrictionLaw::coulomb(friction),
                                               .creepage = s.patches[0].creepage,
                                               .rolling_speed = 2});
     const InteriorGrid points{{-0.7 * hertz.a, 0, 0.8 * hertz.a}, {0, 0.4 * hertz.b}, {0.4 * hertz.a, -0.8 * hertz.a}};
-    const auto there = interior_states(steel, steel, plain, points),
-               here = interior_states(steel, steel, s.fields[0], points);
+    const auto there = interior_states(steel_body, steel_body, plain, points),
+               here = interior_states(steel_body, steel_body, s.fields[0], points);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t k = 0; k < here.size(); ++k) {
       const Stress &a = here[k].stress, &b = there[k].stress;
@@ -99,7 +90,7 @@ TEST(WheelRailStress, FarBelowIsThatOfAPointForce) {
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, radius, 0);
     const double depth = 0.05;
-    const auto states = interior_states(steel, steel, s.fields[0], {{0}, {0}, {depth}});
+    const auto states = interior_states(steel_body, steel_body, s.fields[0], {{0}, {0}, {depth}});
     EXPECT_NEAR(states[0].stress.zz, -3 * s.patches[0].normal_force / (2 * pi * depth * depth),
                 1e-3 * load / depth / depth);
   }

@@ -1,11 +1,14 @@
 #include "microslip/railway/wheel_rail.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/error.hpp"
 #include "microslip/railway/relative_motion.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/expect_error.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
+#include "tests/support/sphere_on_rail.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,32 +22,11 @@
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double friction = 0.3;
-
-Profile example_profile(const char* name) {
-  return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
-}
-
-/// S1002 on 60E1, canted 1:40.
-WheelRailBodies pair(TrackSide side = TrackSide::left) {
-  static const Profile rail = example_profile("60e1.prr"), wheel = example_profile("s1002.prw");
-  return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, side, steel, {{0, friction}}};
-}
-
-WheelState<double> running(double lateral, double yaw, double creepage = 0) {
-  WheelState<double> s;
-  s.lateral = lateral, s.yaw = yaw;
-  s.forward_velocity = 20, s.pitch_velocity = 20 / 0.46 * (1 + creepage);
-  return s;
-}
 
 /// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track.
 WheelRail sphere_on_cylinder(WheelRailLevel level, int elements = 24) {
-  WheelRailBodies bodies{round_head(0.1), spherical_wheel(0.1, 0.03), {}, {}, TrackSide::left, steel, {{0, friction}}};
-  bodies.track.rail_origin = ProfilePoint{0.7, 0};
-  bodies.wheelset = {.flange_back_distance = 1.4, .flange_back_position = 0, .nominal_radius = 0.1, .tape_circle = {}};
-  return WheelRail(std::move(bodies), {.level = level, .elements = elements});
+  return WheelRail(sphere_on_rail(0.1, 0.1), {.level = level, .elements = elements});
 }
 
 TEST(WheelRail, HasHertzsForcesOnAnyInclination) {
@@ -75,8 +57,8 @@ TEST(WheelRail, IsTheSameInAMirror) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> any(-1, 1);
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail left(pair(), {.level = level, .elements = 8}),
-        right(pair(TrackSide::right), {.level = level, .elements = 8});
+    WheelRail left(s1002_on_60e1(), {.level = level, .elements = 8}),
+        right(s1002_on_60e1(TrackSide::right), {.level = level, .elements = 8});
     for (int k = 0; k < (level == WheelRailLevel::exact ? 3 : 30); ++k) {
       WheelState<double> state = running(5e-3 * any(random), 5e-3 * any(random), 2e-3 * any(random));
       state.roll = 1e-3 * any(random), state.lateral_velocity = 0.02 * any(random);
@@ -95,7 +77,7 @@ TEST(WheelRail, IsTheSameInAMirror) {
 }
 
 TEST(WheelRail, DoesNotDependOnWhereItsPartsHaveTheirOrigins) {
-  const WheelRailBodies here_bodies = pair();
+  const WheelRailBodies here_bodies = s1002_on_60e1();
   const Profile &rail = here_bodies.rail, &wheel = here_bodies.wheel;
   const auto moved = [](const Profile& profile, ProfilePoint by) {
     std::vector<ProfilePoint> points;
@@ -104,7 +86,7 @@ TEST(WheelRail, DoesNotDependOnWhereItsPartsHaveTheirOrigins) {
     points.push_back({last.y + by.y, last.z + by.z});
     return Profile(profile.role(), points);
   };
-  WheelRailBodies other = pair();
+  WheelRailBodies other = s1002_on_60e1();
   other.rail = moved(rail, {0.02, 0.1});
   other.wheel = moved(wheel, {0.013, 0});
   other.wheelset.flange_back_position += 0.013;
@@ -118,7 +100,7 @@ TEST(WheelRail, DoesNotDependOnWhereItsPartsHaveTheirOrigins) {
 }
 
 TEST(WheelRail, BearsTheVerticalForceThatItIsGiven) {
-  WheelRail contact(pair());
+  WheelRail contact(s1002_on_60e1());
   WheelRailSolution found;
   for (const double force : {200.0, 10e3, 150e3})
     for (double y = -8e-3; y <= 8e-3; y += 1e-3) {
@@ -134,7 +116,7 @@ TEST(WheelRail, BearsTheVerticalForceThatItIsGiven) {
 
 TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail contact(pair(), {.level = level, .shape = PatchShape::curved, .elements = 10});
+    WheelRail contact(s1002_on_60e1(), {.level = level, .shape = PatchShape::curved, .elements = 10});
     for (double y = -4e-3; y <= 8e-3; y += 2e-3) {
       const auto s = contact.solve(running(y, 3e-3, 1e-3), 80e3);
       EXPECT_EQ(s.status, Status::ok) << y;
@@ -144,7 +126,7 @@ TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
 }
 
 TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
-  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 24});
+  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
     const auto s = contact.solve(running(y, 2e-3, 1e-3), 50e3);
     for (const WheelRailPatch& p : s.patches) {
@@ -158,7 +140,7 @@ TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
 
 /// On the true surfaces creepages differ from row to row; what the whole wheel puts in is lost all the same.
 TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
-  WheelRail contact(pair(), {.level = WheelRailLevel::exact, .elements = 24});
+  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
     const WheelState<double> state = running(y, 2e-3, 1e-3);
     const auto s = contact.solve(state, 50e3);
@@ -172,7 +154,7 @@ TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
 
 TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
   // At 4.948 mm two regions touch whose frames are 2 mm and 0.03 rad apart; at 3 mm one patch stays one.
-  WheelRail contact(pair(), {.level = WheelRailLevel::exact});
+  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
   for (const double middle : {4.9484e-3, 3e-3}) {
     Vec3<double> before;
     for (int k = -3; k <= 3; ++k) {
@@ -190,7 +172,7 @@ TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
 
 TEST(WheelRail, SharesTheLoadOfTwoPatchesAtTheExactLevel) {
   // Held in the height in which they bear a vertical force, the patches bear it again.
-  WheelRail contact(pair(), {.level = WheelRailLevel::exact});
+  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
   WheelState<double> state = running(5.2e-3, 2e-3);
   const auto s = contact.solve(state, 10e3);
   ASSERT_EQ(s.status, Status::ok);
@@ -204,7 +186,7 @@ TEST(WheelRail, SharesTheLoadOfTwoPatchesAtTheExactLevel) {
 }
 
 TEST(WheelRail, HasBothLevelsNearEachOther) {
-  WheelRail fast(pair()), exact(pair(), {.level = WheelRailLevel::exact, .elements = 20});
+  WheelRail fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 20});
   for (double y = -4e-3; y <= 4e-3; y += 2e-3) {
     const auto a = fast.solve(running(y, 1e-3, 5e-4), 50e3), b = exact.solve(running(y, 1e-3, 5e-4), 50e3);
     EXPECT_NEAR(a.force.x, b.force.x, 0.05 * friction * 50e3);
@@ -215,8 +197,8 @@ TEST(WheelRail, HasBothLevelsNearEachOther) {
 
 TEST(WheelRail, TakesACurvedPatchForFlatWhereItTurnsLittle) {
   // The wheel's rolling radius varies over the patch by about its width squared over twice the rail's radius.
-  WheelRail flat(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat}),
-      curved(pair(), {.level = WheelRailLevel::exact, .shape = PatchShape::curved});
+  WheelRail flat(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat}),
+      curved(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::curved});
   double before = 1;
   for (const double force : {20e3, 2e3, 200.0}) {
     const auto a = flat.solve(running(0, 1e-3, 1e-3), force), b = curved.solve(running(0, 1e-3, 1e-3), force);
@@ -228,7 +210,7 @@ TEST(WheelRail, TakesACurvedPatchForFlatWhereItTurnsLittle) {
 }
 
 TEST(WheelRail, SlidesAtTheFrictionOfTheInclination) {
-  WheelRailBodies bodies = pair();
+  WheelRailBodies bodies = s1002_on_60e1();
   bodies.friction = {{-0.1, 0.1}, {0.1, 0.5}};
   WheelRail contact(bodies);
   const auto s = contact.solve(running(0, 0, 1), 5e3); // a small patch, which has nearly one inclination
@@ -272,7 +254,7 @@ double size(const Vec3<double>& v) {
 
 TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
-    WheelRail contact(pair(side), {.tolerance = 1e-11});
+    WheelRail contact(s1002_on_60e1(side), {.tolerance = 1e-11});
     for (const double y : {-3e-3, 0.0, 1.5e-3, 5e-3})
       for (const bool held : {false, true}) {
         WheelState<double> state = in_a_curve(y);
@@ -319,7 +301,7 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
 }
 
 TEST(WheelRail, MovesAsCombinationsOfTheBasicNumbersDo) {
-  const WheelRailBodies bodies = pair();
+  const WheelRailBodies bodies = s1002_on_60e1();
   WheelRail contact(bodies);
   WheelState<double> state = in_a_curve(2e-3);
   state.vertical = contact.solve(state, 50e3).vertical;
@@ -356,7 +338,7 @@ TEST(WheelRail, MovesAsCombinationsOfTheBasicNumbersDo) {
 TEST(WheelRail, HasDerivativesAtTheExactLevel) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right})
     for (const bool held : {false, true}) {
-      WheelRail contact(pair(side), {.level = WheelRailLevel::exact, .elements = 16});
+      WheelRail contact(s1002_on_60e1(side), {.level = WheelRailLevel::exact, .elements = 16});
       WheelState<double> state = in_a_curve(0);
       if (side == TrackSide::right) state = state.mirrored();
       state.vertical = contact.solve(state, 50e3).vertical;
@@ -397,7 +379,7 @@ TEST(WheelRail, VariablesOfDerivativesStandInTheOrderOfTheTable) {
 }
 
 TEST(WheelRail, SaysWhereThereIsNoContact) {
-  WheelRail contact(pair());
+  WheelRail contact(s1002_on_60e1());
   EXPECT_EQ(contact.solve(running(0.3, 0), 10e3).status, Status::no_contact);
   WheelState<double> high = running(0, 0);
   high.vertical = 0.01;
@@ -412,7 +394,7 @@ TEST(WheelRail, SaysWhereThereIsNoContact) {
 }
 
 TEST(WheelRail, StandsAndRollsBackward) {
-  WheelRail contact(pair());
+  WheelRail contact(s1002_on_60e1());
   WheelState<double> still;
   const auto s = contact.solve(still, 10e3);
   EXPECT_EQ(s.status, Status::ok);
@@ -425,33 +407,28 @@ TEST(WheelRail, StandsAndRollsBackward) {
 }
 
 TEST(WheelRail, RefusesWhatMakesNoSense) {
-  const auto error_of = [](WheelRailBodies bodies, const WheelRailMethod& method = {}) -> std::string {
-    try {
-      WheelRail(std::move(bodies), method);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "none";
+  const auto message = [](const WheelRailBodies& bodies, const WheelRailMethod& method = {}) {
+    return error_of([&] { WheelRail(bodies, method); });
   };
-  EXPECT_EQ(error_of(pair()), "none");
-  WheelRailBodies bad = pair();
+  EXPECT_EQ(message(s1002_on_60e1()), "no error");
+  WheelRailBodies bad = s1002_on_60e1();
   std::swap(bad.rail, bad.wheel);
-  EXPECT_NE(error_of(bad).find("wheel"), std::string::npos);
-  bad = pair();
+  EXPECT_NE(message(bad).find("wheel"), std::string::npos);
+  bad = s1002_on_60e1();
   bad.friction = {};
-  EXPECT_NE(error_of(bad).find("friction"), std::string::npos);
+  EXPECT_NE(message(bad).find("friction"), std::string::npos);
   bad.friction = {{0.1, 0.3}, {0.1, 0.4}};
-  EXPECT_NE(error_of(bad).find("friction angle"), std::string::npos);
-  bad = pair();
+  EXPECT_NE(message(bad).find("friction angle"), std::string::npos);
+  bad = s1002_on_60e1();
   bad.friction = {{0, 0}};
-  EXPECT_EQ(error_of(bad), "none");
-  EXPECT_NE(error_of(bad, {.level = WheelRailLevel::exact}).find("friction = 0"), std::string::npos);
+  EXPECT_EQ(message(bad), "no error");
+  EXPECT_NE(message(bad, {.level = WheelRailLevel::exact}).find("friction = 0"), std::string::npos);
   bad.material.dissimilarity = 0.1;
-  EXPECT_NE(error_of(bad).find("dissimilarity"), std::string::npos);
-  EXPECT_NE(error_of(pair(), {.elements = 0}).find("elements"), std::string::npos);
-  bad = pair();
+  EXPECT_NE(message(bad).find("dissimilarity"), std::string::npos);
+  EXPECT_NE(message(s1002_on_60e1(), {.elements = 0}).find("elements"), std::string::npos);
+  bad = s1002_on_60e1();
   bad.track.gauge = -1;
-  EXPECT_NE(error_of(bad).find("gauge"), std::string::npos);
+  EXPECT_NE(message(bad).find("gauge"), std::string::npos);
 }
 
 } // namespace

@@ -7,13 +7,13 @@
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/table/creep_force_table.hpp"
+#include "tests/support/numbers.hpp"
 #include "validation/random_wheels.hpp"
 #include "validation/worn_profiles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,7 +25,6 @@ using validation::LoadedState;
 using validation::ProfilePair;
 using validation::random_state;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double tolerance = 1e-6;
 
 const std::vector<ProfilePair>& pairs() {

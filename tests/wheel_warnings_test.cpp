@@ -4,6 +4,7 @@
 
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheelset_on_track.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
 #include "validation/worn_profiles.hpp"
 
 #include <gtest/gtest.h>
@@ -19,12 +20,6 @@ namespace {
 WheelRailBodies pair() {
   static const WheelRailBodies new_profiles = validation::worn_pairs().front().bodies;
   return new_profiles;
-}
-
-WheelState<double> running(double lateral) {
-  WheelState<double> s;
-  s.lateral = lateral, s.forward_velocity = 20, s.pitch_velocity = 20 / 0.46;
-  return s;
 }
 
 WheelRailSolution solve(const WheelRailBodies& bodies, double lateral, double force,

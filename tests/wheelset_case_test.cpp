@@ -1,8 +1,8 @@
 #include "cases/wheel_rail_result.hpp"
 
-#include "microslip/error.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/expect_error.hpp"
 
 #include <set>
 #include <string>
@@ -12,21 +12,12 @@
 namespace microslip {
 namespace {
 
-const std::string wheelset_text =
-    with_part(with_part(with_part(wheel_rail_text, "\"left\"", "\"both\""), "lateral = 0.0061", "lateral = 0.003"),
-              "vertical_force = 80e3", "vertical_force = 120e3");
-
 io::WheelsetCase parse_with(const std::string& part, const std::string& replacement) {
-  return io::parse_wheelset_case(with_part(wheelset_text, part, replacement), "w.toml");
+  return io::parse_wheelset_case(with(wheelset_text, part, replacement), "w.toml");
 }
 
 std::string message_with(const std::string& part, const std::string& replacement) {
-  try {
-    parse_with(part, replacement);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return error_of([&] { parse_with(part, replacement); });
 }
 
 TEST(WheelsetCase, IsToldApartFromOneWheel) {
@@ -101,7 +92,7 @@ TEST(WheelsetCase, MessagesNameLineKeyAndReason) {
 }
 
 TEST(WheelsetResult, IsWhatTheLibraryFindsAndSaysSo) {
-  const auto text = with_part(wheelset_text, "[material]", "[sweep]\nlateral = [0, 0.003]\n[material]");
+  const auto text = with(wheelset_text, "[material]", "[sweep]\nlateral = [0, 0.003]\n[material]");
   const io::WheelsetCase input = io::parse_wheelset_case(text, "w.toml");
   EXPECT_EQ(input.varied, std::vector<std::string_view>{"lateral"});
   const cases::WheelsetResult result = cases::solve_case(input);
@@ -124,19 +115,19 @@ TEST(WheelsetResult, HasWearAndFieldsOfBothWheels) {
     const io::WheelsetCase input = io::parse_wheelset_case(text, "w.toml");
     return cases::case_document(input, cases::solve_case(input), {.kind = cases::kind_of(input)});
   };
-  const std::string turned = with_part(wheelset_text, "lateral = 0.003", "lateral = 0.003\nyaw = 4e-3");
+  const std::string turned = with(wheelset_text, "lateral = 0.003", "lateral = 0.003\nyaw = 4e-3");
   const io::Json without = document_of(turned),
-                 with = document_of(with_part(turned, "[friction]", "hardness = 2.7e9\n[friction]"));
+                 hard = document_of(with(turned, "[friction]", "hardness = 2.7e9\n[friction]"));
   for (const auto* side : {"left", "right"}) {
     EXPECT_FALSE(without[side]["wheel"].contains("worn_area"));
     EXPECT_FALSE(without[side]["patches"].contains("worn_area"));
     double worn = 0;
-    for (const io::Json& of_patch : with[side]["patches"]["worn_area"]) worn += of_patch.get<double>();
+    for (const io::Json& of_patch : hard[side]["patches"]["worn_area"]) worn += of_patch.get<double>();
     EXPECT_GT(worn, 0);
-    EXPECT_DOUBLE_EQ(with[side]["wheel"]["worn_area"][0].get<double>(), worn);
-    EXPECT_EQ(with[side]["wheel"]["force_z"], without[side]["wheel"]["force_z"]);
+    EXPECT_DOUBLE_EQ(hard[side]["wheel"]["worn_area"][0].get<double>(), worn);
+    EXPECT_EQ(hard[side]["wheel"]["force_z"], without[side]["wheel"]["force_z"]);
   }
-  EXPECT_EQ(with["inputs"]["material"]["hardness"], 2.7e9);
+  EXPECT_EQ(hard["inputs"]["material"]["hardness"], 2.7e9);
   const io::WheelsetCase input = io::parse_wheelset_case(wheelset_text, "w.toml");
   const WheelsetSolution solution = cases::solve_case(input).solutions.at(0);
   EXPECT_EQ(solution.left.fields.size(), solution.left.patches.size());

@@ -3,29 +3,20 @@
 #include "microslip/railway/wheelset_contact.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 
-#include "wheel_rail_pairs.hpp"
+#include "tests/support/numbers.hpp"
+#include "tests/support/s1002_on_60e1.hpp"
+#include "tests/support/steel.hpp"
+#include "tests/support/wheel_rail_pairs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <random>
 
 namespace microslip {
 namespace {
 
-constexpr CombinedMaterial steel{82e9, 0.28, 0};
 const WheelRailMethod accurate{.tolerance = 1e-10};
-
-Profile example_profile(const char* name) {
-  return io::read_profile(std::filesystem::path(MICROSLIP_SOURCE_DIR) / "examples/profiles" / name).profile;
-}
-
-/// S1002 on 60E1, canted 1:40.
-WheelRailBodies pair() {
-  static const Profile rail = example_profile("60e1.prr"), wheel = example_profile("s1002.prw");
-  return {rail, wheel, {.rail_origin = {}, .cant = 1.0 / 40}, {}, TrackSide::left, steel, {{0, 0.3}}};
-}
 
 /// Cones on round heads of 0.3 m whose tops are 0.75 m from the track's centre.
 WheelRailBodies cones(double conicity, double friction = 0.3) {
@@ -39,8 +30,7 @@ WheelRailBodies cones(double conicity, double friction = 0.3) {
 
 WheelsetState running(double lateral, double yaw, double speed = 20) {
   WheelsetState s;
-  s.left.lateral = lateral, s.left.yaw = yaw;
-  s.left.forward_velocity = speed, s.left.pitch_velocity = speed / 0.46;
+  s.left = microslip::running(lateral, yaw, 0, speed);
   return s;
 }
 
@@ -55,7 +45,7 @@ WheelsetState at(WheelsetState state, const WheelsetSolution& found) {
 }
 
 TEST(WheelsetOnTrack, StandsSymmetricallyInTheMiddle) {
-  WheelsetOnTrack wheelset(pair(), accurate);
+  WheelsetOnTrack wheelset(s1002_on_60e1(), accurate);
   const WheelsetSolution s = wheelset.solve(running(0, 0), axle_load(120e3));
   ASSERT_EQ(s.status, Status::ok);
   EXPECT_NEAR(s.roll, 0, 1e-13);
@@ -65,7 +55,7 @@ TEST(WheelsetOnTrack, StandsSymmetricallyInTheMiddle) {
 }
 
 TEST(WheelsetOnTrack, BalancesTheForcesThatItIsGiven) {
-  WheelsetOnTrack wheelset(pair(), accurate);
+  WheelsetOnTrack wheelset(s1002_on_60e1(), accurate);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int k = 0; k < 40; ++k) {
@@ -100,7 +90,7 @@ TEST(WheelsetOnTrack, BalancesTheForcesThatItIsGiven) {
 }
 
 TEST(WheelsetOnTrack, LoadsEachWheelAsPrescribed) {
-  WheelsetOnTrack wheelset(pair(), accurate);
+  WheelsetOnTrack wheelset(s1002_on_60e1(), accurate);
   for (const double lateral : {-6e-3, 0.0, 2e-3}) {
     const WheelsetSolution s = wheelset.solve(running(lateral, 1e-3), {WheelLoads{70e3, 40e3}, {}});
     ASSERT_EQ(s.status, Status::ok);
@@ -115,9 +105,9 @@ TEST(WheelsetOnTrack, LoadsEachWheelAsPrescribed) {
 }
 
 TEST(WheelsetOnTrack, IsTheSameInAMirror) {
-  WheelRailBodies worn = pair();
+  WheelRailBodies worn = s1002_on_60e1();
   worn.friction = {{0, 0.2}};
-  WheelsetOnTrack one(pair(), worn, accurate), other(worn, pair(), accurate);
+  WheelsetOnTrack one(s1002_on_60e1(), worn, accurate), other(worn, s1002_on_60e1(), accurate);
   WheelsetState state = running(5.5e-3, 2e-3);
   state.left.deflection.lateral = 3e-4, state.right_rail.vertical = 1e-3;
   WheelsetState image = state;
@@ -179,7 +169,7 @@ TEST(WheelsetOnTrack, RollsFreelyAtTheSpeedOfItsRadii) {
 }
 
 TEST(WheelsetOnTrack, IsDrivenAndBrakedByATorque) {
-  WheelsetOnTrack wheelset(pair(), accurate);
+  WheelsetOnTrack wheelset(s1002_on_60e1(), accurate);
   const WheelsetSolution free = wheelset.solve(running(1e-3, 0), axle_load(100e3, 0, 0.0)),
                          driven = wheelset.solve(running(1e-3, 0), axle_load(100e3, 0, 3e3)),
                          braked = wheelset.solve(running(1e-3, 0), axle_load(100e3, 0, -3e3));
@@ -243,7 +233,7 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
 }
 
 TEST(WheelsetOnTrack, HasTheDerivativesOfItsForces) {
-  WheelsetOnTrack wheelset(pair(), accurate);
+  WheelsetOnTrack wheelset(s1002_on_60e1(), accurate);
   PrescribedWheelsetForces axle, turning, wheels;
   axle.vertical_force = 100e3, axle.roll_moment = 2e3, axle.axle_torque = 0;
   turning.vertical_force = 100e3, turning.roll_moment = 0;
@@ -254,7 +244,7 @@ TEST(WheelsetOnTrack, HasTheDerivativesOfItsForces) {
 }
 
 TEST(WheelsetOnTrack, FindsItsWayThroughContactJumps) {
-  WheelsetOnTrack wheelset(pair());
+  WheelsetOnTrack wheelset(s1002_on_60e1());
   WheelsetSolution s;
   const auto solve = [&](double lateral, const WheelsetLoad& load) {
     wheelset.solve(running(lateral, 2e-3), load, s);
@@ -280,7 +270,7 @@ TEST(WheelsetOnTrack, FindsItsWayThroughContactJumps) {
 }
 
 TEST(WheelsetOnTrack, AgreesAtBothLevels) {
-  WheelsetOnTrack fast(pair()), exact(pair(), {.level = WheelRailLevel::exact, .elements = 12});
+  WheelsetOnTrack fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 12});
   const WheelsetSolution a = fast.solve(running(-2e-3, 1e-3), axle_load(100e3)),
                          b = exact.solve(running(-2e-3, 1e-3), axle_load(100e3));
   ASSERT_EQ(b.status, Status::ok);
@@ -296,7 +286,7 @@ TEST(WheelsetOnTrack, AgreesAtBothLevels) {
 }
 
 TEST(WheelsetOnTrack, SaysWhatCannotBe) {
-  WheelsetOnTrack wheelset(pair());
+  WheelsetOnTrack wheelset(s1002_on_60e1());
   EXPECT_EQ(wheelset.solve(running(0.3, 0), axle_load(100e3)).status, Status::no_contact);
   // A moment that would lift a wheel.
   EXPECT_EQ(wheelset.solve(running(0, 0), axle_load(100e3, 90e3)).status, Status::no_solution);
@@ -308,7 +298,6 @@ TEST(WheelsetOnTrack, SaysWhatCannotBe) {
   EXPECT_GT(wheelset.solve(state).right.force.z, 0);
   state.left.vertical = 0.1;
   EXPECT_EQ(wheelset.solve(state).status, Status::no_contact);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const WheelsetLoad& bad : {axle_load(0), axle_load(-1e3), axle_load(nan), axle_load(1e3, nan),
                                   axle_load(1e3, 0, nan), WheelsetLoad{WheelLoads{1e3, 0}, {}}})
     EXPECT_EQ(wheelset.solve(running(0, 0), bad).status, Status::invalid_input);
@@ -319,7 +308,7 @@ TEST(WheelsetOnTrack, SaysWhatCannotBe) {
 /// At the exact level a shape is that of the exact patches; rows, with which it begins, follow the surface.
 TEST(WheelsetOnTrack, TakesAnyShapeAtTheExactLevel) {
   for (const PatchShape shape : {PatchShape::flat, PatchShape::curved, PatchShape::conformal}) {
-    WheelsetOnTrack wheelset(pair(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 12});
+    WheelsetOnTrack wheelset(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 12});
     const auto s = wheelset.solve(running(1e-3, 1e-3), axle_load(100e3));
     EXPECT_EQ(s.status, Status::ok) << static_cast<int>(shape) << ": " << to_string(s.reason);
     EXPECT_NEAR(s.force.z, 100e3, 2);

@@ -2,9 +2,9 @@
 // and all friction laws among the input.
 
 #include "c/tests/c_cases.hpp"
-#include "tests/call_counters.hpp"
+#include "tests/support/call_counters.hpp"
+#include "tests/support/case_text.hpp"
 #include "tests/test_cases.hpp"
-#include "tests/wheel_rail_text.hpp"
 
 #include <vector>
 

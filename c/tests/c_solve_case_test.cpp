@@ -2,6 +2,7 @@
 
 #include "cases/case_document.hpp"
 #include "microslip.h"
+#include "tests/support/case_text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -11,25 +12,7 @@
 namespace microslip {
 namespace {
 
-const std::string wheel_on_rail = R"(
-title = "Wheel on rail"
-[body1]
-rolling_radius = 0.46
-transverse_radius = inf
-young_modulus = 210e9
-poisson_ratio = 0.28
-[body2]
-rolling_radius = inf
-transverse_radius = 0.3
-young_modulus = 210e9
-poisson_ratio = 0.28
-[load]
-normal_force = 80e3
-[friction]
-coefficient = 0.3
-[motion]
-rolling_speed = 30.0
-creepage_longitudinal = 0.0018
+const std::string wheel_on_rail = "\ntitle = \"Wheel on rail\"\n" + two_bodies_text + R"(creepage_longitudinal = 0.0018
 spin = 0.4
 [solution]
 theory = "exact"
@@ -53,10 +36,6 @@ Answer solve_in_c(const std::string& text) {
   Answer answer{code, error.text, json ? io::Json::parse(json) : io::Json()};
   microslip_free_text(json);
   return answer;
-}
-
-std::string with(std::string text, const std::string& old_words, const std::string& new_words) {
-  return text.replace(text.find(old_words), old_words.size(), new_words);
 }
 
 TEST(CSolveCase, HasTheDocumentOfTheProgram) {
@@ -91,7 +70,7 @@ TEST(CSolveCase, RefusesACaseInTheWordsOfTheFile) {
 }
 
 TEST(CSolveCase, WarnsAndTellsWhy) {
-  const Answer soft = solve_in_c(with(with(wheel_on_rail, "210e9", "210e3"), "210e9", "210e3")); // in MPa
+  const Answer soft = solve_in_c(with(wheel_on_rail, {{"210e9", "210e3"}, {"210e9", "210e3"}})); // in MPa
   ASSERT_FALSE(soft.json.is_null()) << soft.error;
   ASSERT_FALSE(soft.json.at("warnings").empty());
   EXPECT_NE(soft.json.at("warnings").dump().find("contact ellipse"), std::string::npos);

@@ -2,7 +2,7 @@
 // so to the others.
 
 #include "c/tests/c_cases.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <atomic>
 #include <functional>

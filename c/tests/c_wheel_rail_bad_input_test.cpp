@@ -2,7 +2,7 @@
 
 #include "microslip.h"
 
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -96,7 +96,7 @@ std::vector<microslip_wheel_state> bad_states(const microslip_wheel_state& state
 
 TEST(CWheelRailBadInput, EveryResultIsWrittenWhateverTheStatesAre) {
   for (const char* theory : {"\"fastsim2\"", "\"table\"", "\"exact\"\ngrid = 6"}) {
-    const Case pair(with_part(wheel_rail_text, "\"fastsim2\"", theory));
+    const Case pair(with(wheel_rail_text, "\"fastsim2\"", theory));
     microslip_wheel_state state;
     ASSERT_EQ(microslip_wheel_rail_state(pair.pointer, &state), MICROSLIP_OK);
     const auto states = bad_states(state);

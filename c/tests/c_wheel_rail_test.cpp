@@ -5,7 +5,7 @@
 #include "io/wheel_rail_case.hpp"
 #include "microslip/railway/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -84,7 +84,7 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
 
 TEST(CWheelRail, HasDamageWhereTheStrengthIsGiven) {
   const Handle handle(
-      with_part(wheel_rail_text, "[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
+      with(wheel_rail_text, "[friction]", "hardness = 2.7e9\nshear_yield_strength = 300e6\n[friction]"));
   ASSERT_EQ(handle.code, MICROSLIP_OK) << handle.error.text;
   microslip_wheel_state state;
   microslip_wheel_rail_state(handle.pointer, &state);
@@ -197,7 +197,7 @@ TEST(CWheelRail, HasTheWheelsetsContactsAndConicity) {
 }
 
 TEST(CWheelRail, RefusesWhatMakesNoSense) {
-  const Handle wrong(with_part(wheel_rail_text, "gauge =", "gage ="));
+  const Handle wrong(with(wheel_rail_text, "gauge =", "gage ="));
   EXPECT_EQ(wrong.code, MICROSLIP_INVALID_OPTION);
   EXPECT_EQ(std::string(wrong.error.text), "w.toml:3: track.gage: unknown key; did you mean gauge?");
   EXPECT_EQ(wrong.pointer, nullptr);

@@ -2,20 +2,19 @@
 
 #include "cases/case_document.hpp"
 #include "cases/wheel_rail_result.hpp"
-#include "explorer_paths.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "tests/support/case_text.hpp"
+#include "tests/support/files.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -26,35 +25,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_TRUE(file) << path;
-  return text.str();
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-const fs::path examples = EXPLORER_EXAMPLES;
+const fs::path examples = MICROSLIP_SOURCE_DIR "/examples";
 
 std::string ellipse_case() {
-  return replaced(text_of(examples / "hertzian_contact.toml"), "grid = [40, 40]", "grid = [16, 16]");
+  return with(contents(examples / "hertzian_contact.toml"), "grid = [40, 40]", "grid = [16, 16]");
 }
 std::string starting_case() {
-  return text_of(examples / "starting_to_roll.toml");
+  return contents(examples / "starting_to_roll.toml");
 }
 std::string wheel_case() {
-  std::string text = replaced(text_of(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
-  return replaced(replaced(text, "profiles/s1002.prw", "s1002.prw"), "grid = 60", "grid = 16");
+  std::string text = with(contents(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
+  return with(with(text, "profiles/s1002.prw", "s1002.prw"), "grid = 60", "grid = 16");
 }
 io::Json profiles() {
-  return {{"60e1.prr", text_of(examples / "profiles/60e1.prr")},
-          {"s1002.prw", text_of(examples / "profiles/s1002.prw")}};
+  return {{"60e1.prr", contents(examples / "profiles/60e1.prr")},
+          {"s1002.prw", contents(examples / "profiles/s1002.prw")}};
 }
 
 class ExplorerTest : public testing::Test {
@@ -111,10 +96,9 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
 TEST_F(ExplorerTest, AnswersDamagedRequests) {
   std::mt19937 random(1);
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-  const std::string quick = replaced(starting_case(), "theory = \"exact\"\ngrid = [24, 24]", "grid = [6, 6]");
+  const std::string quick = with(starting_case(), "theory = \"exact\"\ngrid = [24, 24]", "grid = [6, 6]");
   const std::string whole =
-      io::Json(
-          {{"call", "solve"}, {"case", replaced(replaced(quick, "\"transient\"", "\"steady\""), "steps = 60", "")}})
+      io::Json({{"call", "solve"}, {"case", with(with(quick, "\"transient\"", "\"steady\""), "steps = 60", "")}})
           .dump();
   int results = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -158,7 +142,7 @@ TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
                                  {"normal_force =", "normal_forse ="},
                                  {"\"80 kN\"", "\"80 mm\""},
                                  {"grid = [16, 16]", "grid = [16"}}) {
-    const std::string text = replaced(ellipse_case(), from, to);
+    const std::string text = with(ellipse_case(), from, to);
     EXPECT_EQ(words(text), readers(text));
     EXPECT_TRUE(words(text).starts_with(name + ":")) << words(text);
   }
@@ -168,13 +152,13 @@ TEST_F(ExplorerTest, RefusesCasesInTheReadersWords) {
 
 /// Of the paths of profiles their ends count.
 TEST_F(ExplorerTest, TakesProfilesWithoutTheirFolders) {
-  const std::string text = replaced(wheel_case(), "\"60e1.prr\"", "\"../rails/60e1.prr\"");
+  const std::string text = with(wheel_case(), "\"60e1.prr\"", "\"../rails/60e1.prr\"");
   const io::Json plain = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
   EXPECT_EQ(result({{"call", "solve"}, {"case", text}})["wheel"], plain["wheel"]);
-  EXPECT_EQ(refusal({{"call", "solve"}, {"case", replaced(text, "\"s1002.prw\"", "\"worn\\\\s1002.txt\"")}}),
+  EXPECT_EQ(refusal({{"call", "solve"}, {"case", with(text, "\"s1002.prw\"", "\"worn\\\\s1002.txt\"")}}),
             (folder_ / "case.toml").string() +
                 ": wheelset.profile = \"worn\\s1002.txt\": not here; such a file goes along with the case");
-  const std::string alike = refusal({{"call", "solve"}, {"case", replaced(text, "\"s1002.prw\"", "\"60e1.prr\"")}});
+  const std::string alike = refusal({{"call", "solve"}, {"case", with(text, "\"s1002.prw\"", "\"60e1.prr\"")}});
   EXPECT_NE(alike.find("wheelset.profile: \"60e1.prr\" and \"../rails/60e1.prr\" have one name"), std::string::npos)
       << alike;
 }
@@ -198,7 +182,7 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
                                       {"wheel_on_rail.toml", "wheel_rail"},
                                       {"lateral_sweep.toml", "wheel_rail"},
                                       {"wheelset_in_curve.toml", "wheelset"}}) {
-    const std::string text = text_of(examples / example);
+    const std::string text = contents(examples / example);
     const io::Json found = result({{"call", "inputs"}, {"case", text}, {"files", profiles()}});
     EXPECT_EQ(found["kind"], kind);
     std::set<std::string> keys;
@@ -211,7 +195,7 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
 }
 
 TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
-  const io::Json found = result({{"call", "inputs"}, {"case", text_of(examples / "two_rollers.toml")}});
+  const io::Json found = result({{"call", "inputs"}, {"case", contents(examples / "two_rollers.toml")}});
   const io::Json& inputs = found["inputs"];
   EXPECT_EQ(inputs["body1.rolling_radius"], 0.05);
   EXPECT_EQ(inputs["body2.transverse_radius"], "inf");
@@ -227,8 +211,8 @@ TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
   EXPECT_EQ(wheel["inputs"]["rail.smoothing_length"], 0);
   EXPECT_EQ(wheel["inputs"]["solution.grid"], 16);
   EXPECT_EQ(wheel["inputs"]["wheel.yaw"], 0.002);
-  EXPECT_EQ(refusal({{"call", "inputs"}, {"case", replaced(ellipse_case(), "spin =", "spinn =")}}),
-            refusal({{"call", "solve"}, {"case", replaced(ellipse_case(), "spin =", "spinn =")}}));
+  EXPECT_EQ(refusal({{"call", "inputs"}, {"case", with(ellipse_case(), "spin =", "spinn =")}}),
+            refusal({{"call", "solve"}, {"case", with(ellipse_case(), "spin =", "spinn =")}}));
 }
 
 TEST_F(ExplorerTest, SolvesAnEllipseAsTheProgramDoes) {
@@ -301,10 +285,10 @@ TEST_F(ExplorerTest, CreepCurvesPassThroughTheContact) {
 /// a (1 - Fx/(mu Fn))^(1/3); rolled on under it, the bodies come to Carter's steady state, whose creepage the steady
 /// solution has.
 TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
-  std::string text = replaced(starting_case(), "creepage_longitudinal = 0.0015", "force_longitudinal = -12e3");
-  text = replaced(replaced(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = \"300 mm\"",
-                  "transverse_radius = inf");
-  text = replaced(replaced(text, "transverse_radius = inf", "transverse_radius = 0.460"), "steps = 60", "steps = 80");
+  std::string text = with(starting_case(), "creepage_longitudinal = 0.0015", "force_longitudinal = -12e3");
+  text = with(with(text, "creepage_lateral = 0.0005", "spin = 0.0"), "transverse_radius = \"300 mm\"",
+              "transverse_radius = inf");
+  text = with(with(text, "transverse_radius = inf", "transverse_radius = 0.460"), "steps = 60", "steps = 80");
   const io::Json found = result({{"call", "transient"}, {"case", text}});
   EXPECT_EQ(found["status"], "ok");
   ASSERT_EQ(found["frames"].size(), 81u);
@@ -315,8 +299,8 @@ TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
   const double adhesion = static_cast<double>(std::count(state.begin(), state.end(), 1));
   EXPECT_NEAR(adhesion / contact, std::pow(1 - 12e3 / 24e3, 2. / 3), 0.05);
   for (const io::Json& frame : found["frames"]) EXPECT_NEAR(frame["fx"].get<double>(), -12e3, 1);
-  text = replaced(replaced(text, "\"transient\"", "\"steady\""), "steps = 80", "");
-  text = replaced(text, "theory = \"exact\"", "theory = \"exact\"\ndiscretisation = \"classical\"");
+  text = with(with(text, "\"transient\"", "\"steady\""), "steps = 80", "");
+  text = with(text, "theory = \"exact\"", "theory = \"exact\"\ndiscretisation = \"classical\"");
   const io::Json steady = result({{"call", "solve"}, {"case", text}, {"extent", "solution"}});
   const double creepage = steady["exact"]["creepage_longitudinal"].get<double>();
   EXPECT_NEAR(found["frames"][80]["creepage_longitudinal"].get<double>(), creepage, 0.02 * std::abs(creepage));
@@ -329,13 +313,12 @@ TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
     io::Json request = {{"call", "solve"}, {"case", text}, {"files", profiles()}};
     return io::Json::parse(explorer.answer(request.dump()))["result"]["wheel"];
   };
-  const std::string exact = wheel_case(),
-                    quick = replaced(replaced(exact, "theory = \"exact\"", "theory = \"fastsim2\""), "shape = \"flat\"",
-                                     "shape = \"curved\"");
+  const std::string exact = wheel_case(), quick = with(with(exact, "theory = \"exact\"", "theory = \"fastsim2\""),
+                                                       "shape = \"flat\"", "shape = \"curved\"");
   for (const std::string& text : {quick, exact}) {
-    const std::string moved = replaced(text, "lateral = \"6.04 mm\"", "lateral = \"2 mm\"");
+    const std::string moved = with(text, "lateral = \"6.04 mm\"", "lateral = \"2 mm\"");
     ask(explorer_, text);
-    ask(explorer_, replaced(moved, "\"2 mrad\"", "\"-3 mrad\""));
+    ask(explorer_, with(moved, "\"2 mrad\"", "\"-3 mrad\""));
     const io::Json kept = ask(explorer_, moved);
     Explorer fresh(folder_);
     const io::Json anew = ask(fresh, moved);
@@ -348,7 +331,7 @@ TEST_F(ExplorerTest, KeepsModelsOfWheelsWithoutTrace) {
 TEST_F(ExplorerTest, SeesThatAFileHasChanged) {
   const io::Json before = result({{"call", "solve"}, {"case", wheel_case()}, {"files", profiles()}});
   io::Json files = profiles();
-  files["s1002.prw"] = replaced(files["s1002.prw"].get<std::string>(), "units.len.f", "units.len.f ");
+  files["s1002.prw"] = with(files["s1002.prw"].get<std::string>(), "units.len.f", "units.len.f ");
   EXPECT_EQ(result({{"call", "solve"}, {"case", wheel_case()}, {"files", files}})["wheel"], before["wheel"]);
   files["s1002.prw"] = "nothing";
   EXPECT_NE(refusal({{"call", "solve"}, {"case", wheel_case()}, {"files", files}}).find("s1002.prw:1"),

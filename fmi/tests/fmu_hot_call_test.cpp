@@ -2,7 +2,7 @@
 // nothing. MICROSLIP_HOT_INPUT is varied.
 
 #include "fmi/tests/importer3.hpp"
-#include "tests/call_counters.hpp"
+#include "tests/support/call_counters.hpp"
 
 #include <cmath>
 #include <vector>

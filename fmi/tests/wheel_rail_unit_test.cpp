@@ -3,7 +3,7 @@
 #include "fmi/tests/importer.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>

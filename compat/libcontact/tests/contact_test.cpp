@@ -1,14 +1,11 @@
 // Contact problems of module 3 through the library: the numbers of the code that runs CONTACT's files, bit for bit, and
 // Hertz's.
 
-#include "compat/contact/input.hpp"
-#include "compat/contact/run.hpp"
-#include "compat/libcontact/tests/calls.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/contact_input_cases.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -16,20 +13,12 @@ namespace microslip::libcontact {
 namespace {
 
 using contact_program::Outcome;
+using contact_program::outcomes_of;
 
-std::vector<Outcome> run(const std::string& text) {
-  std::istringstream stream(text);
-  contact_program::InputReader reader(stream, "a.inp");
-  contact_program::Run runs;
-  std::vector<Outcome> outcomes;
-  while (const auto* c = reader.next()) outcomes.push_back(runs.run(*c));
-  return outcomes;
-}
-
-class ContactProblems : public ::testing::Test {
+class ContactProblems : public LibraryTest {
 protected:
   void SetUp() override {
-    ASSERT_EQ(library_.code, 0);
+    LibraryTest::SetUp();
     ASSERT_EQ(initialize(7, 3), 0);
   }
 
@@ -50,14 +39,11 @@ protected:
     const bool shifts = o.step.motion.motion == ContactMotion::shift;
     for (std::size_t k = 0; k < slip.size(); ++k) ASSERT_EQ(slip[k], s.sx[k] * (shifts ? 1e3 : 1));
   }
-
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
 };
 
 /// Cattaneo's shift, as CONTACT's example has it: first pressed together, then shifted by a force.
 TEST_F(ContactProblems, AreCattaneosShift) {
-  const auto outcomes = run(R"( 3 MODULE
+  const auto outcomes = outcomes_of(R"( 3 MODULE
  200100
  022020
  0000331
@@ -102,7 +88,7 @@ TEST_F(ContactProblems, AreCattaneosShift) {
 }
 
 TEST_F(ContactProblems, RollSteadily) {
-  const auto outcomes = run(R"( 3 MODULE
+  const auto outcomes = outcomes_of(R"( 3 MODULE
  203100
  022020
  0000331

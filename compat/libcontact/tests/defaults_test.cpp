@@ -2,7 +2,7 @@
 
 #include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // CONTACT has stored, on its profiles.
 
 #include "paths.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "validation/contact_output.hpp"
 
 #include <cmath>

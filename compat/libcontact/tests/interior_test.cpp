@@ -1,7 +1,6 @@
 // Displacements and stresses inside the bodies.
 
-#include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -27,13 +26,7 @@ Values results(int ire, int icp, int number, std::vector<int> columns, int lengt
   return values;
 }
 
-class Interiors : public ::testing::Test {
-protected:
-  void SetUp() override { ASSERT_EQ(library_.code, 0); }
-
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
-};
+using Interiors = LibraryTest;
 
 TEST_F(Interiors, BeginWithThePressure) {
   ASSERT_EQ(initialize(1, 3), 0);

@@ -1,8 +1,7 @@
 // Many calls need no more memory than few.
 
-#include "compat/libcontact/tests/calls.hpp"
-#include "tests/sanitized.hpp"
-#include "tests/temporary_folder.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <malloc.h>
 
@@ -19,16 +18,13 @@ long in_use() {
 
 constexpr long little = 64 * 1024;
 
-class Memory : public ::testing::Test {
+class Memory : public LibraryTest {
 protected:
   void SetUp() override {
 #ifdef MICROSLIP_SANITIZED
     GTEST_SKIP() << "sanitizers have an allocator of their own";
 #endif
   }
-
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
 };
 
 TEST_F(Memory, OfAMillionCallsDoesNotGrow) {

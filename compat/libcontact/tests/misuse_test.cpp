@@ -1,8 +1,7 @@
 // Calls in the wrong order, with wrong numbers, null pointers and short arrays: a code each time, why in the log, and
 // what was set stays.
 
-#include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
 
 #include <limits>
 
@@ -11,14 +10,11 @@
 namespace microslip::libcontact {
 namespace {
 
-class Misuse : public ::testing::Test {
+class Misuse : public LibraryTest {
 protected:
   void expect_in_log(const std::string& text) const {
     EXPECT_NE(library_.log().find(text), std::string::npos) << text << "\n" << library_.log();
   }
-
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
 };
 
 TEST_F(Misuse, OfElementsThatAreNotThere) {

@@ -8,7 +8,7 @@
 // it is made, and which of its numbers are other than those that programs give.
 
 #include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <array>
 #include <chrono>

@@ -1,8 +1,7 @@
 // What calls that are refused leave in the arrays for results, for programs that look at no code: zeros, and one
 // element where there is no potential contact.
 
-#include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
 
 #include <limits>
 #include <utility>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr double untouched = -12345;
 
-class RefusedResults : public ::testing::Test {
+class RefusedResults : public LibraryTest {
 protected:
   /// Of functions that return numbers one by one.
   template <class... Places> void expect_zeros(int (*getter)(int*, int*, Places...), int ire, int icp) {
@@ -78,9 +77,6 @@ protected:
     EXPECT_LT(subs_getresults(&ire, &icp, &block, &three, &two, columns, values.data()), 0);
     EXPECT_EQ(values, (Values{0, 0, 0, 0, 0, 0, untouched}));
   }
-
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
 };
 
 TEST_F(RefusedResults, OfNoElement) {

@@ -1,7 +1,6 @@
 // Result elements on separate threads have the bits that they have alone; two threads on one element get a code.
 
-#include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "compat/libcontact/tests/library_test.hpp"
 
 #include <atomic>
 #include <thread>
@@ -11,11 +10,7 @@
 namespace microslip::libcontact {
 namespace {
 
-class Threads : public ::testing::Test {
-protected:
-  TemporaryFolder folder_;
-  Library library_{folder_.path()};
-};
+using Threads = LibraryTest;
 
 /// What a wheel has over some states: forces and all pressures, one behind the other. Empty if something fails.
 Values history(int ire, bool is_right) {

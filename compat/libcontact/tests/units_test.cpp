@@ -1,7 +1,7 @@
 // The same problem in CONTACT's, Simpack's and SI units.
 
 #include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 

@@ -1,10 +1,9 @@
 // Wheels through the library: the numbers of the code that runs CONTACT's files, bit for bit, from profiles in files
 // and in arrays; forces in all axes; profiles, sensitivities.
 
-#include "compat/contact/input.hpp"
-#include "compat/contact/run.hpp"
 #include "compat/libcontact/tests/calls.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/contact_input_cases.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -14,8 +13,8 @@
 namespace microslip::libcontact {
 namespace {
 
-using contact_program::InputReader;
 using contact_program::Outcome;
+using contact_program::outcomes_of;
 using contact_program::PatchLocation;
 using contact_program::WheelOutcome;
 
@@ -31,15 +30,6 @@ std::string input_of(bool is_right, const std::vector<double>& sideways) {
          << " 80000. " << -1e-4 * y << " " << 2e-3 * y << " 0\n 30000. 0 0 0 0 " << -30e3 / 460.3 << "\n";
   }
   return text.str();
-}
-
-std::vector<Outcome> run(const std::string& text) {
-  std::istringstream stream(text);
-  InputReader reader(stream, "a.inp");
-  contact_program::Run runs;
-  std::vector<Outcome> outcomes;
-  while (const auto* c = reader.next()) outcomes.push_back(runs.run(*c));
-  return outcomes;
 }
 
 class Wheels : public ::testing::TestWithParam<bool> {
@@ -60,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, Wheels, ::testing::Bool(),
 const std::vector<double> sideways = {0.5, 3, 7.5};
 
 TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
-  const auto outcomes = run(input_of(GetParam(), sideways));
+  const auto outcomes = outcomes_of(input_of(GetParam(), sideways));
   for (std::size_t k = 0; k < sideways.size(); ++k) {
     ASSERT_EQ(set_wheel_state(1, sideways[k]), 0);
     ASSERT_EQ(calculate(1), 0) << library_.log();

@@ -1,27 +1,20 @@
 #pragma once
 
+#include "tests/support/files.hpp"
+#include "tests/support/temporary_folder.hpp"
+
 #include "paths.hpp"
-#include "tests/temporary_folder.hpp"
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+#include <vector>
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace microslip {
-
-inline std::string contents(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-inline void save(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 /// What a run of the program leaves.
 struct Outcome {
@@ -41,6 +34,23 @@ inline Outcome run_program(const TemporaryFolder& folder, const std::string& arg
   command += arguments + " >'" + output.string() + "' 2>'" + errors.string() + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, is_returned ? contents(output) : "", contents(errors)};
+}
+
+/// What a child process does to become the program in a folder, without input and output.
+[[noreturn]] inline void become_program(const TemporaryFolder& folder, std::vector<std::string> words) {
+  const int nowhere = open("/dev/null", O_RDWR);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+  if (chdir(folder.path().c_str()) != 0) _exit(127);
+  std::vector<char*> arguments = {const_cast<char*>("microslip")};
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(MICROSLIP_PROGRAM, arguments.data());
+  _exit(127);
+}
+
+/// The exit code of a process that has ended, as a shell has it.
+inline int exit_code(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 } // namespace microslip

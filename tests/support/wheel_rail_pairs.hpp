@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace microslip {
@@ -33,6 +34,11 @@ inline Profile spherical_wheel(double radius, double width = 0.06) {
 inline Profile round_head(double radius, double width = 0.03) {
   return profile_of(ProfileRole::rail, -width, width, 1201,
                     [=](double y) { return std::sqrt(radius * radius - y * y) - radius; });
+}
+
+/// A profile of the examples.
+inline Profile example_profile(const std::string& name) {
+  return io::read_profile(MICROSLIP_SOURCE_DIR "/examples/profiles/" + name).profile;
 }
 
 /// A file beside the sources that need not be there.

@@ -3,7 +3,7 @@
 // ones are counted. A program includes this once.
 #pragma once
 
-#include "tests/sanitized.hpp"
+#include "tests/support/sanitized.hpp"
 
 #include <atomic>
 #include <cstdio>
