@@ -11,7 +11,6 @@ LEFT_OUT = ("build", ".git")
 # Files of which a program has but one.
 ALTERNATIVES = {
     frozenset({"io/own_unit_system.cpp", "io/udunits_system.cpp"}),
-    frozenset({"microslip/numerics/fftw_transforms.cpp", "microslip/numerics/own_transforms.cpp"}),
 }
 
 # What a definition of a type ends with before its brace; its name may be qualified, and have template arguments.
