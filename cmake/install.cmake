@@ -25,10 +25,6 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/microslip-config-ve
 install(FILES ${CMAKE_BINARY_DIR}/package/microslip-config.cmake
   ${CMAKE_BINARY_DIR}/package/microslip-config-version.cmake DESTINATION ${package} COMPONENT libraries)
 
-set(microslip_requires "")
-if(MICROSLIP_TRANSFORMS STREQUAL "fftw")
-  set(microslip_requires "Requires: fftw3 fftw3f\n")
-endif()
 file(RELATIVE_PATH microslip_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 foreach(name microslip microslip_c)
   configure_file(cmake/${name}.pc.in ${CMAKE_BINARY_DIR}/package/${name}.pc @ONLY)

@@ -14,14 +14,14 @@ struct UnitDefinition {
 };
 struct UnitPrefix {
   const char* symbol;
-  double factor;
+  int decade; ///< of its power of ten
 };
 
 /// The units of case files, and the prefixes that they may have.
 std::span<const UnitDefinition> unit_definitions();
 std::span<const UnitPrefix> unit_prefixes();
 
-/// These units with the algebra of products, quotients and whole powers: UDUNITS', or ours where that is missing.
+/// These units with the algebra of products, quotients and whole powers.
 class UnitSystem {
 public:
   UnitSystem();

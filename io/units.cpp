@@ -50,8 +50,8 @@ constexpr UnitDefinition definitions[] = {
     {"%", "0.01"},
 };
 
-constexpr UnitPrefix prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"c", 1e-2}, {"d", 1e-1},
-                                   {"da", 1e1}, {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
+constexpr UnitPrefix prefixes[] = {{"n", -9}, {"u", -6}, {"m", -3}, {"c", -2}, {"d", -1},
+                                   {"da", 1}, {"k", 3},  {"M", 6},  {"G", 9}};
 
 /// What messages say of a unit that a value is wanted in: those to choose from, and an example.
 struct Choice {
@@ -94,7 +94,7 @@ const Choice& choice_of(std::string_view unit) {
   return *found;
 }
 
-/// In letters that UDUNITS has in any encoding, without the blanks around signs that it does not take.
+/// In ASCII, without blanks around signs.
 std::string in_ascii(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> others[] = {
       {"\u00b5", "u"}, {"\u03bc", "u"}, {"\u00b0", "deg"}, {"\u00b2", "2"},
@@ -109,8 +109,8 @@ std::string in_ascii(std::string_view unit) {
   return text;
 }
 
-/// Of all that UDUNITS understands: products and quotients of units with exponents, in parentheses where it matters.
-/// Not a number before them, as in "1 435 mm", nor dates, logarithms and other origins.
+/// Products and quotients of units with exponents, in parentheses where it matters. Not a number before them, as in
+/// "1 435 mm", and no other origin: what only the table of units may have.
 class PlainUnit {
 public:
   explicit PlainUnit(std::string_view text) : rest_(text) {
@@ -194,8 +194,7 @@ std::optional<double> angle_of_slope(double rise, std::string_view rest) {
   return std::atan(rise / *run);
 }
 
-/// Only temperatures may differ by their zero. Of all that the system knows only what is plain: with other texts
-/// UDUNITS would lose memory.
+/// Only temperatures may differ by their zero.
 UnitSystem::Conversion conversion(std::string_view name, const Choice& choice) {
   static const UnitSystem system; // of constants
   const std::string given = in_ascii(name);

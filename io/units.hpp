@@ -13,9 +13,7 @@ struct UnitScale {
 };
 
 // Numbers with a unit as files have them, "80 kN" or "0.4 1/m", by the grammar of UDUNITS: blanks, dots, `*` and `/`
-// between units, exponents as m2, m^2 or m-1, prefixes from n to G. Its units are listed in docs/quick-start.md. What
-// UDUNITS needs to know of them is made once, with the first text, since UDUNITS does not free all of it; no more than
-// one thread at a time is in UDUNITS, whose parser has global state.
+// between units, exponents as m2, m^2 or m-1, prefixes from n to G. The units are listed in docs/quick-start.md.
 
 /// Converts `text` to `unit`: 80e3 for "80 kN" in "N". A temperature in "deg C" may be given in K or degF, a difference
 /// in "K" in nothing else; spin and curvature in "1/m" as an angle by a length, too. Error for text without a number or

@@ -117,15 +117,16 @@ TEST(Dual, FollowsALoop) {
 
 /// What is not chosen may be infinite or not a number, as beyond a guarded division: nothing of it comes through.
 TEST(Dual, SelectTakesValueAndDerivativesFromTheSameSide) {
-  using Register = std::experimental::fixed_size_simd<double, 4>;
-  using Vector = Lanes<Register>;
+  using Vector = Lanes<double, 2>;
   using VectorDual = Dual<Vector, 1>;
   const double values[] = {-1, 0, 4, 9};
-  const VectorDual x = VectorDual::variable(Vector::load(values), 0);
-  const VectorDual root = select(Vector(0.0) < x.value, sqrt(x), VectorDual(Vector(7.0)));
   double value[4], slope[4];
-  root.value.store(value);
-  root.partial[0].store(slope);
+  for (const int first : {0, 2}) {
+    const VectorDual x = VectorDual::variable(Vector::load(values + first), 0);
+    const VectorDual root = select(Vector(0.0) < x.value, sqrt(x), VectorDual(Vector(7.0)));
+    root.value.store(value + first);
+    root.partial[0].store(slope + first);
+  }
   const double expected_value[] = {7, 7, 2, 3}, expected_slope[] = {0, 0, 1. / 4, 1. / 6};
   for (int k = 0; k < 4; ++k) {
     EXPECT_EQ(value[k], expected_value[k]);

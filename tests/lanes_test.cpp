@@ -1,5 +1,4 @@
 #include "microslip/numerics/lanes.hpp"
-#include "microslip/numerics/vector_simd.hpp"
 
 #include <array>
 #include <cmath>
@@ -25,18 +24,17 @@ template <class Vector> Numbers<Vector> stored(const Vector& vector) {
   return values;
 }
 
-/// By the registers of the standard library and by those of lane_vector.hpp.
-template <class Register> class LanesTest : public testing::Test {};
-using Registers = testing::Types<simd::native_simd<double>, vector_simd::native_simd<double>,
-                                 vector_simd::fixed_size_simd<double, 16>>;
-TYPED_TEST_SUITE(LanesTest, Registers);
+/// As many as registers hold, fewer and more.
+template <class Vector> class LanesTest : public testing::Test {};
+using Vectors = testing::Types<Lanes<double>, Lanes<double, 4>, Lanes<double, 16>>;
+TYPED_TEST_SUITE(LanesTest, Vectors);
 
-template <class Register> class LanesInSinglePrecision : public testing::Test {};
-using SingleRegisters = testing::Types<simd::native_simd<float>, vector_simd::native_simd<float>>;
-TYPED_TEST_SUITE(LanesInSinglePrecision, SingleRegisters);
+template <class Vector> class LanesInSinglePrecision : public testing::Test {};
+using SingleVectors = testing::Types<Lanes<float>, Lanes<float, 16>>;
+TYPED_TEST_SUITE(LanesInSinglePrecision, SingleVectors);
 
 TYPED_TEST(LanesTest, ComputeWhatPlainNumbersDo) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   constexpr int width = Vector::width;
   const Numbers<Vector> a = numbers<Vector>(0.7, 1.3), b = numbers<Vector>(-0.9, 0.37);
   const Vector x = Vector::load(a.data()), y = Vector::load(b.data());
@@ -54,7 +52,7 @@ TYPED_TEST(LanesTest, ComputeWhatPlainNumbersDo) {
 }
 
 TYPED_TEST(LanesTest, LoadAndStoreAtAnyAddress) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   constexpr int width = Vector::width;
   std::array<double, width + 1> from{}, to{};
   for (int k = 0; k <= width; ++k) from[k] = k + 0.5;
@@ -64,7 +62,7 @@ TYPED_TEST(LanesTest, LoadAndStoreAtAnyAddress) {
 }
 
 TYPED_TEST(LanesTest, SelectKeepsOutWhatIsNotChosen) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   constexpr int width = Vector::width;
   const Numbers<Vector> a = numbers<Vector>(-1, 1); // negative in the first lane only
   const Vector x = Vector::load(a.data()), bad(std::numeric_limits<double>::quiet_NaN());
@@ -75,7 +73,7 @@ TYPED_TEST(LanesTest, SelectKeepsOutWhatIsNotChosen) {
 }
 
 TYPED_TEST(LanesTest, MasksFollowLogic) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   constexpr int width = Vector::width;
   const Numbers<Vector> a = numbers<Vector>(0, 1);
   const Vector x = Vector::load(a.data());
@@ -92,7 +90,7 @@ TYPED_TEST(LanesTest, MasksFollowLogic) {
 
 /// A comparison with NaN is false, so that guarded branches are not taken.
 TYPED_TEST(LanesTest, NothingComparesWithNotANumber) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   const Vector bad(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(any(bad < Vector(0.0)));
   EXPECT_FALSE(any(Vector(0.0) < bad));
@@ -100,7 +98,7 @@ TYPED_TEST(LanesTest, NothingComparesWithNotANumber) {
 }
 
 TYPED_TEST(LanesInSinglePrecision, LoadAndStoreDoubles) {
-  using Vector = Lanes<TypeParam>;
+  using Vector = TypeParam;
   std::array<double, Vector::width> from{}, to{};
   for (int k = 0; k < Vector::width; ++k) from[k] = 0.1 * k;
   const Vector x = Vector::load(from.data());
@@ -108,12 +106,57 @@ TYPED_TEST(LanesInSinglePrecision, LoadAndStoreDoubles) {
   for (int k = 0; k < Vector::width; ++k) EXPECT_EQ(to[k], static_cast<float>(from[k]) * (k < 2 ? 1 : -1));
 }
 
-TEST(VectorSimd, SumsAllLanes) {
-  std::array<float, 16> values{};
-  for (int k = 0; k < 16; ++k) values[k] = static_cast<float>(k);
-  const vector_simd::fixed_size_simd<float, 16> v(values.data(), vector_simd::element_aligned);
-  EXPECT_EQ(reduce(v), 120);
-  EXPECT_EQ(reduce(v - v), 0);
+template <class Vector> class WideLanesTest : public testing::Test {};
+using WideVectors = testing::Types<WideLanes<double, 2>, WideLanes<double, 4>, WideLanes<double, 16>>;
+TYPED_TEST_SUITE(WideLanesTest, WideVectors);
+
+TYPED_TEST(WideLanesTest, ComputeWhatPlainNumbersDo) {
+  using Vector = TypeParam;
+  const Numbers<Vector> a = numbers<Vector>(0.7, 1.3), b = numbers<Vector>(-0.9, 0.37);
+  Vector x = Vector::load(a.data());
+  const Vector y = Vector::load(b.data());
+  const Numbers<Vector> product = stored(x * y), difference = stored(x - y);
+  x += y * 2;
+  x -= y;
+  const Numbers<Vector> rest = stored(x);
+  for (int k = 0; k < Vector::width; ++k) {
+    EXPECT_EQ(product[k], a[k] * b[k]);
+    EXPECT_EQ(difference[k], a[k] - b[k]);
+    EXPECT_EQ(rest[k], a[k] + b[k] * 2 - b[k]);
+  }
+}
+
+TYPED_TEST(WideLanesTest, SumsAllLanes) {
+  using Vector = TypeParam;
+  const Numbers<Vector> a = numbers<Vector>(1, 1);
+  const Vector x = Vector::load(a.data());
+  EXPECT_EQ(sum(x), Vector::width * (Vector::width + 1) / 2);
+  EXPECT_EQ(sum(x - x), 0);
+}
+
+/// Also of negative zero, whose sign arithmetic must not lose.
+TYPED_TEST(LanesTest, ConstantsAreTheSameInAllLanes) {
+  using Vector = TypeParam;
+  const Numbers<Vector> zero = stored(Vector(-0.0)), size = stored(abs(Vector(-0.0)));
+  for (int k = 0; k < Vector::width; ++k) {
+    EXPECT_TRUE(std::signbit(zero[k]));
+    EXPECT_FALSE(std::signbit(size[k]));
+  }
+}
+
+TYPED_TEST(LanesTest, TransposeExchangesRowsAndColumns) {
+  using Vector = TypeParam;
+  constexpr int width = Vector::width;
+  std::array<Vector, width> rows;
+  for (int i = 0; i < width; ++i) {
+    const Numbers<Vector> row = numbers<Vector>(i * width, 1);
+    rows[i] = Vector::load(row.data());
+  }
+  transpose(rows.data());
+  for (int i = 0; i < width; ++i) {
+    const Numbers<Vector> column = stored(rows[i]);
+    for (int j = 0; j < width; ++j) EXPECT_EQ(column[j], j * width + i);
+  }
 }
 
 } // namespace

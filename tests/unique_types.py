@@ -8,12 +8,6 @@ import sys
 ENDINGS = (".hpp", ".cpp", ".h", ".c")
 LEFT_OUT = ("build", ".git")
 
-# Files of which a program has but one.
-ALTERNATIVES = {
-    frozenset({"io/own_unit_system.cpp", "io/udunits_system.cpp"}),
-    frozenset({"microslip/numerics/fftw_transforms.cpp", "microslip/numerics/own_transforms.cpp"}),
-}
-
 # What a definition of a type ends with before its brace; its name may be qualified, and have template arguments.
 TYPE = re.compile(r"(?:^|\s)(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?:alignas\s*\([^()]*\)\s*)?"
                   r"(?P<name>[A-Za-z_]\w*(?:\s*<.*>)?(?:\s*::\s*[A-Za-z_]\w*(?:\s*<.*>)?)*?)\s*(?:final\s*)?(?:(?<!:):(?!:).*)?$", re.DOTALL)
@@ -82,15 +76,10 @@ def definitions(root):
     return found
 
 
-def are_alternatives(sites):
-    """Returns whether a program has but one of these files."""
-    return frozenset(file for file, _ in sites) in ALTERNATIVES
-
-
 def complaints(found):
     """What is wrong, one line each."""
-    return [f"{name}: defined in {' and '.join(f'{file}:{line}' for file, line in sites)}"
-            for name, sites in sorted(found.items()) if len(sites) > 1 and not are_alternatives(sites)]
+    return [f"{name}: defined in {' and '.join(f'{file}:{line}' for file, line in places)}"
+            for name, places in sorted(found.items()) if len(places) > 1]
 
 
 def check_itself():

@@ -1,7 +1,7 @@
 #include "microslip/numerics/gmres.hpp"
 
+#include "microslip/numerics/lanes.hpp"
 #include "microslip/numerics/precision.hpp"
-#include "microslip/numerics/simd.hpp"
 #include "microslip/numerics/threads.hpp"
 
 #include <algorithm>
@@ -19,14 +19,13 @@ template <class Real> using Basis = std::vector<std::vector<Real>>;
 
 /// In many sums, so that none has to wait for the one before it.
 template <class Stored, class Real> Real dot(std::span<const Stored> a, std::span<const Real> b) {
-  using Lanes = simd::fixed_size_simd<Real, 16>;
-  Lanes sums = 0;
+  using Vector = WideLanes<Real, 16>;
+  Vector sums = 0;
   std::size_t i = 0;
-  for (; i + Lanes::size() <= a.size(); i += Lanes::size())
-    sums += Lanes(&a[i], simd::element_aligned) * Lanes(&b[i], simd::element_aligned);
-  Real sum = reduce(sums);
-  for (; i < a.size(); ++i) sum += Real(a[i]) * b[i];
-  return sum;
+  for (; i + Vector::width <= a.size(); i += Vector::width) sums += Vector::load(&a[i]) * Vector::load(&b[i]);
+  Real whole = sum(sums);
+  for (; i < a.size(); ++i) whole += Real(a[i]) * b[i];
+  return whole;
 }
 template <class Stored, class Real> void add_scaled(Real factor, std::span<const Stored> a, std::span<Real> to) {
 #pragma omp simd

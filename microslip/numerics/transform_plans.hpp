@@ -4,9 +4,8 @@
 
 namespace microslip {
 
-/// Data of fast transforms for each length: tables of factors, or FFTW's plans, which cost more than many a transform
-/// to make. They are made when they are first needed and live as long as anything that uses them. Copies share them.
-/// Distinct threads may use the same ones.
+/// What fast transforms need for each length: tables of factors. They are made when they are first needed and live as
+/// long as anything that uses them. Copies share them. Distinct threads may use the same ones.
 class TransformPlans {
 public:
   TransformPlans();

@@ -1,7 +1,7 @@
 #include "microslip/exact/fitted/fitted_corrections.hpp"
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
-#include "microslip/numerics/simd.hpp"
+#include "microslip/numerics/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,7 @@ namespace microslip {
 namespace {
 
 using Product = FittedProduct<double>;
-using Lanes = simd::fixed_size_simd<double, Product::lanes>;
-constexpr auto unaligned = simd::element_aligned;
+using Vector = WideLanes<double, Product::lanes>;
 
 constexpr double near = 6;         // elements along x: corrections end here
 constexpr double rounding = 1e-10; // of lengths in units of dx
@@ -74,7 +73,7 @@ private:
 /// Numbers of `count` elements, by components, from blocks of them; and up to a block more.
 using Block = std::array<std::array<double, 2 * farthest>, 3>;
 template <class Of> void fill(int count, std::size_t c, Block& out, const Of& of) {
-  for (int k = 0; k < count; k += static_cast<int>(Product::lanes)) of(k).copy_to(&out[c][k], unaligned);
+  for (int k = 0; k < count; k += static_cast<int>(Product::lanes)) of(k).store(&out[c][k]);
 }
 
 class CorrectionBuilder {
@@ -241,8 +240,8 @@ private:
       const double* kernel = kernel_.from(c, offset, first_column - point.first_node); // from node to element:
       const double side = c == component::xy ? 1 : -1;                                 // in the opposite direction
       fill(count, c, out, [&](int k) {
-        Lanes sum = Lanes(strips + k, unaligned) - Lanes(strips + k + 1, unaligned);
-        for (int i = 0; i < tables_.nodes; ++i) sum += side * point.nodes[i] * Lanes(kernel + k - i, unaligned);
+        Vector sum = Vector::load(strips + k) - Vector::load(strips + k + 1);
+        for (int i = 0; i < tables_.nodes; ++i) sum += side * point.nodes[i] * Vector::load(kernel + k - i);
         return sum;
       });
     }
@@ -291,8 +290,8 @@ private:
       const double* kernel = kernel_.from(c, offset, first_column - e.first_moment);
       const double side = c == component::xy ? -1 : 1;
       fill(count, c, out, [&](int k) {
-        Lanes sum = side * (Lanes(right + k, unaligned) - Lanes(left + k, unaligned));
-        for (int m = 0; m < 3; ++m) sum -= e.moments[m] * Lanes(kernel + k - m, unaligned);
+        Vector sum = side * (Vector::load(right + k) - Vector::load(left + k));
+        for (int m = 0; m < 3; ++m) sum -= e.moments[m] * Vector::load(kernel + k - m);
         return sum;
       });
     }

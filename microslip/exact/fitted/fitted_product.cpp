@@ -1,15 +1,13 @@
 #include "microslip/exact/fitted/fitted_product.hpp"
 
+#include "microslip/numerics/lanes.hpp"
 #include "microslip/numerics/precision.hpp"
-#include "microslip/numerics/simd.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace microslip {
 namespace {
-
-constexpr auto unaligned = simd::element_aligned;
 
 template <class Real>
 typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>::Corrections& from) {
@@ -83,33 +81,33 @@ template <class Real> void FittedProduct<Real>::read() {
 
 /// A point's sums are kept apart for each lane until its last run.
 template <class Real> void FittedProduct<Real>::correct_points() {
-  using Lanes = simd::fixed_size_simd<Real, lanes>;
+  using Vector = WideLanes<Real, lanes>;
   const auto& [runs, xx, xy, yy] = tables_.at_points;
   std::size_t at = 0;
   for (auto run = runs.begin(); run != runs.end();) {
     const std::size_t point = run->point;
-    Lanes ux = 0, uy = 0;
+    Vector ux = 0, uy = 0;
     for (; run != runs.end() && run->point == point; ++run)
       for (std::size_t k = run->element; k < run->element + run->count; k += lanes, at += lanes) {
-        const Lanes px(&px_[k], unaligned), py(&py_[k], unaligned), mixed(&xy[at], unaligned);
-        ux += Lanes(&xx[at], unaligned) * px + mixed * py;
-        uy += mixed * px + Lanes(&yy[at], unaligned) * py;
+        const Vector px = Vector::load(&px_[k]), py = Vector::load(&py_[k]), mixed = Vector::load(&xy[at]);
+        ux += Vector::load(&xx[at]) * px + mixed * py;
+        uy += mixed * px + Vector::load(&yy[at]) * py;
       }
-    ux_[point] += reduce(ux);
-    uy_[point] += reduce(uy);
+    ux_[point] += sum(ux);
+    uy_[point] += sum(uy);
   }
 }
 
 template <class Real> void FittedProduct<Real>::correct_for_elements() {
-  using Lanes = simd::fixed_size_simd<Real, lanes>;
+  using Vector = WideLanes<Real, lanes>;
   const auto& [runs, xx, xy, yy] = tables_.of_elements;
   std::size_t at = 0;
   for (const Run& run : runs) {
-    const Lanes px = px_[run.element], py = py_[run.element];
+    const Vector px = px_[run.element], py = py_[run.element];
     for (std::size_t k = run.point; k < run.point + run.count; k += lanes, at += lanes) {
-      const Lanes mixed(&xy[at], unaligned);
-      (Lanes(&ux_[k], unaligned) + Lanes(&xx[at], unaligned) * px + mixed * py).copy_to(&ux_[k], unaligned);
-      (Lanes(&uy_[k], unaligned) + mixed * px + Lanes(&yy[at], unaligned) * py).copy_to(&uy_[k], unaligned);
+      const Vector mixed = Vector::load(&xy[at]);
+      (Vector::load(&ux_[k]) + Vector::load(&xx[at]) * px + mixed * py).store(&ux_[k]);
+      (Vector::load(&uy_[k]) + mixed * px + Vector::load(&yy[at]) * py).store(&uy_[k]);
     }
   }
 }

@@ -3,7 +3,7 @@
 
 #include "microslip/numerics/kernel/transform.hpp"
 
-#include "microslip/numerics/lane_vector.hpp"
+#include "microslip/numerics/lanes.hpp"
 
 namespace microslip::detail {
 namespace {
@@ -11,16 +11,16 @@ namespace {
 /// A complex number in each lane.
 template <class RealType, int lanes> struct Complexes {
   using Real = RealType;
-  using Vector = LaneVector<Real, lanes>;
+  using Vector = Lanes<Real, lanes>;
   static constexpr int width = lanes;
   Vector re, im;
 
   MICROSLIP_INLINE static Complexes load(const Real* re, const Real* im) {
-    return {load_lanes<Real, width>(re), load_lanes<Real, width>(im)};
+    return {Vector::load(re), Vector::load(im)};
   }
   MICROSLIP_INLINE void store(Real* to_re, Real* to_im) const {
-    store_lanes<Real, width>(re, to_re);
-    store_lanes<Real, width>(im, to_im);
+    re.store(to_re);
+    im.store(to_im);
   }
 
   MICROSLIP_INLINE friend Complexes operator+(const Complexes& a, const Complexes& b) {
@@ -288,26 +288,26 @@ private:
     Vector v[width];
     if (rows >= width && length >= width) {
 #pragma GCC unroll 16
-      for (int i = 0; i < width; ++i) v[i] = load_lanes<Real, width>(from + i * stride);
+      for (int i = 0; i < width; ++i) v[i] = Vector::load(from + i * stride);
     } else {
       for (int i = 0; i < width; ++i) {
-        v[i] = Vector();
+        v[i] = Vector(0);
         if (i < rows) __builtin_memcpy(&v[i], from + i * stride, (length < width ? length : width) * sizeof(Real));
       }
     }
-    transpose<Real, width>(v);
+    transpose(v);
 #pragma GCC unroll 16
-    for (int i = 0; i < width; ++i) store_lanes<Real, width>(v[i], to + i * line);
+    for (int i = 0; i < width; ++i) v[i].store(to + i * line);
   }
 
   MICROSLIP_INLINE static void scatter(const Real* from, Real* to, std::size_t stride, int rows, int length) {
     Vector v[width];
 #pragma GCC unroll 16
-    for (int i = 0; i < width; ++i) v[i] = load_lanes<Real, width>(from + i * line);
-    transpose<Real, width>(v);
+    for (int i = 0; i < width; ++i) v[i] = Vector::load(from + i * line);
+    transpose(v);
     if (rows >= width && length >= width) {
 #pragma GCC unroll 16
-      for (int i = 0; i < width; ++i) store_lanes<Real, width>(v[i], to + i * stride);
+      for (int i = 0; i < width; ++i) v[i].store(to + i * stride);
     } else {
       for (int i = 0; i < rows && i < width; ++i)
         __builtin_memcpy(to + i * stride, &v[i], (length < width ? length : width) * sizeof(Real));
@@ -319,10 +319,10 @@ private:
     Vector even_re[width], even_im[width], odd_re[width], odd_im[width];
 
     MICROSLIP_INLINE void transpose_all() {
-      transpose<Real, width>(even_re);
-      transpose<Real, width>(even_im);
-      transpose<Real, width>(odd_re);
-      transpose<Real, width>(odd_im);
+      transpose(even_re);
+      transpose(even_im);
+      transpose(odd_re);
+      transpose(odd_im);
     }
   };
 

@@ -2,7 +2,7 @@
 
 #include "microslip/numerics/kernel/wave_loops.hpp"
 
-#include "microslip/numerics/lane_vector.hpp"
+#include "microslip/numerics/lanes.hpp"
 #include "microslip/numerics/transforms.hpp"
 
 namespace microslip::detail {
@@ -51,20 +51,19 @@ template <class Real> void add_product(const Real* table, int rows, const Real* 
 
 template <class Real>
 void filter(const Real* gain, const Real* zero, const Real* pole, Real* first, std::ptrdiff_t step, int pairs) {
-  constexpr int lanes = block_lanes<Real>, width = register_size / static_cast<int>(sizeof(Real)), parts = 4;
-  using Vector = LaneVector<Real, width>;
+  using Vector = Lanes<Real>;
+  constexpr int lanes = block_lanes<Real>, width = Vector::width, parts = 4;
   for (int v = 0; v < lanes; v += width) {
-    const auto g = load_lanes<Real, width>(gain + v), z = load_lanes<Real, width>(zero + v);
-    const auto p = load_lanes<Real, width>(pole + v);
+    const Vector g = Vector::load(gain + v), z = Vector::load(zero + v), p = Vector::load(pole + v);
     Vector before[parts] = {}, last[parts] = {}; // v_(i-1) and w_(i-1): real and imaginary parts of both lines
     Real* at = first + v;
     for (int i = 0; i < pairs; ++i, at += step)
 #pragma GCC unroll 4
       for (int part = 0; part < parts; ++part) {
-        const auto now = load_lanes<Real, width>(at + part * lanes);
+        const Vector now = Vector::load(at + part * lanes);
         last[part] = now + (p * last[part] - z * before[part]);
         before[part] = now;
-        store_lanes<Real, width>(g * last[part], at + part * lanes);
+        (g * last[part]).store(at + part * lanes);
       }
   }
 }

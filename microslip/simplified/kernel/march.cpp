@@ -9,14 +9,14 @@
 namespace microslip::detail {
 namespace {
 
-using Doubles = Lanes<simd::native_simd<double>>;
-using Floats = Lanes<simd::native_simd<float>>;
+using Doubles = Lanes<double>;
+using Floats = Lanes<float>;
 
 /// A number for each lane, or with its derivatives; `Plain` are the lanes below it.
 template <class Real> struct Numbers;
-template <class Register> struct Numbers<Lanes<Register>> {
-  using Plain = Lanes<Register>;
-  using Mask = LaneMask<Register>;
+template <class Number, int lanes> struct Numbers<Lanes<Number, lanes>> {
+  using Plain = Lanes<Number, lanes>;
+  using Mask = LaneMask<Number, lanes>;
   static constexpr int count = 1;
   MICROSLIP_INLINE static Plain load(const double* from, int) { return Plain::load(from); }
   MICROSLIP_INLINE static void store(const Plain& number, double* to, int) { number.store(to); }
@@ -183,10 +183,11 @@ template <MarchingScheme scheme, class Real, bool recording> void march_with_tab
 template <MarchingScheme scheme> MarchingKernels kernels() {
   using Gradient = Dual<Doubles, creepage_partials>;
   using FullGradient = Dual<Doubles, row_partials>;
+  constexpr int gradients_interleaved = register_size == 32 ? 2 : 1; // measured: two need more registers than there are
   return {Doubles::width,
           march<scheme, Doubles, 4>,
           march<scheme, Floats, 4>,
-          march<scheme, Gradient, 2>,
+          march<scheme, Gradient, gradients_interleaved>,
           march_with_table<scheme, Doubles, false>,
           march_with_table<scheme, FullGradient, false>,
           march_with_table<scheme, Doubles, true>};

@@ -2,7 +2,7 @@
 
 #include "microslip/table/kernel/creep_look_up.hpp"
 
-#include "microslip/numerics/lane_vector.hpp"
+#include "microslip/numerics/lanes.hpp"
 #include "microslip/table/creep_coordinates.hpp"
 
 #include <cmath>

@@ -15,18 +15,25 @@ namespace {
 constexpr std::size_t base_units = 5; ///< as many as the table has
 constexpr std::string_view digits = "0123456789";
 
-/// A number x in this unit is factor (x + origin) in base units.
+/// A number x in this unit is factor 10^decade (x + origin) in base units. Powers of prefixes are exact.
 struct Unit {
   std::array<int, base_units> powers{};
   double factor = 1, origin = 0;
+  int decade = 0;
 };
 
 /// A product has no origin.
 Unit product(const Unit& a, const Unit& b, int power) {
-  Unit out{a.powers, a.factor};
+  Unit out{.powers = a.powers, .factor = a.factor, .decade = a.decade + power * b.decade};
   for (std::size_t k = 0; k < base_units; ++k) out.powers[k] += power * b.powers[k];
   for (int k = 0; k < std::abs(power); ++k) power > 0 ? out.factor *= b.factor : out.factor /= b.factor;
   return out;
+}
+
+double times_power_of_ten(double value, int exponent) {
+  double power = 1;
+  for (int k = 0; k < std::abs(exponent); ++k) power *= 10;
+  return exponent < 0 ? value / power : value * power;
 }
 
 } // namespace
@@ -47,10 +54,10 @@ struct UnitSystem::Kept {
   std::optional<Unit> find(std::string_view symbol) const {
     const auto found = units.find(symbol);
     if (found != units.end()) return found->second;
-    for (const auto& [prefix, factor] : unit_prefixes()) {
+    for (const auto& [prefix, decade] : unit_prefixes()) {
       if (!symbol.starts_with(prefix)) continue;
-      auto unit = find(symbol.substr(std::string_view(prefix).size()));
-      if (unit) return Unit{unit->powers, factor * unit->factor};
+      const auto unit = units.find(symbol.substr(std::string_view(prefix).size()));
+      if (unit != units.end() && unit->first != "%") return product({.decade = decade}, unit->second, 1);
     }
     return {};
   }
@@ -111,7 +118,7 @@ private:
     }
     if (!rest_.empty() && digits.find(rest_.front()) != std::string_view::npos) {
       const auto value = number();
-      return value ? std::optional(Unit{{}, *value}) : std::nullopt;
+      return value ? std::optional(Unit{.factor = *value}) : std::nullopt;
     }
     const auto unit = find_(rest_.substr(0, symbol_length()));
     rest_.remove_prefix(symbol_length());
@@ -161,10 +168,9 @@ bool UnitSystem::knows(const std::string& symbol) const {
 std::optional<UnitSystem::Conversion> UnitSystem::conversion(const std::string& from, const std::string& to) const {
   const auto given = kept_->parse(from), wanted = kept_->parse(to);
   if (!given || !wanted || given->powers != wanted->powers) return {};
-  if (given->origin == 0 && wanted->origin == 0)
-    return [factor = given->factor / wanted->factor](double value) { return factor * value; };
-  return [given = *given, wanted = *wanted](double value) {
-    return given.factor * (value + given.origin) / wanted.factor - wanted.origin;
+  const double factor = times_power_of_ten(given->factor / wanted->factor, given->decade - wanted->decade);
+  return [factor, before = given->origin, after = wanted->origin](double value) {
+    return factor * (value + before) - after;
   };
 }
 
