@@ -99,6 +99,13 @@ inline void require_size(std::string_view name, std::size_t size, std::size_t wa
                 std::string(name) + " = " + std::to_string(size) + ": must be " + std::to_string(wanted));
 }
 
+/// Of rows, which may be shorter than their list.
+inline void require_at_most(std::string_view name, std::size_t size, std::size_t longest) {
+  if (size <= longest) return;
+  throw Refusal(MICROSLIP_WRONG_SIZE,
+                std::string(name) + " = " + std::to_string(size) + ": must be at most " + std::to_string(longest));
+}
+
 /// A text to be released by microslip_free_text.
 inline char* text_copy(std::string_view text) {
   char* const copy = new char[text.size() + 1];

@@ -13,8 +13,8 @@ microslip_code microslip_solve_case(const char* /*text*/, const char* /*name*/, 
   return report(error, MICROSLIP_NO_RESULT, without_case_files);
 }
 
-microslip_code microslip_creep_table_read(const char* /*file*/, microslip_direction /*direction*/,
-                                          microslip_creep_table** table, microslip_error* error) {
+microslip_code microslip_creep_table_read(const char* /*file*/, int /*direction*/, microslip_creep_table** table,
+                                          microslip_error* error) {
   if (table) *table = nullptr;
   return report(error, MICROSLIP_NO_RESULT, "this library was built without reading files");
 }
@@ -35,25 +35,32 @@ microslip_code microslip_wheel_rail_create(const char* /*text*/, const char* /*n
   return report(error, MICROSLIP_NO_RESULT, without_case_files);
 }
 void microslip_wheel_rail_destroy(microslip_wheel_rail* /*wheel_rail*/) {}
-microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* /*wheel_rail*/,
-                                          microslip_wheel_state* /*state*/) {
+microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* /*wheel_rail*/, size_t /*width*/,
+                                          double* /*state*/) {
   return MICROSLIP_NO_RESULT;
 }
 microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* /*wheel_rail*/, size_t /*count*/,
-                                          const microslip_wheel_state* /*states*/, microslip_wheel_forces* /*forces*/) {
+                                          size_t /*state_width*/, const double* /*states*/, size_t /*result_width*/,
+                                          double* /*results*/, int* /*status*/) {
   return MICROSLIP_NO_RESULT;
 }
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* /*wheel_rail*/, size_t /*count*/,
-                                                  const microslip_wheel_state* /*states*/,
-                                                  microslip_wheel_derivatives* /*derivatives*/) {
+                                                  size_t /*state_width*/, const double* /*states*/,
+                                                  size_t /*result_width*/, double* /*results*/, int* /*status*/,
+                                                  size_t /*row_count*/, size_t /*column_count*/, double* /*jacobian*/) {
   return MICROSLIP_NO_RESULT;
 }
-microslip_code microslip_wheelset_contacts(microslip_wheel_rail* /*wheel_rail*/, microslip_roll_rule /*roll*/,
-                                           double /*yaw*/, size_t /*count*/, const double* /*lateral*/,
-                                           microslip_wheelset_contact* /*contacts*/, microslip_error* error) {
+microslip_code microslip_wheel_rail_patches(const microslip_wheel_rail* /*wheel_rail*/, size_t /*width*/,
+                                            size_t /*capacity*/, double* /*values*/, size_t* /*count*/,
+                                            microslip_error* error) {
   return report(error, MICROSLIP_NO_RESULT, without_case_files);
 }
-microslip_code microslip_equivalent_conicity(microslip_wheel_rail* /*wheel_rail*/, microslip_roll_rule /*roll*/,
+microslip_code microslip_wheelset_contacts(microslip_wheel_rail* /*wheel_rail*/, int /*roll*/, double /*yaw*/,
+                                           size_t /*count*/, const double* /*lateral*/, size_t /*width*/,
+                                           double* /*contacts*/, int* /*status*/, microslip_error* error) {
+  return report(error, MICROSLIP_NO_RESULT, without_case_files);
+}
+microslip_code microslip_equivalent_conicity(microslip_wheel_rail* /*wheel_rail*/, int /*roll*/,
                                              double /*contact_distance*/, size_t /*count*/,
                                              const double* /*amplitudes*/, double* /*conicity*/,
                                              microslip_error* error) {

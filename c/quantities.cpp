@@ -17,19 +17,6 @@ static_assert(std::size(field_names) == MICROSLIP_FIELD_UY + 1);
   throw Refusal(MICROSLIP_NO_RESULT, std::string(kind) + " = " + std::string(name) + ": is none of these results");
 }
 
-/// The texts of a table's entry are literals, which end with a zero.
-template <class Entry>
-microslip_code info_of(std::span<const Entry> table, size_t index, microslip_quantity* info, microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("info", info);
-    if (index >= table.size())
-      throw Refusal(MICROSLIP_INVALID_OPTION,
-                    "index = " + std::to_string(index) + ": must be below " + std::to_string(table.size()));
-    const Entry& e = table[index];
-    *info = {e.name.data(), e.symbol.data(), e.unit.data(), e.shift_unit.data(), e.description.data()};
-  });
-}
-
 } // namespace
 
 const ContactSolution& require_solution(const std::optional<ContactSolution>& solution, const char* call) {
@@ -62,19 +49,3 @@ double quantity_of(const ContactSolution& solution, std::string_view name) {
 }
 
 } // namespace microslip::c
-
-using namespace microslip;
-using namespace microslip::c;
-
-size_t microslip_quantity_count(void) {
-  return quantities().size();
-}
-microslip_code microslip_quantity_info(size_t index, microslip_quantity* info, microslip_error* error) {
-  return info_of(quantities(), index, info, error);
-}
-size_t microslip_field_count(void) {
-  return field_quantities().size();
-}
-microslip_code microslip_field_info(size_t index, microslip_quantity* info, microslip_error* error) {
-  return info_of(field_quantities(), index, info, error);
-}

@@ -1,15 +1,17 @@
 #include "c/guarded_call.hpp"
 #include "io/wheel_rail_case.hpp"
+#include "microslip/railway/coarse_contact.hpp"
 #include "microslip/railway/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheelset_contact_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 using namespace microslip;
@@ -21,123 +23,77 @@ struct microslip_wheel_rail {
   WheelRailSolution solution = {};
   WheelRailDerivatives derivatives = {};
   std::unique_ptr<io::WheelRailCase> input;
+  bool is_solved = false;                             ///< a state was
   std::unique_ptr<WheelsetSearch> wheelset = nullptr; ///< made when it is first asked for
   mutable InUse in_use = false;
 };
 
 namespace {
 
-// Members in the order of the tables of quantities.
-using StateMember = double microslip_wheel_state::*;
-constexpr StateMember state_members[] = {&microslip_wheel_state::lateral,
-                                         &microslip_wheel_state::vertical,
-                                         &microslip_wheel_state::roll,
-                                         &microslip_wheel_state::yaw,
-                                         &microslip_wheel_state::forward_velocity,
-                                         &microslip_wheel_state::lateral_velocity,
-                                         &microslip_wheel_state::vertical_velocity,
-                                         &microslip_wheel_state::roll_velocity,
-                                         &microslip_wheel_state::pitch_velocity,
-                                         &microslip_wheel_state::yaw_velocity,
-                                         &microslip_wheel_state::curvature,
-                                         &microslip_wheel_state::deflection_longitudinal,
-                                         &microslip_wheel_state::deflection_lateral,
-                                         &microslip_wheel_state::deflection_vertical,
-                                         &microslip_wheel_state::deflection_roll,
-                                         &microslip_wheel_state::deflection_yaw,
-                                         &microslip_wheel_state::deflection_longitudinal_velocity,
-                                         &microslip_wheel_state::deflection_lateral_velocity,
-                                         &microslip_wheel_state::deflection_vertical_velocity,
-                                         &microslip_wheel_state::deflection_roll_velocity,
-                                         &microslip_wheel_state::deflection_pitch_velocity,
-                                         &microslip_wheel_state::deflection_yaw_velocity,
-                                         &microslip_wheel_state::deviation_lateral,
-                                         &microslip_wheel_state::deviation_vertical,
-                                         &microslip_wheel_state::deviation_roll,
-                                         &microslip_wheel_state::deviation_lateral_velocity,
-                                         &microslip_wheel_state::deviation_vertical_velocity,
-                                         &microslip_wheel_state::deviation_roll_velocity,
-                                         &microslip_wheel_state::longitudinal,
-                                         &microslip_wheel_state::pitch};
-
-using PatchMember = double microslip_wheel_patch::*;
-constexpr PatchMember patch_members[] = {&microslip_wheel_patch::place_x,
-                                         &microslip_wheel_patch::place_y,
-                                         &microslip_wheel_patch::place_z,
-                                         &microslip_wheel_patch::angle,
-                                         &microslip_wheel_patch::rail_y,
-                                         &microslip_wheel_patch::wheel_y,
-                                         &microslip_wheel_patch::rolling_radius,
-                                         &microslip_wheel_patch::turn,
-                                         &microslip_wheel_patch::conformity,
-                                         &microslip_wheel_patch::approach,
-                                         &microslip_wheel_patch::rolling_speed,
-                                         &microslip_wheel_patch::creepage_longitudinal,
-                                         &microslip_wheel_patch::creepage_lateral,
-                                         &microslip_wheel_patch::spin,
-                                         &microslip_wheel_patch::normal_force,
-                                         &microslip_wheel_patch::fx,
-                                         &microslip_wheel_patch::fy,
-                                         &microslip_wheel_patch::mz,
-                                         &microslip_wheel_patch::contact_area,
-                                         &microslip_wheel_patch::slip_area,
-                                         &microslip_wheel_patch::peak_pressure,
-                                         &microslip_wheel_patch::frictional_power,
-                                         &microslip_wheel_patch::t_gamma,
-                                         &microslip_wheel_patch::t_gamma_with_spin,
-                                         &microslip_wheel_patch::friction,
-                                         &microslip_wheel_patch::traction_coefficient,
-                                         &microslip_wheel_patch::t_gamma_per_area,
-                                         &microslip_wheel_patch::worn_mass_r8t,
-                                         &microslip_wheel_patch::worn_area,
-                                         &microslip_wheel_patch::wear_depth,
-                                         &microslip_wheel_patch::fatigue_index,
-                                         &microslip_wheel_patch::shakedown_load,
-                                         &microslip_wheel_patch::shakedown_limit,
-                                         &microslip_wheel_patch::nadal_limit};
-
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-WheelState<double> state_of(const microslip_wheel_state& given) noexcept {
-  WheelState<double> state;
-  for (std::size_t k = 0; k < std::size(state_members); ++k) state_quantities()[k].of(state) = given.*state_members[k];
-  return state;
+/// The first `width` numbers of a row by their table.
+template <class Table, class Of> void store(const Table& table, const Of& from, std::size_t width, double* row) {
+  for (std::size_t k = 0; k < width; ++k) row[k] = table[k].value(from);
 }
 
-void store(const WheelRailPatch& from, microslip_wheel_patch& to) noexcept {
-  for (std::size_t k = 0; k < std::size(patch_members); ++k) to.*patch_members[k] = patch_quantities()[k].value(from);
-  to.status = code_of(from.status);
+/// A state of a solver, and the vertical force if that is given.
+io::LoadedWheelState read_state(std::size_t width, const double* row) noexcept {
+  io::LoadedWheelState read;
+  for (std::size_t k = 0; k < width; ++k) {
+    const StateQuantity* const of_state = wheel_inputs()[k].of_state;
+    if (of_state)
+      of_state->of(read.state) = row[k];
+    else if (row[k] != 0)
+      read.vertical_force = row[k];
+  }
+  return read;
 }
 
-void store(const WheelRailSolution& from, microslip_wheel_forces& to) noexcept {
-  to = {.force = {from.force.x, from.force.y, from.force.z},
-        .moment = {from.moment.x, from.moment.y, from.moment.z},
-        .vertical = from.vertical,
-        .residual = from.residual,
-        .y_over_q = from.y_over_q.value_or(not_given),
-        .nadal_limit = from.nadal_limit.value_or(not_given),
-        .iterations = from.iterations,
-        .at_profile_end = from.warnings.has(Warning::profile_end) ? 1 : 0,
-        .warning_code = static_cast<int>(from.warnings.code),
-        .status = code_of(from.status),
-        .patch_count = static_cast<int>(std::min<std::size_t>(from.patches.size(), MICROSLIP_WHEEL_PATCHES)),
-        .patches = {}};
-  for (int k = 0; k < to.patch_count; ++k) store(from.patches[static_cast<std::size_t>(k)], to.patches[k]);
-}
-
-static_assert(wheel_variables == MICROSLIP_WHEEL_VARIABLES);
-
-void store(const WheelRailDerivatives& from,
-           double (&to)[MICROSLIP_WHEEL_RESULTS][MICROSLIP_WHEEL_VARIABLES]) noexcept {
-  for (std::size_t k = 0; k < wheel_variables; ++k) {
-    const Vec3<double>&f = from.force[k], &m = from.moment[k];
-    const double column[MICROSLIP_WHEEL_RESULTS] = {f.x, f.y, f.z, m.x, m.y, m.z, from.vertical[k]};
-    for (std::size_t row = 0; row < MICROSLIP_WHEEL_RESULTS; ++row) to[row][k] = column[row];
+void write_state(const io::LoadedWheelState& from, std::size_t width, double* row) {
+  for (std::size_t k = 0; k < width; ++k) {
+    const StateQuantity* const of_state = wheel_inputs()[k].of_state;
+    row[k] = of_state ? of_state->value(from.state) : from.vertical_force.value_or(0);
   }
 }
 
-std::optional<double> prescribed_force(const microslip_wheel_state& state) noexcept {
-  return state.vertical_force == 0 ? std::nullopt : std::optional(state.vertical_force);
+/// Whether rows that a caller gives or wants are there and no longer than their list.
+microslip_code check_rows(std::size_t count, std::size_t width, const double* rows, std::size_t longest) noexcept {
+  if (width > longest) return MICROSLIP_WRONG_SIZE;
+  return count > 0 && width > 0 && !rows ? MICROSLIP_NULL_POINTER : MICROSLIP_OK;
+}
+
+/// The arrays of calls that solve states.
+struct StateRows {
+  std::size_t count, state_width;
+  const double* states;
+  std::size_t result_width;
+  double* results;
+  int* status; ///< or none
+
+  microslip_code check() const noexcept {
+    const microslip_code code = check_rows(count, state_width, states, wheel_inputs().size());
+    return code == MICROSLIP_OK ? check_rows(count, result_width, results, wheel_results().size()) : code;
+  }
+  io::LoadedWheelState state(std::size_t k) const noexcept { return read_state(state_width, states + k * state_width); }
+  void write(std::size_t k, const WheelRailSolution& solution) const noexcept {
+    store(wheel_results(), solution, result_width, results + k * result_width);
+    if (status) status[k] = code_of(solution.status);
+  }
+};
+
+/// What a state is left with that something else than its numbers has kept from being solved, as a lack of memory.
+void leave_unsolved(microslip_wheel_rail& handle) noexcept {
+  WheelRailSolution& solution = handle.solution;
+  solution.patches.clear(), solution.fields.clear();
+  solution.force = solution.moment = {};
+  solution.vertical = not_given;
+  solution.residual = 1;
+  solution.iterations = 0;
+  solution.y_over_q = solution.nadal_limit = {};
+  solution.warnings = {};
+  solution.status = Status::not_converged;
+  handle.derivatives = {};
 }
 
 /// The largest magnitude of a number of a wheel's state.
@@ -158,28 +114,15 @@ WheelsetSearch& wheelset_of(microslip_wheel_rail& wheel_rail) {
   return *wheel_rail.wheelset;
 }
 
-microslip_touch touch_of(const io::WheelRailCase& input, const ContactPoint& point, double side) {
-  return {.rail_y = input.rail.profile.at(point.s_rail).value.y,
-          .wheel_y = input.wheel.profile.at(point.s_wheel).value.y,
-          .rolling_radius = point.radius,
-          .contact_angle = side * point.inclination};
+void write_no_contact(double lateral, std::size_t width, double* row) noexcept {
+  std::fill_n(row, width, not_given);
+  if (width > 0) row[0] = lateral;
 }
 
-constexpr microslip_touch no_touch = {not_given, not_given, not_given, not_given};
-microslip_wheelset_contact no_wheelset_contact(double lateral, microslip_code status) noexcept {
-  return {lateral, not_given, not_given, not_given, not_given, no_touch, no_touch, status};
-}
-
-microslip_wheelset_contact contact_of(const io::WheelRailCase& input, const WheelsetContact& found) {
-  if (found.status == Status::no_contact) return no_wheelset_contact(found.lateral, code_of(found.status));
-  return {.lateral = found.lateral,
-          .roll = found.roll,
-          .vertical = found.vertical,
-          .rolling_radius_difference = found.rolling_radius_difference(),
-          .contact_angle_difference = found.contact_angle_difference(),
-          .left = touch_of(input, found.left, 1),
-          .right = touch_of(input, found.right, -1),
-          .status = code_of(found.status)};
+void write_contact(const io::WheelRailCase& input, const WheelsetContact& found, std::size_t width, double* row) {
+  if (found.status == Status::no_contact) return write_no_contact(found.lateral, width, row);
+  const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
+  for (std::size_t k = 0; k < width; ++k) row[k] = wheelset_contact_quantities()[k].value(found, side, side);
 }
 
 /// Runs a call on each of many items; `solve` fills in the k-th result and returns its status, `leave_unsolved` fills
@@ -188,26 +131,34 @@ template <class Solve, class LeaveUnsolved>
 microslip_code for_each(std::size_t count, const Solve& solve, const LeaveUnsolved& leave_unsolved) noexcept {
   microslip_code code = MICROSLIP_OK;
   for (std::size_t k = 0; k < count; ++k) {
-    const microslip_code status = guarded(nullptr, [&] { return static_cast<microslip_code>(solve(k)); });
+    const microslip_code status = guarded(nullptr, [&] { return solve(k); });
     if (status >= MICROSLIP_NULL_POINTER) leave_unsolved(k);
     if (code == MICROSLIP_OK) code = status;
   }
   return code;
 }
 
-/// What a state is left with that something else than its numbers has kept from being solved, as a lack of memory.
-constexpr microslip_wheel_forces unsolved_forces = {.force = {},
-                                                    .moment = {},
-                                                    .vertical = not_given,
-                                                    .residual = 1,
-                                                    .y_over_q = not_given,
-                                                    .nadal_limit = not_given,
-                                                    .iterations = 0,
-                                                    .at_profile_end = 0,
-                                                    .warning_code = 0,
-                                                    .status = MICROSLIP_NOT_CONVERGED,
-                                                    .patch_count = 0,
-                                                    .patches = {}};
+/// Solves states by `solve`, which fills in the handle's solution, and hands each to `write` besides.
+template <class Solve, class Write>
+microslip_code solve_states(microslip_wheel_rail& handle, const StateRows& rows, const Solve& solve,
+                            const Write& write) noexcept {
+  const auto written = [&](std::size_t k) {
+    rows.write(k, handle.solution);
+    write(k);
+    handle.is_solved = true;
+    return code_of(handle.solution.status);
+  };
+  return for_each(
+      rows.count,
+      [&](std::size_t k) {
+        solve(rows.state(k));
+        return written(k);
+      },
+      [&](std::size_t k) {
+        leave_unsolved(handle);
+        written(k);
+      });
+}
 
 } // namespace
 
@@ -222,7 +173,7 @@ microslip_code microslip_wheel_rail_create(const char* text, const char* name, m
         new microslip_wheel_rail{.solver = WheelRail(io::bodies_of(input), input.method),
                                  .first = input.states.front(),
                                  .input = std::make_unique<io::WheelRailCase>(input)});
-    made->solution.patches.reserve(MICROSLIP_WHEEL_PATCHES); // solving takes no memory then
+    made->solution.patches.reserve(most_patches); // solving takes no memory then
     *wheel_rail = made.release();
   });
 }
@@ -231,64 +182,90 @@ void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail) {
   delete wheel_rail;
 }
 
-microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, microslip_wheel_state* state) {
-  if (!wheel_rail || !state) return MICROSLIP_NULL_POINTER;
-  const auto& [first, force] = wheel_rail->first;
-  for (std::size_t k = 0; k < std::size(state_members); ++k)
-    state->*state_members[k] = state_quantities()[k].value(first);
-  state->vertical_force = force.value_or(0);
-  return MICROSLIP_OK;
+microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, size_t width, double* state) {
+  if (!wheel_rail) return MICROSLIP_NULL_POINTER;
+  const microslip_code code = check_rows(1, width, state, wheel_inputs().size());
+  if (code == MICROSLIP_OK) write_state(wheel_rail->first, width, state);
+  return code;
 }
 
-microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
-                                          const microslip_wheel_state* states, microslip_wheel_forces* forces) {
-  if ((!states || !forces) && count > 0) return MICROSLIP_NULL_POINTER;
-  const auto solve = [&](std::size_t k) {
-    wheel_rail->solver.solve(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution);
-    store(wheel_rail->solution, forces[k]);
-    return forces[k].status;
-  };
-  return with_handle(wheel_rail,
-                     [&] { return for_each(count, solve, [&](std::size_t k) { forces[k] = unsolved_forces; }); });
-}
-
-const char* microslip_warning(int k) {
-  return k >= 0 && k < static_cast<int>(warning_count) ? warning_table()[static_cast<std::size_t>(k)].text.data()
-                                                       : nullptr;
-}
-
-microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
-                                                  const microslip_wheel_state* states,
-                                                  microslip_wheel_derivatives* derivatives) {
-  if ((!states || !derivatives) && count > 0) return MICROSLIP_NULL_POINTER;
-  const auto solve = [&](std::size_t k) {
-    wheel_rail->solver.differentiate(state_of(states[k]), prescribed_force(states[k]), wheel_rail->solution,
-                                     wheel_rail->derivatives);
-    store(wheel_rail->solution, derivatives[k].forces);
-    store(wheel_rail->derivatives, derivatives[k].jacobian);
-    return derivatives[k].forces.status;
-  };
+microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
+                                          const double* states, size_t result_width, double* results, int* status) {
+  const StateRows rows{count, state_width, states, result_width, results, status};
+  if (const microslip_code code = rows.check(); code != MICROSLIP_OK) return code;
   return with_handle(wheel_rail, [&] {
-    return for_each(count, solve, [&](std::size_t k) { derivatives[k] = {.forces = unsolved_forces, .jacobian = {}}; });
+    const auto solve = [&](const io::LoadedWheelState& given) {
+      wheel_rail->solver.solve(given.state, given.vertical_force, wheel_rail->solution);
+    };
+    return solve_states(*wheel_rail, rows, solve, [](std::size_t) {});
+  });
+}
+
+microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
+                                                  const double* states, size_t result_width, double* results,
+                                                  int* status, size_t row_count, size_t column_count,
+                                                  double* jacobian) {
+  const StateRows rows{count, state_width, states, result_width, results, status};
+  if (const microslip_code code = rows.check(); code != MICROSLIP_OK) return code;
+  if (column_count > wheel_inputs().size()) return MICROSLIP_WRONG_SIZE;
+  const microslip_code code = check_rows(column_count > 0 ? count : 0, row_count, jacobian, wheel_derivatives().size());
+  if (code != MICROSLIP_OK) return code;
+  return with_handle(wheel_rail, [&] {
+    const auto solve = [&](const io::LoadedWheelState& given) {
+      wheel_rail->solver.differentiate(given.state, given.vertical_force, wheel_rail->solution,
+                                       wheel_rail->derivatives);
+    };
+    const auto write = [&](std::size_t k) {
+      double* value = jacobian + k * row_count * column_count;
+      for (const WheelDerivative& row : wheel_derivatives().first(row_count))
+        for (const WheelInput& column : wheel_inputs().first(column_count))
+          *value++ = row.value(wheel_rail->derivatives, column.variable);
+    };
+    return solve_states(*wheel_rail, rows, solve, write);
+  });
+}
+
+microslip_code microslip_wheel_rail_patches(const microslip_wheel_rail* wheel_rail, size_t width, size_t capacity,
+                                            double* values, size_t* count, microslip_error* error) {
+  return guarded_use(error, "wheel_rail", wheel_rail, [&] {
+    require_pointer("count", count);
+    require_at_most("width", width, patch_results().size());
+    if (!wheel_rail->is_solved) throw Refusal(MICROSLIP_NO_RESULT, "microslip_wheel_rail_solve was not called yet");
+    const auto& patches = wheel_rail->solution.patches;
+    *count = patches.size();
+    if (!values) return;
+    if (patches.size() > capacity)
+      throw Refusal(MICROSLIP_WRONG_SIZE, "capacity = " + std::to_string(capacity) + ": there are " +
+                                              std::to_string(patches.size()) + " patches");
+    for (std::size_t k = 0; k < patches.size(); ++k) store(patch_results(), patches[k], width, values + k * width);
   });
 }
 
 microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll, double yaw, size_t count,
-                                           const double* lateral, microslip_wheelset_contact* contacts,
+                                           const double* lateral, size_t width, double* contacts, int* status,
                                            microslip_error* error) {
   return guarded_use(error, "wheel_rail", wheel_rail, [&] {
-    if (count > 0) require_pointer("lateral", lateral), require_pointer("contacts", contacts);
+    require_at_most("width", width, wheelset_contact_quantities().size());
+    if (count > 0) require_pointer("lateral", lateral);
+    if (count > 0 && width > 0) require_pointer("contacts", contacts);
     const auto rule = choice<RollRule>("roll", roll, 2);
     require_between("yaw", yaw, "rad", -limit_of("yaw"), limit_of("yaw"));
     WheelsetSearch& search = wheelset_of(*wheel_rail);
-    const auto solve = [&](std::size_t k) {
-      contacts[k] = std::abs(lateral[k]) <= limit_of("lateral")
-                        ? contact_of(*wheel_rail->input, search.solve(lateral[k], yaw, rule))
-                        : no_wheelset_contact(lateral[k], MICROSLIP_INVALID_INPUT);
-      return contacts[k].status;
+    const auto written = [&](std::size_t k, microslip_code code) {
+      if (status) status[k] = code;
+      return code;
     };
-    const microslip_code code = for_each(
-        count, solve, [&](std::size_t k) { contacts[k] = no_wheelset_contact(lateral[k], MICROSLIP_NOT_CONVERGED); });
+    const auto leave = [&](std::size_t k, microslip_code code) {
+      write_no_contact(lateral[k], width, contacts + k * width);
+      return written(k, code);
+    };
+    const auto solve = [&](std::size_t k) {
+      if (!(std::abs(lateral[k]) <= limit_of("lateral"))) return leave(k, MICROSLIP_INVALID_INPUT);
+      const WheelsetContact found = search.solve(lateral[k], yaw, rule);
+      write_contact(*wheel_rail->input, found, width, contacts + k * width);
+      return written(k, code_of(found.status));
+    };
+    const microslip_code code = for_each(count, solve, [&](std::size_t k) { leave(k, MICROSLIP_NOT_CONVERGED); });
     return report(error, code, code == MICROSLIP_OK ? "" : microslip_code_text(code));
   });
 }

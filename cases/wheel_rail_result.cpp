@@ -81,7 +81,8 @@ void write_states(io::ResultWriter& file, const io::WheelRailCase& input) {
   if (input.states.front().vertical_force) {
     std::vector<double> values;
     for (const auto& [state, force] : input.states) values.push_back(force.value_or(0));
-    file.array("states/vertical_force", values, "N", "prescribed vertical force on the wheel");
+    const WheelInput& q = vertical_force_input();
+    file.array("states/" + std::string(q.name), values, std::string(q.unit), std::string(q.description));
   }
   write_varied(file, input);
 }
@@ -145,7 +146,7 @@ void write_wheel(io::ResultWriter& file, const std::string& group, const Solutio
   std::vector<std::uint8_t> at_end;
   for (const WheelRailSolution* s : solutions) at_end.push_back(s->warnings.has(Warning::profile_end) ? 1 : 0);
   write_warning_codes(file, group + "wheel/", solutions);
-  file.array(group + "wheel/at_profile_end", at_end, "-", "1: a patch ends where a profile ends");
+  file.array(group + "wheel/at_profile_end", at_end, "-", profile_end_codes);
 }
 
 void write_patches(io::ResultWriter& file, const std::string& group, const Solutions& solutions) {

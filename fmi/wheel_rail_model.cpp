@@ -154,11 +154,9 @@ public:
   std::span<const double> differentiate(const Values& v) override {
     WheelRailDerivatives d;
     solver_->differentiate(state(v), vertical_force(v), found_, d);
-    for (std::size_t k = 0; k < wheel_variables; ++k) {
-      const double column[outputs] = {d.force[k].x,  d.force[k].y,  d.force[k].z, d.moment[k].x,
-                                      d.moment[k].y, d.moment[k].z, d.vertical[k]};
-      for (std::size_t row = 0; row < outputs; ++row) derivatives_[row * wheel_variables + k] = column[row];
-    }
+    double* value = derivatives_.data();
+    for (const WheelDerivative& row : wheel_derivatives().first(outputs))
+      for (std::size_t k = 0; k < wheel_variables; ++k) *value++ = row.value(d, k);
     return derivatives_;
   }
 

@@ -179,26 +179,6 @@ void look_at(const microslip_derivatives& d) {
     for (const double x : row)
       require(d.forces.status == MICROSLIP_INVALID_INPUT ? is_nan(x) : is_finite(x), "derivatives and status differ");
 }
-void look_at(const microslip_wheel_forces& f) {
-  require(f.status >= 0 && !is_refusal(f.status), "status " + std::to_string(f.status));
-  require(f.patch_count >= 0 && f.patch_count <= MICROSLIP_WHEEL_PATCHES, "patch_count");
-  if (f.status != MICROSLIP_OK && f.status != MICROSLIP_IMPLAUSIBLE) return;
-  require(all_are(is_finite,
-                  {f.force[0], f.force[1], f.force[2], f.moment[0], f.moment[1], f.moment[2], f.vertical, f.residual}),
-          "a wheel's forces are not finite");
-  for (int k = 0; k < f.patch_count; ++k) {
-    const microslip_wheel_patch& p = f.patches[k];
-    require(p.status >= 0 && !is_refusal(p.status), "status of a patch");
-    require(all_are(is_finite, {p.normal_force, p.fx, p.fy, p.mz, p.contact_area, p.peak_pressure}), "a patch");
-  }
-}
-void look_at(const microslip_wheel_derivatives& d) {
-  look_at(d.forces);
-  if (d.forces.status != MICROSLIP_OK && d.forces.status != MICROSLIP_IMPLAUSIBLE) return;
-  for (const auto& row : d.jacobian)
-    for (const double x : row) require(is_finite(x), "a wheel's derivatives are not finite");
-}
-
 /// Makes a call on many items with results that are not written yet.
 template <class Result, class Item, class Call>
 void on_many(Draw& draw, const std::vector<Item>& items, const char* name, const Call& call) {
@@ -215,6 +195,25 @@ void on_many(Draw& draw, const std::vector<Item>& items, const char* name, const
 }
 
 // What is called.
+
+/// The numbers of a list: each is found again by its name.
+void lists(Draw& draw, const Said& said) {
+  const int list = draw.choice(MICROSLIP_WHEELSET_CONTACT + 1);
+  const std::size_t count = microslip_count(list);
+  require((count > 0) == (list >= 0 && list <= MICROSLIP_WHEELSET_CONTACT), "count of list " + std::to_string(list));
+  microslip_quantity info = {};
+  info.struct_size = draw.is_odd() ? draw.pick<std::size_t>({0, 8, 100000}) : sizeof info;
+  const auto index = static_cast<std::size_t>(draw.is_odd() ? draw.size(0, 99) : draw.count(0, 40));
+  const int code = said.of(microslip_describe(list, index, draw.pointer(&info), said.pointer), "describe");
+  require(code != MICROSLIP_OK || index < count, "describe");
+  if (code == MICROSLIP_OK)
+    require(microslip_index(list, info.name, nullptr) == static_cast<int>(index), "index of a name");
+  microslip_error error = {};
+  const std::string name = draw.mangled("vertical_force");
+  const int found = microslip_index(list, draw.pointer(name.c_str()), &error);
+  require(found < 0 || static_cast<std::size_t>(found) < count, "index");
+  require((found < 0) == (error.text[0] != 0), "index: text of the error");
+}
 
 void simple_calls(Draw& draw) {
   const Said said(draw);
@@ -239,11 +238,7 @@ void simple_calls(Draw& draw) {
   said.of(microslip_hertz_warnings(draw.pointer(&bodies), draw.pointer(&hertz), draw.pointer(&text), said.pointer),
           "hertz_warnings");
   microslip_free_text(text);
-  microslip_quantity info = {};
-  said.of(microslip_quantity_info(static_cast<std::size_t>(draw.choice(20)), draw.pointer(&info), said.pointer),
-          "quantity_info");
-  said.of(microslip_field_info(static_cast<std::size_t>(draw.choice(10)), draw.pointer(&info), said.pointer),
-          "field_info");
+  lists(draw, said);
   require(microslip_code_text(draw.choice(30)) != nullptr, "code_text");
 }
 
@@ -384,15 +379,108 @@ void solve_case(Draw& draw) {
   microslip_free_text(json);
 }
 
-microslip_wheel_state state(Draw& draw, const microslip_wheel_state& usual) {
-  microslip_wheel_state s = usual;
-  s.lateral = draw.is_odd() ? draw.number(0.006) : draw.between(-0.009, 0.009);
-  s.yaw = draw.is_odd() ? draw.number(0.01) : draw.between(-0.03, 0.03);
-  s.forward_velocity = draw.number(30), s.vertical_force = draw.count(0, 4) > 0 ? draw.number(80e3) : 0;
-  auto* numbers = reinterpret_cast<double*>(&s);
-  for (std::size_t k = 0; k < sizeof s / sizeof(double); ++k)
-    if (draw.count(0, 9) == 0 && draw.is_odd()) numbers[k] = draw.number(1e-3);
-  return s;
+std::size_t place(int list, const char* name) {
+  const int index = microslip_index(list, name, nullptr);
+  require(index >= 0, std::string("no number ") + name);
+  return static_cast<std::size_t>(index);
+}
+
+/// How wide rows are: usually as their list.
+std::size_t width(Draw& draw, int list) {
+  const auto whole = static_cast<int>(microslip_count(list));
+  return static_cast<std::size_t>(draw.is_odd() ? draw.count(0, whole + 1) : whole);
+}
+
+/// Rows of states near a usual one.
+std::vector<double> states(Draw& draw, const std::vector<double>& usual, std::size_t count, std::size_t width) {
+  std::vector<double> rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<double> s = usual;
+    s[place(MICROSLIP_WHEEL_STATE, "lateral")] = draw.is_odd() ? draw.number(0.006) : draw.between(-0.009, 0.009);
+    s[place(MICROSLIP_WHEEL_STATE, "yaw")] = draw.is_odd() ? draw.number(0.01) : draw.between(-0.03, 0.03);
+    s[place(MICROSLIP_WHEEL_STATE, "forward_velocity")] = draw.number(30);
+    s[place(MICROSLIP_WHEEL_STATE, "vertical_force")] = draw.count(0, 4) > 0 ? draw.number(80e3) : 0;
+    for (double& number : s)
+      if (draw.count(0, 9) == 0 && draw.is_odd()) number = draw.number(1e-3);
+    s.resize(width);
+    rows.insert(rows.end(), s.begin(), s.end());
+  }
+  return rows;
+}
+
+/// The rows that a call on states writes.
+struct WheelRows {
+  WheelRows(Draw& draw, std::size_t states)
+      : count(states), width(::width(draw, MICROSLIP_WHEEL_RESULT)), rows(::width(draw, MICROSLIP_WHEEL_DERIVATIVE)),
+        columns(::width(draw, MICROSLIP_WHEEL_STATE)), results(count * width), jacobians(count * rows * columns),
+        status(count) {}
+
+  std::size_t count, width, rows, columns;
+  Results<double> results, jacobians;
+  Results<int> status;
+
+  /// What a call has written that returned a code; `with_jacobians`: these as well.
+  void look_at(int code, bool is_refusal_of_sizes, bool with_jacobians) const {
+    if (is_refusal(code)) {
+      require(code == MICROSLIP_NULL_POINTER || (is_refusal_of_sizes && code == MICROSLIP_WRONG_SIZE),
+              "refused with " + std::to_string(code));
+      require(results.is_untouched() && jacobians.is_untouched() && status.is_untouched(), "refused, and written");
+      return;
+    }
+    require(!is_refusal_of_sizes, "rows are longer than their list");
+    for (std::size_t k = 0; k < count; ++k) {
+      require(status[k] >= 0 && !is_refusal(status[k]), "status " + std::to_string(status[k]));
+      if (status[k] != MICROSLIP_OK && status[k] != MICROSLIP_IMPLAUSIBLE) continue;
+      const std::size_t finite = place(MICROSLIP_WHEEL_RESULT, "iterations") + 1;
+      for (std::size_t i = 0; i < std::min(width, finite); ++i)
+        require(std::isfinite(results[k * width + i]), "a wheel's forces are not finite");
+      for (std::size_t i = 0; with_jacobians && i < rows * columns; ++i)
+        require(std::isfinite(jacobians[k * rows * columns + i]), "a wheel's derivatives are not finite");
+    }
+  }
+};
+
+/// The patches of the state last solved.
+void look_at_patches(Draw& draw, const Said& said, const microslip_wheel_rail* handle) {
+  const std::size_t wide = width(draw, MICROSLIP_WHEEL_PATCH), room = static_cast<std::size_t>(draw.count(0, 9));
+  Results<double> values(room * wide);
+  std::size_t count = 99;
+  double* const to = draw.pointer(values.data());
+  const int code = said.of(microslip_wheel_rail_patches(handle, wide, room, to, draw.pointer(&count), said.pointer),
+                           "wheel_rail_patches");
+  if (code == MICROSLIP_WRONG_SIZE)
+    require(wide > microslip_count(MICROSLIP_WHEEL_PATCH) || (count > room && count < 99), "rows of patches");
+  if (is_refusal(code)) require(values.is_untouched(), "wheel_rail_patches: refused, and written");
+  if (code != MICROSLIP_OK || to == nullptr) return;
+  require(count <= room, "more patches than room");
+  for (std::size_t k = 0; k < count; ++k)
+    for (const char* name : {"status", "normal_force", "fx", "fy", "mz", "contact_area", "peak_pressure"})
+      if (const std::size_t i = place(MICROSLIP_WHEEL_PATCH, name); i < wide)
+        require(std::isfinite(values[k * wide + i]), std::string("a patch's ") + name);
+}
+
+/// A handle's calls on states.
+void solve_states(Draw& draw, const Said& said, microslip_wheel_rail* made) {
+  std::vector<double> usual(microslip_count(MICROSLIP_WHEEL_STATE));
+  microslip_wheel_rail_state(draw.pointer(made), width(draw, MICROSLIP_WHEEL_STATE), draw.pointer(usual.data()));
+  microslip_wheel_rail* const handle = draw.pointer(made);
+  const auto count = static_cast<std::size_t>(draw.count(0, 5));
+  const std::size_t wide = width(draw, MICROSLIP_WHEEL_STATE);
+  const std::vector<double> given = states(draw, usual, count, wide);
+  const bool with_jacobians = draw.count(0, 2) == 0;
+  WheelRows found(draw, count);
+  const bool too_wide = wide > usual.size() || found.width > microslip_count(MICROSLIP_WHEEL_RESULT);
+  const bool jacobian_too_wide =
+      with_jacobians && (found.columns > usual.size() || found.rows > microslip_count(MICROSLIP_WHEEL_DERIVATIVE));
+  const double* const from = draw.pointer(given.data());
+  double* const results = draw.pointer(found.results.data());
+  int* const status = found.status.data();
+  const int code = with_jacobians ? microslip_wheel_rail_differentiate(handle, count, wide, from, found.width, results,
+                                                                       status, found.rows, found.columns,
+                                                                       draw.pointer(found.jacobians.data()))
+                                  : microslip_wheel_rail_solve(handle, count, wide, from, found.width, results, status);
+  found.look_at(code, too_wide || jacobian_too_wide, with_jacobians);
+  look_at_patches(draw, said, handle);
 }
 
 void wheel_rail(Draw& draw) {
@@ -408,32 +496,25 @@ void wheel_rail(Draw& draw) {
           "wheel_rail_create");
   const std::unique_ptr<microslip_wheel_rail, decltype(&microslip_wheel_rail_destroy)> own(
       made, microslip_wheel_rail_destroy);
-  microslip_wheel_state usual = {};
-  microslip_wheel_rail_state(draw.pointer(made), draw.pointer(&usual));
+  solve_states(draw, said, made);
   microslip_wheel_rail* const handle = draw.pointer(made);
-  std::vector<microslip_wheel_state> states(static_cast<std::size_t>(draw.count(0, 5)));
-  for (microslip_wheel_state& s : states) s = state(draw, usual);
-  on_many<microslip_wheel_forces>(draw, states, "wheel_rail_solve", [&](auto count, auto given, auto results) {
-    return microslip_wheel_rail_solve(handle, count, given, results);
-  });
-  if (draw.count(0, 2) == 0)
-    on_many<microslip_wheel_derivatives>(draw, states, "wheel_rail_differentiate",
-                                         [&](auto count, auto given, auto results) {
-                                           return microslip_wheel_rail_differentiate(handle, count, given, results);
-                                         });
   std::vector<double> lateral(4), conicity(4);
   for (double& y : lateral) y = draw.number(0.004);
-  Results<microslip_wheelset_contact> contacts(lateral.size());
+  const std::size_t wide = width(draw, MICROSLIP_WHEELSET_CONTACT);
+  Results<double> contacts(lateral.size() * wide);
+  Results<int> status(lateral.size());
   const int roll = draw.choice(2);
-  int code = said.of(microslip_wheelset_contacts(handle, roll, draw.number(1e-3), lateral.size(),
-                                                 draw.pointer(lateral.data()), contacts.data(), said.pointer),
-                     "wheelset_contacts");
+  const int code =
+      said.of(microslip_wheelset_contacts(handle, roll, draw.number(1e-3), lateral.size(), draw.pointer(lateral.data()),
+                                          wide, contacts.data(), status.data(), said.pointer),
+              "wheelset_contacts");
   for (std::size_t k = 0; k < lateral.size() && !is_refusal(code); ++k) {
-    require(contacts[k].status >= 0 && !is_refusal(contacts[k].status), "status of a wheelset's contact");
-    if (contacts[k].status == MICROSLIP_OK)
-      require(all_are(is_finite, {contacts[k].roll, contacts[k].vertical, contacts[k].left.rolling_radius}), "a touch");
+    require(status[k] >= 0 && !is_refusal(status[k]), "status of a wheelset's contact");
+    for (std::size_t i = 0; i < wide && status[k] == MICROSLIP_OK; ++i)
+      require(std::isfinite(contacts[k * wide + i]), "a wheelset's contact");
   }
-  require(!is_refusal(code) || contacts.is_untouched(), "wheelset_contacts: refused, and written");
+  require(!is_refusal(code) || (contacts.is_untouched() && status.is_untouched()),
+          "wheelset_contacts: refused, and written");
   said.of(microslip_equivalent_conicity(handle, roll, draw.number(1.5), lateral.size(), draw.pointer(lateral.data()),
                                         draw.pointer(conicity.data()), said.pointer),
           "equivalent_conicity");

@@ -26,6 +26,9 @@ module microslip
     microslip_field_bound = 3, microslip_field_px = 4, microslip_field_py = 5, microslip_field_sx = 6, &
     microslip_field_sy = 7, microslip_field_state = 8, microslip_field_pressure = 9, microslip_field_ux = 10, &
     microslip_field_uy = 11
+  integer(c_int), parameter, public :: microslip_contact_quantity = 0, microslip_contact_field = 1, &
+    microslip_wheel_state = 2, microslip_wheel_result = 3, microslip_wheel_derivative = 4, microslip_wheel_patch = 5, &
+    microslip_wheelset_contact = 6
   integer, parameter, public :: microslip_error_length = 256
   integer(c_int), parameter, public :: microslip_made_for_abi = 1
 
@@ -56,68 +59,7 @@ module microslip
     real(c_double) :: jacobian(4, 3) = 0
   end type
 
-  integer, parameter, public :: microslip_wheel_patches = 8
-
-  !> What is not given is zero.
-  type, bind(c), public :: microslip_wheel_state
-    real(c_double) :: lateral = 0, vertical = 0
-    real(c_double) :: roll = 0, yaw = 0
-    real(c_double) :: forward_velocity = 0, lateral_velocity = 0, vertical_velocity = 0
-    real(c_double) :: roll_velocity = 0, pitch_velocity = 0, yaw_velocity = 0
-    real(c_double) :: curvature = 0
-    real(c_double) :: deflection_longitudinal = 0, deflection_lateral = 0, deflection_vertical = 0
-    real(c_double) :: deflection_roll = 0, deflection_yaw = 0
-    real(c_double) :: deflection_longitudinal_velocity = 0, deflection_lateral_velocity = 0
-    real(c_double) :: deflection_vertical_velocity = 0
-    real(c_double) :: deflection_roll_velocity = 0, deflection_pitch_velocity = 0, deflection_yaw_velocity = 0
-    real(c_double) :: deviation_lateral = 0, deviation_vertical = 0, deviation_roll = 0
-    real(c_double) :: deviation_lateral_velocity = 0, deviation_vertical_velocity = 0, deviation_roll_velocity = 0
-    real(c_double) :: longitudinal = 0, pitch = 0
-    real(c_double) :: vertical_force = 0
-  end type
-
-  type, bind(c), public :: microslip_wheel_patch
-    real(c_double) :: place_x = 0, place_y = 0, place_z = 0
-    real(c_double) :: angle = 0
-    real(c_double) :: rail_y = 0, wheel_y = 0
-    real(c_double) :: rolling_radius = 0, turn = 0, conformity = 0, approach = 0, rolling_speed = 0
-    real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
-    real(c_double) :: normal_force = 0, fx = 0, fy = 0, mz = 0
-    real(c_double) :: contact_area = 0, slip_area = 0, peak_pressure = 0, frictional_power = 0
-    real(c_double) :: t_gamma = 0, t_gamma_with_spin = 0
-    real(c_double) :: friction = 0, traction_coefficient = 0, t_gamma_per_area = 0
-    real(c_double) :: worn_mass_r8t = 0, worn_area = 0, wear_depth = 0
-    real(c_double) :: fatigue_index = 0, shakedown_load = 0, shakedown_limit = 0, nadal_limit = 0
-    integer(c_int) :: status = 0
-  end type
-
-  type, bind(c), public :: microslip_wheel_forces
-    real(c_double) :: force(3) = 0, moment(3) = 0
-    real(c_double) :: vertical = 0, residual = 0, y_over_q = 0, nadal_limit = 0
-    integer(c_int) :: iterations = 0, at_profile_end = 0, warning_code = 0, status = 0, patch_count = 0
-    type(microslip_wheel_patch) :: patches(microslip_wheel_patches)
-  end type
-
-  integer, parameter, public :: microslip_wheel_results = 7, microslip_wheel_variables = 31
-
-  !> Element (k, n) of C's jacobian, row n and column k counted from 1: members of the state come first here.
-  type, bind(c), public :: microslip_wheel_derivatives
-    type(microslip_wheel_forces) :: forces
-    real(c_double) :: jacobian(microslip_wheel_variables, microslip_wheel_results) = 0
-  end type
-
   integer(c_int), parameter, public :: microslip_roll_equilibrium = 0, microslip_roll_none = 1
-
-  type, bind(c), public :: microslip_touch
-    real(c_double) :: rail_y = 0, wheel_y = 0, rolling_radius = 0, contact_angle = 0
-  end type
-
-  type, bind(c), public :: microslip_wheelset_contact
-    real(c_double) :: lateral = 0, roll = 0, vertical = 0
-    real(c_double) :: rolling_radius_difference = 0, contact_angle_difference = 0
-    type(microslip_touch) :: left, right
-    integer(c_int) :: status = 0
-  end type
 
   type, bind(c), public :: microslip_bodies
     real(c_double) :: rolling_radius(2), transverse_radius(2)
@@ -136,9 +78,11 @@ module microslip
     integer(c_int) :: precision
   end type
 
-  !> A number or a field by its name; microslip_text makes Fortran texts of the pointers.
+  !> Set struct_size = c_sizeof(quantity) before use; microslip_text makes Fortran texts of the pointers.
   type, bind(c), public :: microslip_quantity
-    type(c_ptr) :: name, symbol, unit, shift_unit, description
+    integer(c_size_t) :: struct_size = 0
+    type(c_ptr) :: name = c_null_ptr, symbol = c_null_ptr, unit = c_null_ptr, shift_unit = c_null_ptr, &
+      description = c_null_ptr
   end type
 
   type, bind(c), public :: microslip_exact_body
@@ -230,32 +174,10 @@ module microslip
       type(c_ptr), value :: text
     end subroutine
 
-    function microslip_quantity_count() bind(c) result(count)
+    function microslip_count(list) bind(c) result(count)
       import
+      integer(c_int), value :: list
       integer(c_size_t) :: count
-    end function
-
-    !> `index` counts from 0, as in C.
-    function microslip_quantity_info(index, info, error) bind(c) result(code)
-      import
-      integer(c_size_t), value :: index
-      type(microslip_quantity), intent(out) :: info
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
-    end function
-
-    function microslip_field_count() bind(c) result(count)
-      import
-      integer(c_size_t) :: count
-    end function
-
-    !> `index` counts from 0, as in C.
-    function microslip_field_info(index, info, error) bind(c) result(code)
-      import
-      integer(c_size_t), value :: index
-      type(microslip_quantity), intent(out) :: info
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
     end function
 
     function microslip_fastsim2_options_init(options, size) bind(c) result(code)
@@ -468,39 +390,61 @@ module microslip
       type(c_ptr), value :: wheel_rail
     end subroutine
 
-    function microslip_wheel_rail_state(wheel_rail, state) bind(c) result(code)
+    function microslip_wheel_rail_state(wheel_rail, width, state) bind(c) result(code)
       import
       type(c_ptr), value :: wheel_rail
-      type(microslip_wheel_state), intent(inout) :: state
+      integer(c_size_t), value :: width
+      real(c_double), intent(inout) :: state(*)
       integer(c_int) :: code
     end function
 
-    function microslip_wheel_rail_solve(wheel_rail, count, states, forces) bind(c) result(code)
+    !> Rows are columns here: states(state_width, count), results(result_width, count).
+    function microslip_wheel_rail_solve(wheel_rail, count, state_width, states, result_width, results, status) bind(c) &
+        result(code)
       import
       type(c_ptr), value :: wheel_rail
-      integer(c_size_t), value :: count
-      type(microslip_wheel_state), intent(in) :: states(*)
-      type(microslip_wheel_forces), intent(inout) :: forces(*)
+      integer(c_size_t), value :: count, state_width, result_width
+      real(c_double), intent(in) :: states(*)
+      real(c_double), intent(inout) :: results(*)
+      integer(c_int), intent(inout) :: status(*)
       integer(c_int) :: code
     end function
 
-    function microslip_wheel_rail_differentiate(wheel_rail, count, states, derivatives) bind(c) result(code)
+    !> Element (k, n, i) of jacobian(column_count, row_count, count) is the derivative of result n by number k of the
+    !> state i.
+    function microslip_wheel_rail_differentiate(wheel_rail, count, state_width, states, result_width, results, status, &
+        row_count, column_count, jacobian) bind(c) result(code)
       import
       type(c_ptr), value :: wheel_rail
-      integer(c_size_t), value :: count
-      type(microslip_wheel_state), intent(in) :: states(*)
-      type(microslip_wheel_derivatives), intent(inout) :: derivatives(*)
+      integer(c_size_t), value :: count, state_width, result_width, row_count, column_count
+      real(c_double), intent(in) :: states(*)
+      real(c_double), intent(inout) :: results(*), jacobian(*)
+      integer(c_int), intent(inout) :: status(*)
       integer(c_int) :: code
     end function
 
-    function microslip_wheelset_contacts(wheel_rail, roll, yaw, count, lateral, contacts, error) bind(c) result(code)
+    !> values(width, capacity); c_loc of it, or c_null_ptr to count the patches only.
+    function microslip_wheel_rail_patches(wheel_rail, width, capacity, values, count, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_size_t), value :: width, capacity
+      type(c_ptr), value :: values
+      integer(c_size_t), intent(inout) :: count
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    !> contacts(width, count)
+    function microslip_wheelset_contacts(wheel_rail, roll, yaw, count, lateral, width, contacts, status, error) bind(c) &
+        result(code)
       import
       type(c_ptr), value :: wheel_rail
       integer(c_int), value :: roll
       real(c_double), value :: yaw
-      integer(c_size_t), value :: count
+      integer(c_size_t), value :: count, width
       real(c_double), intent(in) :: lateral(*)
-      type(microslip_wheelset_contact), intent(inout) :: contacts(*)
+      real(c_double), intent(inout) :: contacts(*)
+      integer(c_int), intent(inout) :: status(*)
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
@@ -521,7 +465,7 @@ module microslip
 
   public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
   public :: microslip_hertz_warnings, microslip_free_text
-  public :: microslip_quantity_count, microslip_quantity_info, microslip_field_count, microslip_field_info
+  public :: microslip_count, microslip_index, microslip_describe
   public :: microslip_fastsim2_options_init, microslip_fastsim2_create, microslip_fastsim2_destroy
   public :: microslip_fastsim2_solve, microslip_fastsim2_differentiate
   public :: microslip_fastsim2_solve_fields, microslip_fastsim2_get
@@ -533,7 +477,7 @@ module microslip
   public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
   public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
-  public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate
+  public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate, microslip_wheel_rail_patches
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
   public :: microslip_warning
   public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
@@ -576,6 +520,44 @@ contains
       end function
     end interface
     text = microslip_text(c_code_text(code))
+  end function
+
+  !> Where a number stands in a list, counted from 1, as in Fortran's arrays; 0 if it has none of this name, and the error
+  !> tells the nearest one.
+  function microslip_index(list, name, error) result(index)
+    integer(c_int), intent(in) :: list
+    character(*), intent(in) :: name
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: index
+    interface
+      function c_index(list, name, error) bind(c, name='microslip_index') result(index)
+        import
+        integer(c_int), value :: list
+        character(kind=c_char), intent(in) :: name(*)
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: index
+      end function
+    end interface
+    index = c_index(list, trim(name) // c_null_char, error) + 1
+  end function
+
+  !> What stands at an index of a list, counted from 1.
+  function microslip_describe(list, index, quantity, error) result(code)
+    integer(c_int), intent(in) :: list, index
+    type(microslip_quantity), intent(inout) :: quantity
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_describe(list, index, quantity, error) bind(c, name='microslip_describe') result(code)
+        import
+        integer(c_int), value :: list
+        integer(c_size_t), value :: index
+        type(microslip_quantity), intent(inout) :: quantity
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_describe(list, int(index - 1, c_size_t), quantity, error)
   end function
 
   !> The text of the k-th warning, counted from 0: bit k of a warning code; empty from the first that there is not.

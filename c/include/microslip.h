@@ -16,9 +16,16 @@
  * microslip_error, which may be NULL, and write into it what is wrong in words: field, value, unit and allowed range.
  * A call that refuses its arguments changes nothing else. No C++ exception leaves the library.
  *
- * Structs that may grow in later versions begin with `struct_size`, which their _init function or the caller sets to
- * sizeof the struct. New fields are added at the end and mean the old behaviour when they are zero, so programs built
- * with an older header keep working. Structs without it keep their layout as long as the library's soname stays.
+ * Programs built with this header run with every later library of the same MICROSLIP_ABI. No function and no value goes
+ * or means something else; structs without struct_size keep their layout; what grows does so at its end, in two ways.
+ *
+ * Structs that may get fields begin with `struct_size`, which their _init function or the caller sets to sizeof the
+ * struct. Fields that the caller does not have are zero, which means the old behaviour.
+ *
+ * Numbers that may become more stand in lists (microslip_list), where they are found by name. Arrays have them in the
+ * order of their list, in rows whose width the caller tells. New numbers stand at the end of a list, so that an index
+ * that was found once stays, as do names and units. A row may be shorter than its list: what it leaves out is zero,
+ * which means the old behaviour, or is not written. A row longer than its list is refused with MICROSLIP_WRONG_SIZE.
  */
 
 #include <stddef.h>
@@ -211,7 +218,7 @@ typedef enum microslip_motion {
 } microslip_motion;
 
 /* Fields over the elements of a grid: my rows, y ascending, of mx elements, x ascending whatever the rolling direction;
- * element i of row j has the index j mx + i. */
+ * element i of row j has the index j mx + i. For the _get functions; these are no places in a microslip_list. */
 typedef enum microslip_field {
   MICROSLIP_FIELD_X = 0,        /* cell centres [m] */
   MICROSLIP_FIELD_Y = 1,        /* [m] */
@@ -227,22 +234,38 @@ typedef enum microslip_field {
   MICROSLIP_FIELD_UY = 11       /* [m] */
 } microslip_field;
 
-/* A number or a field that solutions have, by its name: "fx", "frictional_power", "pressure", "gap". Texts live as long
- * as the library is loaded. */
+/* ------------------------------------------------------------------------------------------------------- lists ----
+ */
+
+/* Lists of numbers that have names, the same in files, C and Python. */
+typedef enum microslip_list {
+  MICROSLIP_CONTACT_QUANTITY = 0, /* of a contact, by either theory: "fx", "frictional_power" */
+  MICROSLIP_CONTACT_FIELD = 1,    /* of a contact, a value for each element: "pressure", "gap" */
+  MICROSLIP_WHEEL_STATE = 2,      /* what a wheel on a rail is given: "lateral", "vertical_force" */
+  MICROSLIP_WHEEL_RESULT = 3,     /* what it bears: "force_y", "patch_count" */
+  MICROSLIP_WHEEL_DERIVATIVE = 4, /* those of its results that have derivatives: "force_y", "vertical" */
+  MICROSLIP_WHEEL_PATCH = 5,      /* of a patch of it: "normal_force", "status" */
+  MICROSLIP_WHEELSET_CONTACT = 6  /* where a rigid wheelset touches: "left_contact_angle" */
+} microslip_list;
+
+/* What a list tells of a number. Texts live as long as the library is loaded. */
 typedef struct microslip_quantity {
-  const char* name;       /* the same in files, C and Python */
+  size_t struct_size; /* set by the caller */
+  const char* name;
   const char* symbol;     /* in formulas; may be empty */
   const char* unit;       /* SI; "-" without one */
   const char* shift_unit; /* for a shift, whose creepages are lengths and whose power is work */
   const char* description;
 } microslip_quantity;
 
-/* All of them: `index` counts from 0 to below the count. Later versions may have more. Any thread. */
-MICROSLIP_API size_t microslip_quantity_count(void);
-MICROSLIP_API microslip_code microslip_quantity_info(size_t index, microslip_quantity* info, microslip_error* error);
-/* The same for fields, of which there is a value for each element. */
-MICROSLIP_API size_t microslip_field_count(void);
-MICROSLIP_API microslip_code microslip_field_info(size_t index, microslip_quantity* info, microslip_error* error);
+/* How many numbers a microslip_list has, which is the longest row; 0 if there is no such list. Any thread. */
+MICROSLIP_API size_t microslip_count(int list);
+/* Where a number stands in a list, from 0; below 0 if it has none of this name, and the error tells the nearest one.
+ * Any thread. */
+MICROSLIP_API int microslip_index(int list, const char* name, microslip_error* error);
+/* What is at an index below the count. Any thread. */
+MICROSLIP_API microslip_code microslip_describe(int list, size_t index, microslip_quantity* quantity,
+                                                microslip_error* error);
 
 /* ----------------------------------------------------------------------------------------------------- FASTSIM2 ----
  */
@@ -286,8 +309,8 @@ MICROSLIP_API microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2*
  * mx my. */
 MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, int field, size_t count,
                                                     double* values, microslip_error* error);
-/* The same by names, for all numbers and fields of microslip_quantity_info and microslip_field_info, and "state".
- * MICROSLIP_NO_RESULT for one that the simplified theory does not have. */
+/* The same by names, those of MICROSLIP_CONTACT_QUANTITY and MICROSLIP_CONTACT_FIELD, and "state". MICROSLIP_NO_RESULT
+ * for one that the simplified theory does not have. */
 MICROSLIP_API microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name,
                                                          double* value, microslip_error* error);
 MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
@@ -427,12 +450,13 @@ MICROSLIP_API microslip_code microslip_exact_differentiate(microslip_exact* solv
 /* Copies a field, a microslip_field, of the contact last solved; `count` must be mx my of its result. */
 MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, int field, size_t count, double* values,
                                                  microslip_error* error);
-/* A number of the contact last solved by its name, one of microslip_quantity_info. With an accuracy given it is that of
- * the finest grid, like the fields. MICROSLIP_NO_RESULT for one that this contact does not have, such as temperatures
- * without heat data. */
+/* A number of the contact last solved by its name, one of MICROSLIP_CONTACT_QUANTITY. With an accuracy given it is that
+ * of the finest grid, like the fields. MICROSLIP_NO_RESULT for one that this contact does not have, such as
+ * temperatures without heat data. */
 MICROSLIP_API microslip_code microslip_exact_quantity(const microslip_exact* solver, const char* name, double* value,
                                                       microslip_error* error);
-/* A field by its name, one of microslip_field_info, or "state". The first call for "gap" may solve a normal problem. */
+/* A field by its name, one of MICROSLIP_CONTACT_FIELD, or "state". The first call for "gap" may solve a normal problem.
+ */
 MICROSLIP_API microslip_code microslip_exact_field(microslip_exact* solver, const char* name, size_t count,
                                                    double* values, microslip_error* error);
 
@@ -454,80 +478,6 @@ MICROSLIP_API microslip_code microslip_solve_case(const char* text, const char* 
 /* A wheel on a rail by their profiles; see docs/wheel-on-rail.md for axes and signs: x forward, y to the left, z up. */
 typedef struct microslip_wheel_rail microslip_wheel_rail;
 
-/* A state of the wheelset with all that concerns one of its wheels, in the order of the table of case files. */
-typedef struct microslip_wheel_state {
-  double lateral, vertical; /* of the wheelset's centre [m]; vertical above the nominal radius */
-  double roll, yaw;         /* [rad] */
-  double forward_velocity, lateral_velocity, vertical_velocity; /* of the wheelset's centre [m/s] */
-  double roll_velocity, pitch_velocity, yaw_velocity;           /* [rad/s]; pitch > 0 rolls forward */
-  double curvature;                                             /* of the track [1/m], > 0 to the left */
-  /* of the wheel against the axle [m], [rad], [m/s], [rad/s] */
-  double deflection_longitudinal, deflection_lateral, deflection_vertical, deflection_roll, deflection_yaw;
-  double deflection_longitudinal_velocity, deflection_lateral_velocity, deflection_vertical_velocity;
-  double deflection_roll_velocity, deflection_pitch_velocity, deflection_yaw_velocity;
-  /* of the rail from its nominal position [m], [rad], [m/s], [rad/s] */
-  double deviation_lateral, deviation_vertical, deviation_roll;
-  double deviation_lateral_velocity, deviation_vertical_velocity, deviation_roll_velocity;
-  /* of the wheelset along the track [m] and around its axle [rad], where slices count from */
-  double longitudinal, pitch;
-  double vertical_force; /* on the wheel [N], > 0: its height is found; 0: `vertical` counts */
-} microslip_wheel_state;
-
-/* A patch in contact. Forces act on the wheel. */
-typedef struct microslip_wheel_patch {
-  double place_x, place_y, place_z;                     /* origin of its frame, on the rail, in track axes [m] */
-  double angle;                                         /* of the contact plane [rad], > 0 rising to the left */
-  double rail_y, wheel_y;                               /* of both profiles there, in the profiles' axes [m] */
-  double rolling_radius;                                /* of the wheel there [m] */
-  double turn;                                          /* of the rail's surface across the patch [rad] */
-  double conformity;                                    /* 0 solved as curved (or flat), 1 as conformal [-] */
-  double approach;                                      /* greatest overlap of the undeformed bodies [m] */
-  double rolling_speed;                                 /* V [m/s] */
-  double creepage_longitudinal, creepage_lateral, spin; /* [-], [-], [1/m] */
-  double normal_force, fx, fy, mz;                      /* along and about the frame's axes [N], [N m] */
-  double contact_area, slip_area;                       /* [m^2] */
-  double peak_pressure;                                 /* [Pa] */
-  double frictional_power;                              /* [W] */
-  double t_gamma, t_gamma_with_spin;                    /* |Fx xi| + |Fy eta| (+ |Mz phi|) [N] */
-  double friction, traction_coefficient;                /* mu at the patch's inclination; sqrt(Fx^2 + Fy^2)/Fn [-] */
-  double t_gamma_per_area;                              /* [N/m^2] */
-  double worn_mass_r8t;                                 /* wear of steel R8T by T-gamma per area [kg/m] */
-  double worn_area, wear_depth;                         /* of a passage by Archard's law [m^2], [m]; NaN: no hardness */
-  double fatigue_index, shakedown_load;                 /* [-]; NaN: no yield strength in shear is given */
-  double shakedown_limit;                               /* of that load, at the traction coefficient [-] */
-  double nadal_limit;                                   /* of Y/Q at the contact angle [-] */
-  int status;                                           /* a microslip_code below 16 */
-} microslip_wheel_patch;
-
-#define MICROSLIP_WHEEL_PATCHES 8
-
-/* What a wheel bears, in track axes; the moment is about its centre. */
-typedef struct microslip_wheel_forces {
-  double force[3];    /* [N] */
-  double moment[3];   /* [N m] */
-  double vertical;    /* height of the wheelset's centre: given, or found for the force [m] */
-  double residual;    /* of the vertical force, relative */
-  double y_over_q;    /* Y/Q [-], > 0 towards the track's centre; NaN without a vertical force */
-  double nadal_limit; /* Nadal's limit of it where the flange is steepest [-]; NaN without a flange */
-  int iterations;     /* over the wheel's height */
-  int at_profile_end; /* 1: a patch ends where a profile ends, its forces are too small */
-  int warning_code;   /* what makes it doubtful: sum of 2^k, k as in microslip_warning; 0: nothing */
-  int status;         /* a microslip_code below 16 */
-  int patch_count;    /* how many of the patches below there are */
-  microslip_wheel_patch patches[MICROSLIP_WHEEL_PATCHES]; /* from the gauge to the field side of a left wheel */
-} microslip_wheel_forces;
-
-#define MICROSLIP_WHEEL_RESULTS 7
-#define MICROSLIP_WHEEL_VARIABLES 31
-
-/* Forces and their derivatives: rows force[0] to [2], moment[0] to [2], vertical; columns the members of
- * microslip_wheel_state in their order, in SI units. Those by what was not given are zero: by `vertical` with a
- * vertical force, by `vertical_force` without one. */
-typedef struct microslip_wheel_derivatives {
-  microslip_wheel_forces forces;
-  double jacobian[MICROSLIP_WHEEL_RESULTS][MICROSLIP_WHEEL_VARIABLES];
-} microslip_wheel_derivatives;
-
 /* Makes one from the text of a case file, whose sections [track], [rail], [wheelset], [wheel] (its side), [material],
  * [friction] and [solution] say all but the states; `name` is the file's name for messages, and profiles are read from
  * paths that start at its folder. Refused as by microslip_solve_case. */
@@ -535,23 +485,41 @@ MICROSLIP_API microslip_code microslip_wheel_rail_create(const char* text, const
                                                          microslip_wheel_rail** wheel_rail, microslip_error* error);
 /* NULL is allowed. */
 MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail);
-/* The first state of the case file. */
-MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail,
-                                                        microslip_wheel_state* state);
-/* Forces in `count` states, one after another: all of `forces` is written, each with a status. With the theory
- * "fastsim2" it takes no memory and throws nothing, unless material.hardness asks for wear. The code is that of the
- * first state that is not MICROSLIP_OK. A state that the lack of memory or a fault of the library leaves unsolved is
- * MICROSLIP_NOT_CONVERGED with a residual of 1, and the code says why. */
+/* The first state of the case file: the first `width` numbers of MICROSLIP_WHEEL_STATE. */
+MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, size_t width,
+                                                        double* state);
+/* What a wheel bears in `count` states, one after another. `states` has a row of state_width numbers for each state,
+ * the first of MICROSLIP_WHEEL_STATE, in SI units: the state of the wheelset with all that concerns one of its wheels.
+ * With a `vertical_force` other than 0 the height is found for it, else that of `vertical` counts. `results` gets a row
+ * of result_width numbers, the first of MICROSLIP_WHEEL_RESULT, and `status` a microslip_code below 16; each is written
+ * for every state, and may be NULL if it is not wanted (result_width 0). Forces act on the wheel, in track axes; the
+ * moment is about its centre; NaN stands for what there is not, as Y/Q without a vertical force. With the theory
+ * "fastsim2" it takes no memory while there are at most 8 patches, and throws nothing, unless material.hardness asks
+ * for wear. The code is that of the first state that is not MICROSLIP_OK. A state that the lack of memory or a fault of
+ * the library leaves unsolved is MICROSLIP_NOT_CONVERGED with a residual of 1, and the code says why. */
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
-                                                        const microslip_wheel_state* states,
-                                                        microslip_wheel_forces* forces);
-/* The text of the k-th warning, counted from 0; NULL from the first that there is not. It lasts. Any thread. */
-MICROSLIP_API const char* microslip_warning(int k);
-/* The same with derivatives, which hold where no patch comes or goes; those of a state that is neither MICROSLIP_OK
- * nor MICROSLIP_IMPLAUSIBLE are zero. With the theory "fastsim2" some three solves, and no memory either. */
+                                                        size_t state_width, const double* states, size_t result_width,
+                                                        double* results, int* status);
+/* The same with derivatives, which hold where no patch comes or goes. `jacobian` gets a matrix for each state, row by
+ * row: the first row_count numbers of MICROSLIP_WHEEL_DERIVATIVE by the first column_count ones of
+ * MICROSLIP_WHEEL_STATE, in SI units. Derivatives by what was not given are zero: by `vertical` with a vertical force,
+ * by `vertical_force` without one; so are all of a state that is neither MICROSLIP_OK nor MICROSLIP_IMPLAUSIBLE. With
+ * the theory "fastsim2" some three solves, and no memory either. */
 MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count,
-                                                                const microslip_wheel_state* states,
-                                                                microslip_wheel_derivatives* derivatives);
+                                                                size_t state_width, const double* states,
+                                                                size_t result_width, double* results, int* status,
+                                                                size_t row_count, size_t column_count,
+                                                                double* jacobian);
+/* The patches of the state last solved, from the gauge to the field side of a left wheel: `values` gets a row of
+ * `width` numbers for each, the first of MICROSLIP_WHEEL_PATCH; `count` becomes how many there are, whatever room there
+ * is. MICROSLIP_WRONG_SIZE, and no patch, if they are more than `capacity` rows. With `values` NULL they are only
+ * counted. Takes no memory unless it is refused. MICROSLIP_NO_RESULT before a state was solved. */
+MICROSLIP_API microslip_code microslip_wheel_rail_patches(const microslip_wheel_rail* wheel_rail, size_t width,
+                                                          size_t capacity, double* values, size_t* count,
+                                                          microslip_error* error);
+/* The text of the k-th warning, counted from 0, which is bit k of a wheel's `warning_code`; NULL from the first that
+ * there is not. It lasts. Any thread. */
+MICROSLIP_API const char* microslip_warning(int k);
 
 /* What decides the roll angle of a rigid wheelset. */
 typedef enum microslip_roll_rule {
@@ -559,30 +527,13 @@ typedef enum microslip_roll_rule {
   MICROSLIP_ROLL_NONE = 1         /* zero, as in the reference calculations of EN 15302 */
 } microslip_roll_rule;
 
-/* Where one wheel of a rigid wheelset touches. */
-typedef struct microslip_touch {
-  double rail_y, wheel_y; /* of both profiles, in the profiles' axes: to the field side positive [m] */
-  double rolling_radius;  /* [m] */
-  double contact_angle;   /* of the surfaces against the track plane [rad], > 0 rising to the left */
-} microslip_touch;
-
-/* A rigid wheelset on both rails, which are alike, as are its wheels. */
-typedef struct microslip_wheelset_contact {
-  double lateral;                   /* of the wheelset's centre, as given [m] */
-  double roll;                      /* [rad] */
-  double vertical;                  /* of the wheelset's centre above the nominal radius [m] */
-  double rolling_radius_difference; /* left less right [m] */
-  double contact_angle_difference;  /* left less right, each > 0 where it rises to the field side [rad] */
-  microslip_touch left, right;
-  int status; /* a microslip_code below 16; numbers of one that is not MICROSLIP_OK may be NaN */
-} microslip_wheelset_contact;
-
-/* Contacts of a rigid wheelset with the profiles, track and wheelset of the case at `count` lateral displacements [m]
- * of a yaw angle [rad], each in [-1, 1], by a microslip_roll_rule: all of `contacts` is written. The code is that of
- * the first that is not MICROSLIP_OK. */
+/* Contacts of a rigid wheelset with the profiles, track and wheelset of the case on both sides, at `count` lateral
+ * displacements [m] of a yaw angle [rad], each in [-1, 1], by a microslip_roll_rule. `contacts` gets a row of `width`
+ * numbers for each, the first of MICROSLIP_WHEELSET_CONTACT, and `status` a microslip_code below 16, or is NULL;
+ * numbers of one that is not MICROSLIP_OK may be NaN. The code is that of the first that is not MICROSLIP_OK. */
 MICROSLIP_API microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll, double yaw,
-                                                         size_t count, const double* lateral,
-                                                         microslip_wheelset_contact* contacts, microslip_error* error);
+                                                         size_t count, const double* lateral, size_t width,
+                                                         double* contacts, int* status, microslip_error* error);
 /* Equivalent conicity [-] by EN 15302 at `count` amplitudes [m], in (0, 0.9]; contact_distance e [m], > 0, is that of
  * both contacts, usually 1.5. NaN where no periodic motion exists, and for an amplitude out of range, for which the
  * code is MICROSLIP_INVALID_INPUT; the others are found. The nonlinearity parameter is the difference of those at 4 and

@@ -2,6 +2,7 @@
 // and all friction laws among the input.
 
 #include "c/tests/c_cases.hpp"
+#include "c/tests/c_wheel_rows.hpp"
 #include "tests/support/call_counters.hpp"
 #include "tests/support/case_text.hpp"
 #include "tests/test_cases.hpp"
@@ -51,28 +52,32 @@ TEST(CHotCall, TakesNoMemoryNorLockWritesNothingAndThrowsNothing) {
 }
 
 TEST(CHotCall, AWheelOnARailAtTheCoarseLevelAsWell) {
-  microslip_wheel_rail* wheel_rail = nullptr;
-  const microslip_code made = microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", &wheel_rail, nullptr);
-  if (made == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
-  ASSERT_EQ(made, MICROSLIP_OK);
-  std::vector<microslip_wheel_state> states(60);
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    microslip_wheel_rail_state(wheel_rail, &states[k]);
-    states[k].lateral = -0.007 + 0.00025 * static_cast<double>(k);
-    states[k].yaw = k % 3 == 0 ? 0.01 : 0;
-    if (k % 11 == 5) states[k].vertical_force = 0, states[k].vertical = 0.05;
-    if (k % 11 == 6) states[k].vertical_force = -1;
-    if (k % 11 == 7) states[k].yaw = not_a_number;
+  const CWheelRailCase pair;
+  if (pair.code == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
+  ASSERT_EQ(pair.code, MICROSLIP_OK);
+  Rows states = first_states(pair.pointer, 60);
+  for (std::size_t k = 0; k < states.count(); ++k) {
+    states.at(k, "lateral") = -0.007 + 0.00025 * static_cast<double>(k);
+    states.at(k, "yaw") = k % 3 == 0 ? 0.01 : 0;
+    if (k % 11 == 5) states.at(k, "vertical_force") = 0, states.at(k, "vertical") = 0.05;
+    if (k % 11 == 6) states.at(k, "vertical_force") = -1;
+    if (k % 11 == 7) states.at(k, "yaw") = not_a_number;
   }
-  std::vector<microslip_wheel_forces> forces(states.size());
-  std::vector<microslip_wheel_derivatives> derivatives(states.size());
-  expect_silent([&] { microslip_wheel_rail_solve(wheel_rail, states.size(), states.data(), forces.data()); });
+  SolvedRows solved(states.count()), differentiated(states.count());
+  Rows patches(MICROSLIP_WHEEL_PATCH, 8);
+  std::size_t count = 0;
+  microslip_code got = MICROSLIP_NO_RESULT;
+  expect_silent([&] { solved.solve(pair.pointer, states); });
   expect_silent(
-      [&] { microslip_wheel_rail_differentiate(wheel_rail, states.size(), states.data(), derivatives.data()); });
-  EXPECT_EQ(forces[0].status, MICROSLIP_OK);
-  EXPECT_EQ(forces[7].status, MICROSLIP_INVALID_INPUT);
-  EXPECT_EQ(derivatives[1].forces.force[1], forces[1].force[1]);
-  microslip_wheel_rail_destroy(wheel_rail);
+      [&] { got = microslip_wheel_rail_patches(pair.pointer, patches.width(), 8, patches.data(), &count, nullptr); });
+  expect_silent([&] { differentiated.differentiate(pair.pointer, states); });
+  expect_silent(
+      [&] { microslip_wheel_rail_solve(pair.pointer, 1, states.width() + 1, states.data(), 0, nullptr, nullptr); });
+  EXPECT_EQ(got, MICROSLIP_OK);
+  EXPECT_GT(count, 0U);
+  EXPECT_EQ(solved.status[0], MICROSLIP_OK);
+  EXPECT_EQ(solved.status[7], MICROSLIP_INVALID_INPUT);
+  EXPECT_EQ(differentiated.results.at(1, "force_y"), solved.results.at(1, "force_y"));
 }
 
 TEST(CHotCall, CountersSeeIntoTheLibrary) {

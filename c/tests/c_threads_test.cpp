@@ -2,6 +2,7 @@
 // so to the others.
 
 #include "c/tests/c_cases.hpp"
+#include "c/tests/c_wheel_rows.hpp"
 #include "tests/support/case_text.hpp"
 
 #include <atomic>
@@ -124,21 +125,22 @@ TEST(CThreads, OneHandleOfTheExactTheory) {
 }
 
 TEST(CThreads, OneHandleOfAWheelOnARail) {
-  microslip_wheel_rail* wheel_rail = nullptr;
-  const microslip_code made = microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", &wheel_rail, nullptr);
-  if (made == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
-  ASSERT_EQ(made, MICROSLIP_OK);
-  microslip_wheel_state state;
-  microslip_wheel_rail_state(wheel_rail, &state);
-  microslip_wheel_forces expected;
-  ASSERT_EQ(microslip_wheel_rail_solve(wheel_rail, 1, &state, &expected), MICROSLIP_OK);
+  const CWheelRailCase pair;
+  if (pair.code == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
+  ASSERT_EQ(pair.code, MICROSLIP_OK);
+  Rows state = first_states(pair.pointer);
+  SolvedRows expected(1);
+  ASSERT_EQ(expected.solve(pair.pointer, state), MICROSLIP_OK);
   on_one_handle([&](bool& is_right) {
-    microslip_wheel_forces found;
-    const int code = microslip_wheel_rail_solve(wheel_rail, 1, &state, &found);
-    if (code == MICROSLIP_OK) is_right = same(found.force[1], expected.force[1]);
-    return code;
+    SolvedRows found(1);
+    Rows own = state;
+    const int code = found.solve(pair.pointer, own);
+    if (code == MICROSLIP_OK) is_right = same(found.results.row(0)[1], expected.results.row(0)[1]);
+    std::size_t count = 0;
+    const int got = microslip_wheel_rail_patches(pair.pointer, 0, 0, nullptr, &count, nullptr);
+    if (got == MICROSLIP_OK) is_right &= count == static_cast<std::size_t>(expected.results.at(0, "patch_count"));
+    return code == MICROSLIP_OK ? got : code;
   });
-  microslip_wheel_rail_destroy(wheel_rail);
 }
 
 /// A handle that a progress function calls from within its call is in use as well.

@@ -1,7 +1,6 @@
 // Numbers that are none, through C: each field of a wheel's state makes that state invalid input and no other.
 
-#include "microslip.h"
-
+#include "c/tests/c_wheel_rows.hpp"
 #include "tests/support/case_text.hpp"
 
 #include <cmath>
@@ -10,63 +9,40 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 namespace microslip {
 namespace {
 
-/// A case that is solved through C.
-struct Case {
-  microslip_wheel_rail* pointer = nullptr;
-
-  explicit Case(const std::string& text = wheel_rail_text) {
-    microslip_error error = {};
-    EXPECT_EQ(microslip_wheel_rail_create(text.c_str(), "w.toml", &pointer, &error), MICROSLIP_OK) << error.text;
-  }
-  ~Case() { microslip_wheel_rail_destroy(pointer); }
-  Case(const Case&) = delete;
-  Case& operator=(const Case&) = delete;
-};
-
 TEST(CWheelRailBadInput, EachFieldMakesItsStateInvalidAndNoOther) {
-  const Case pair;
-  microslip_wheel_state state;
-  ASSERT_EQ(microslip_wheel_rail_state(pair.pointer, &state), MICROSLIP_OK);
-  microslip_wheel_forces good;
-  ASSERT_EQ(microslip_wheel_rail_solve(pair.pointer, 1, &state, &good), MICROSLIP_OK);
-  constexpr std::size_t fields = sizeof(microslip_wheel_state) / sizeof(double);
-  for (std::size_t k = 0; k < fields; ++k)
+  const CWheelRailCase pair;
+  Rows state = first_states(pair.pointer);
+  SolvedRows good(1);
+  ASSERT_EQ(good.solve(pair.pointer, state), MICROSLIP_OK);
+  const int vertical = microslip_index(MICROSLIP_WHEEL_STATE, "vertical", nullptr);
+  for (std::size_t k = 0; k < state.width(); ++k)
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-      std::vector<double> numbers(fields);
-      std::memcpy(numbers.data(), &state, sizeof state);
-      const bool vertical = &state.vertical == reinterpret_cast<double*>(&state) + k;
-      numbers[k] = bad;
-      std::vector<microslip_wheel_state> states(3, state);
-      std::memcpy(&states[1], numbers.data(), sizeof state);
-      if (vertical) states[1].vertical_force = 0; // the height is taken then
-      std::vector<microslip_wheel_forces> forces(3);
-      EXPECT_EQ(microslip_wheel_rail_solve(pair.pointer, 3, states.data(), forces.data()), MICROSLIP_INVALID_INPUT)
-          << k << ", " << bad;
-      EXPECT_EQ(forces[1].status, MICROSLIP_INVALID_INPUT) << k << ", " << bad;
-      EXPECT_EQ(forces[1].patch_count, 0);
-      EXPECT_TRUE(std::isnan(forces[1].force[2]));
-      for (const std::size_t other : {0, 2}) EXPECT_EQ(forces[other].force[1], good.force[1]);
+      Rows states = first_states(pair.pointer, 3);
+      states.row(1)[k] = bad;
+      if (static_cast<int>(k) == vertical) states.at(1, "vertical_force") = 0; // the height is taken then
+      SolvedRows found(3);
+      EXPECT_EQ(found.solve(pair.pointer, states), MICROSLIP_INVALID_INPUT) << k << ", " << bad;
+      EXPECT_EQ(found.status[1], MICROSLIP_INVALID_INPUT) << k << ", " << bad;
+      EXPECT_EQ(found.results.at(1, "patch_count"), 0);
+      EXPECT_TRUE(std::isnan(found.results.at(1, "force_z")));
+      for (const std::size_t other : {0, 2})
+        EXPECT_EQ(found.results.at(other, "force_y"), good.results.at(0, "force_y"));
     }
 }
 
 TEST(CWheelRailBadInput, ForcesThatPullAreInvalidAndWheelsAtRestBearNothingTangential) {
-  const Case pair;
-  microslip_wheel_state state;
-  ASSERT_EQ(microslip_wheel_rail_state(pair.pointer, &state), MICROSLIP_OK);
-  microslip_wheel_forces forces;
-  microslip_wheel_state pulled = state;
-  pulled.vertical_force = -1e3;
-  EXPECT_EQ(microslip_wheel_rail_solve(pair.pointer, 1, &pulled, &forces), MICROSLIP_INVALID_INPUT);
-  microslip_wheel_state still = state;
-  still.forward_velocity = still.pitch_velocity = 0;
-  ASSERT_EQ(microslip_wheel_rail_solve(pair.pointer, 1, &still, &forces), MICROSLIP_OK);
-  EXPECT_NEAR(forces.force[0], 0, 1e-9);
-  EXPECT_NEAR(forces.force[2], state.vertical_force, 1e-4 * state.vertical_force);
+  const CWheelRailCase pair;
+  Rows pulled = first_states(pair.pointer), still = pulled;
+  pulled.at(0, "vertical_force") = -1e3;
+  SolvedRows found(1);
+  EXPECT_EQ(found.solve(pair.pointer, pulled), MICROSLIP_INVALID_INPUT);
+  still.at(0, "forward_velocity") = still.at(0, "pitch_velocity") = 0;
+  ASSERT_EQ(found.solve(pair.pointer, still), MICROSLIP_OK);
+  EXPECT_NEAR(found.results.at(0, "force_x"), 0, 1e-9);
+  EXPECT_NEAR(found.results.at(0, "force_z"), 80e3, 8);
 }
 
 /// Results that nobody has written yet.
@@ -82,63 +58,62 @@ std::vector<double> bad_numbers() {
   return {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity, 1e300, -1e300, 1e-320};
 }
 
-/// The state with one field after the other made each of these numbers.
-std::vector<microslip_wheel_state> bad_states(const microslip_wheel_state& state) {
-  std::vector<microslip_wheel_state> states;
-  for (std::size_t k = 0; k < sizeof state / sizeof(double); ++k)
-    for (const double bad : bad_numbers()) {
-      states.push_back(state);
-      std::memcpy(reinterpret_cast<unsigned char*>(&states.back()) + k * sizeof(double), &bad, sizeof bad);
-    }
-  states.push_back(state);
+/// The first state with one field after the other made each of these numbers.
+Rows bad_states(const microslip_wheel_rail* wheel_rail) {
+  const std::size_t width = microslip_count(MICROSLIP_WHEEL_STATE), kinds = bad_numbers().size();
+  Rows states = first_states(wheel_rail, width * kinds + 1);
+  for (std::size_t k = 0; k < width * kinds; ++k) states.row(k)[k / kinds] = bad_numbers()[k % kinds];
   return states;
 }
 
 TEST(CWheelRailBadInput, EveryResultIsWrittenWhateverTheStatesAre) {
+  constexpr double unwritten = 1.25e301;
   for (const char* theory : {"\"fastsim2\"", "\"table\"", "\"exact\"\ngrid = 6"}) {
-    const Case pair(with(wheel_rail_text, "\"fastsim2\"", theory));
-    microslip_wheel_state state;
-    ASSERT_EQ(microslip_wheel_rail_state(pair.pointer, &state), MICROSLIP_OK);
-    const auto states = bad_states(state);
-    auto forces = garbage<microslip_wheel_forces>(states.size());
-    auto derivatives = garbage<microslip_wheel_derivatives>(states.size());
-    EXPECT_EQ(microslip_wheel_rail_solve(pair.pointer, states.size(), states.data(), forces.data()),
-              MICROSLIP_INVALID_INPUT);
-    EXPECT_EQ(microslip_wheel_rail_differentiate(pair.pointer, states.size(), states.data(), derivatives.data()),
-              MICROSLIP_INVALID_INPUT);
-    for (std::size_t k = 0; k < states.size(); ++k)
-      for (const microslip_wheel_forces* f : {&forces[k], &derivatives[k].forces}) {
-        EXPECT_TRUE(f->status >= 0 && f->status <= MICROSLIP_IMPLAUSIBLE) << theory << ' ' << k;
-        EXPECT_TRUE(f->patch_count >= 0 && f->patch_count <= MICROSLIP_WHEEL_PATCHES) << theory << ' ' << k;
-        EXPECT_TRUE(f->status != MICROSLIP_OK || std::isfinite(f->force[1] + f->moment[2])) << theory << ' ' << k;
+    const CWheelRailCase pair(with(wheel_rail_text, "\"fastsim2\"", theory));
+    Rows states = bad_states(pair.pointer);
+    SolvedRows solved(states.count(), unwritten), differentiated(states.count(), unwritten);
+    EXPECT_EQ(solved.solve(pair.pointer, states), MICROSLIP_INVALID_INPUT);
+    EXPECT_EQ(differentiated.differentiate(pair.pointer, states), MICROSLIP_INVALID_INPUT);
+    for (SolvedRows* found : {&solved, &differentiated})
+      for (std::size_t k = 0; k < states.count(); ++k) {
+        EXPECT_TRUE(found->status[k] >= 0 && found->status[k] <= MICROSLIP_IMPLAUSIBLE) << theory << ' ' << k;
+        for (std::size_t i = 0; i < found->results.width(); ++i)
+          EXPECT_NE(found->results.row(k)[i], unwritten) << theory << ' ' << k << ' ' << i;
+        const double sum = found->results.at(k, "force_y") + found->results.at(k, "moment_z");
+        EXPECT_TRUE(found->status[k] != MICROSLIP_OK || std::isfinite(sum)) << theory << ' ' << k;
       }
-    EXPECT_EQ(forces.back().status, MICROSLIP_OK) << theory;
-    EXPECT_EQ(derivatives.back().forces.status, MICROSLIP_OK) << theory;
+    for (const double value : differentiated.jacobians) EXPECT_NE(value, unwritten) << theory;
+    EXPECT_EQ(solved.status.back(), MICROSLIP_OK) << theory;
+    EXPECT_EQ(differentiated.status.back(), MICROSLIP_OK) << theory;
   }
 }
 
 TEST(CWheelRailBadInput, EveryContactOfAWheelsetIsWritten) {
-  const Case pair;
+  const CWheelRailCase pair;
   std::vector<double> lateral = bad_numbers();
   lateral.push_back(0.003);
-  auto contacts = garbage<microslip_wheelset_contact>(lateral.size());
+  constexpr double unwritten = 1.25e301;
+  Rows contacts(MICROSLIP_WHEELSET_CONTACT, lateral.size(), unwritten);
+  std::vector<int> status(lateral.size(), -1);
   microslip_error error = {};
   EXPECT_EQ(microslip_wheelset_contacts(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 0, lateral.size(), lateral.data(),
-                                        contacts.data(), &error),
+                                        contacts.width(), contacts.data(), status.data(), &error),
             MICROSLIP_INVALID_INPUT);
-  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(contacts[k].status, MICROSLIP_INVALID_INPUT) << k;
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(status[k], MICROSLIP_INVALID_INPUT) << k;
+  for (std::size_t k = 0; k < contacts.count(); ++k)
+    for (std::size_t i = 0; i < contacts.width(); ++i) EXPECT_NE(contacts.row(k)[i], unwritten) << k << ' ' << i;
   for (const std::size_t good : {5, 6}) {
-    EXPECT_EQ(contacts[good].status, MICROSLIP_OK);
-    EXPECT_TRUE(std::isfinite(contacts[good].left.contact_angle));
+    EXPECT_EQ(status[good], MICROSLIP_OK);
+    EXPECT_TRUE(std::isfinite(contacts.at(good, "left_contact_angle")));
   }
   EXPECT_EQ(microslip_wheelset_contacts(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 1e300, 1, lateral.data(),
-                                        contacts.data(), &error),
+                                        contacts.width(), contacts.data(), status.data(), &error),
             MICROSLIP_INVALID_OPTION);
   EXPECT_EQ(std::string(error.text), "yaw = 1e+300 [rad]: must be in [-1, 1]");
 }
 
 TEST(CWheelRailBadInput, EveryConicityIsWritten) {
-  const Case pair;
+  const CWheelRailCase pair;
   const std::vector<double> amplitudes = {0.003, -1, 0, std::numeric_limits<double>::quiet_NaN(), 1e300, 0.002};
   auto conicity = garbage<double>(amplitudes.size());
   microslip_error error = {};

@@ -5,8 +5,11 @@
 #include "microslip/railway/derailment.hpp"
 #include "microslip/railway/patch_damage.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace microslip {
 namespace {
@@ -90,7 +93,7 @@ double worn_mass(Patch p) {
   return wear_rate_r8t(t_gamma(p) / p.contact_area) * p.contact_area;
 }
 
-constexpr WheelQuantity all_wheel_quantities[] = {
+constexpr WheelQuantity all_wheel_results[] = {
     {"force_x", "N", "force on the wheel along the track", [](Solution s) { return s.force.x; }},
     {"force_y", "N", "force on the wheel to the left", [](Solution s) { return s.force.y; }},
     {"force_z", "N", "force on the wheel upwards", [](Solution s) { return s.force.z; }},
@@ -122,9 +125,12 @@ constexpr WheelQuantity all_wheel_quantities[] = {
        if (s.patches.empty()) return number({}); // whether a hardness is given is not known
        return sum_over_patches(s, [](Patch p) { return number(p.damage.worn_area); });
      }},
+    {"warning_code", "-", warning_codes, [](Solution s) { return static_cast<double>(s.warnings.code); }, true},
+    {"at_profile_end", "-", profile_end_codes,
+     [](Solution s) { return s.warnings.has(Warning::profile_end) ? 1.0 : 0.0; }, true},
 };
 
-constexpr PatchQuantity all_patch_quantities[] = {
+constexpr PatchQuantity all_patch_results[] = {
     {"place_x", "m", "origin of the patch's frame on the rail, along the track", [](Patch p) { return p.place.x; }},
     {"place_y", "m", "the same to the left of the track's centre", [](Patch p) { return p.place.y; }},
     {"place_z", "m", "the same above the tops of the rails", [](Patch p) { return p.place.z; }},
@@ -173,6 +179,42 @@ constexpr PatchQuantity all_patch_quantities[] = {
      [](Patch p) { return point_shakedown_limit(traction_coefficient(p)); }},
     {"nadal_limit", "-", "Nadal's limit of Y/Q at the patch's contact angle",
      [](Patch p) { return nadal_limit(std::abs(p.angle), p.friction); }},
+    {"status", "-", status_codes, [](Patch p) { return static_cast<double>(p.status); }, true},
+};
+
+/// Those of a table that are no codes.
+template <const auto& table> constexpr auto numbers_of() {
+  constexpr auto is_number = [](const auto& q) { return !q.is_code; };
+  std::array<std::remove_cvref_t<decltype(table[0])>, std::ranges::count_if(table, is_number)> numbers{};
+  std::ranges::copy_if(table, numbers.begin(), is_number);
+  return numbers;
+}
+constexpr auto all_wheel_quantities = numbers_of<all_wheel_results>();
+constexpr auto all_patch_quantities = numbers_of<all_patch_results>();
+
+/// Of the vertical force, as in the first version of the rows; later numbers of the state stand behind it.
+constexpr std::size_t force_place = 30;
+constexpr auto all_wheel_inputs = [] {
+  constexpr auto force_variable = static_cast<std::size_t>(WheelVariable::vertical_force);
+  std::array<WheelInput, wheel_variables> all{};
+  std::size_t place = 0;
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    if (place == force_place) ++place;
+    const StateQuantity& q = all_state_quantities[k];
+    all[place++] = {q.name, q.unit, q.description, &q, k};
+  }
+  all[force_place] = {"vertical_force", "N", "prescribed vertical force on the wheel", nullptr, force_variable};
+  return all;
+}();
+
+constexpr WheelDerivative all_wheel_derivatives[] = {
+    {&all_wheel_results[0], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].x; }},
+    {&all_wheel_results[1], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].y; }},
+    {&all_wheel_results[2], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].z; }},
+    {&all_wheel_results[3], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].x; }},
+    {&all_wheel_results[4], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].y; }},
+    {&all_wheel_results[5], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].z; }},
+    {&all_wheel_results[6], [](const WheelRailDerivatives& d, std::size_t k) { return d.vertical[k]; }},
 };
 
 using Strength = const SurfaceStrength&;
@@ -202,6 +244,21 @@ std::span<const WheelQuantity> wheel_quantities() {
 }
 std::span<const PatchQuantity> patch_quantities() {
   return all_patch_quantities;
+}
+std::span<const WheelInput> wheel_inputs() {
+  return all_wheel_inputs;
+}
+const WheelInput& vertical_force_input() {
+  return all_wheel_inputs[force_place];
+}
+std::span<const WheelQuantity> wheel_results() {
+  return all_wheel_results;
+}
+std::span<const PatchQuantity> patch_results() {
+  return all_patch_results;
+}
+std::span<const WheelDerivative> wheel_derivatives() {
+  return all_wheel_derivatives;
 }
 std::span<const DamageField> damage_fields() {
   return all_damage_fields;

@@ -5,6 +5,7 @@
 #include "microslip/railway/wheel_state.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -24,18 +25,26 @@ struct StateQuantity {
   double value(WheelState<double> state) const { return of(state); }
 };
 
+/// A number that a wheel is given: one of its state, or the vertical force on it.
+struct WheelInput {
+  std::string_view name, unit, description;
+  const StateQuantity* of_state = nullptr; ///< none of the vertical force, which is 0 where a height is given
+  std::size_t variable = 0;                ///< its place among the derivatives
+};
+
 /// The smallest and the largest vertical force [N] on a wheel or a wheelset, in every interface.
 inline constexpr double least_vertical_force = 1e-6, largest_vertical_force = 1e9;
 inline bool is_vertical_force(double force) {
   return force >= least_vertical_force && force <= largest_vertical_force;
 }
 
-/// A number of a solution for the wheel, or for one of its patches. Printed tables, JSON, HDF5 and Python read it from
-/// here. It is NaN where what it needs is not given, as a hardness, or not there, as a flange; tables and files leave
-/// out what no wheel or patch has.
+/// A number of a solution for the wheel, or for one of its patches. Printed tables, JSON, HDF5, Python and C read it
+/// from here. It is NaN where what it needs is not given, as a hardness, or not there, as a flange; tables and files
+/// leave out what no wheel or patch has.
 template <class Of> struct RailwayQuantity {
   std::string_view name, unit, description;
   double (*value)(const Of& of);
+  bool is_code = false; ///< a whole number with meanings of its own, such as a status
 
   template <class Values> bool is_given(const Values& values) const {
     for (const Of& of : values)
@@ -46,6 +55,14 @@ template <class Of> struct RailwayQuantity {
 using WheelQuantity = RailwayQuantity<WheelRailSolution>;
 using PatchQuantity = RailwayQuantity<WheelRailPatch>;
 
+/// A number of a wheel that has derivatives.
+struct WheelDerivative {
+  const WheelQuantity* of = nullptr;
+  double (*value)(const WheelRailDerivatives& derivatives, std::size_t variable) = nullptr;
+};
+
+inline constexpr const char* profile_end_codes = "1: a patch ends where a profile ends";
+
 /// A field of damage on a patch: a value for each element, none where a strength is not given.
 struct DamageField {
   std::string_view name, unit, description;
@@ -53,11 +70,19 @@ struct DamageField {
                                 const SurfaceStrength& strength);
 };
 
-/// All of them in the order in which they are shown.
+/// All of them in the order in which they are shown, without codes.
 std::span<const StateQuantity> state_quantities();
 std::span<const WheelQuantity> wheel_quantities();
 std::span<const PatchQuantity> patch_quantities();
 std::span<const DamageField> damage_fields();
+
+/// The rows of arrays, of which programs keep places and lengths: a new number stands at the end. What a wheel is
+/// given; numbers and codes of a wheel and of a patch; what has derivatives.
+std::span<const WheelInput> wheel_inputs();
+const WheelInput& vertical_force_input();
+std::span<const WheelQuantity> wheel_results();
+std::span<const PatchQuantity> patch_results();
+std::span<const WheelDerivative> wheel_derivatives();
 
 /// T-gamma of a patch (damage/wear.hpp).
 double t_gamma(const WheelRailPatch& patch);

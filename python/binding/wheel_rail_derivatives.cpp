@@ -13,9 +13,13 @@ using namespace py::literals;
 
 namespace {
 
-constexpr std::string_view results[] = {"force_x",  "force_y",  "force_z", "moment_x",
-                                        "moment_y", "moment_z", "vertical"};
-constexpr std::size_t result_count = std::size(results);
+const std::size_t result_count = wheel_derivatives().size();
+
+std::vector<std::string_view> results() {
+  std::vector<std::string_view> names;
+  for (const WheelDerivative& row : wheel_derivatives()) names.push_back(row.of->name);
+  return names;
+}
 
 std::vector<std::string_view> variables() {
   std::vector<std::string_view> names;
@@ -33,11 +37,8 @@ std::size_t index_of(const std::string& name, const std::vector<std::string_view
 
 /// Row by row.
 void store(const WheelRailDerivatives& d, double* to) {
-  for (std::size_t k = 0; k < wheel_variables; ++k) {
-    const Vec3<double>&f = d.force[k], &m = d.moment[k];
-    const std::array<double, result_count> column = {f.x, f.y, f.z, m.x, m.y, m.z, d.vertical[k]};
-    for (std::size_t row = 0; row < result_count; ++row) to[row * wheel_variables + k] = column[row];
-  }
+  for (const WheelDerivative& row : wheel_derivatives())
+    for (std::size_t k = 0; k < wheel_variables; ++k) *to++ = row.value(d, k);
 }
 
 } // namespace
@@ -91,7 +92,7 @@ DifferentiatedStates differentiate_batch(PythonWheelRail& self, int threads, con
 /// One derivative in all states.
 template <class Solution>
 py::object derivative(const Differentiated<Solution>& self, const std::string& of, const std::string& by) {
-  const std::size_t row = index_of(of, {std::begin(results), std::end(results)}, "number that is differentiated"),
+  const std::size_t row = index_of(of, results(), "number that is differentiated"),
                     column = index_of(by, variables(), "number of the state");
   RealArray out(self.shape);
   for (std::size_t k = 0; k < static_cast<std::size_t>(out.size()); ++k)
@@ -123,7 +124,7 @@ py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name,
          ",\nas `results` and `variables` say; zero by what was not given, vertical or vertical_force.")
             .c_str())
       .def_property_readonly(
-          "results", [](const Self&) { return names(results); },
+          "results", [](const Self&) { return names(results()); },
           "Names of the Jacobian's rows: forces [N], moments [N m] and the height [m].")
       .def_property_readonly(
           "variables", [](const Self&) { return names(variables()); },

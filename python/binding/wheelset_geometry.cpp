@@ -7,6 +7,7 @@
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/conicity.hpp"
+#include "microslip/railway/wheelset_contact_quantities.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -55,41 +56,6 @@ struct WheelsetContacts {
   std::vector<WheelsetContact> contacts;
   Sides sides;
 };
-
-/// A number of the whole wheelset.
-struct WheelsetQuantity {
-  const char *name, *unit, *description;
-  double (*value)(const WheelsetContact& contact);
-};
-constexpr WheelsetQuantity wheelset_quantities[] = {
-    {"lateral", "m", "displacement of the wheelset's centre, to the left positive",
-     [](const WheelsetContact& c) { return c.lateral; }},
-    {"roll", "rad", "roll of the wheelset; positive raises the left wheel",
-     [](const WheelsetContact& c) { return c.roll; }},
-    {"vertical", "m", "height of the wheelset's centre above the nominal radius where the wheels touch",
-     [](const WheelsetContact& c) { return c.vertical; }},
-    {"rolling_radius_difference", "m", "left less right rolling radius",
-     [](const WheelsetContact& c) { return c.rolling_radius_difference(); }},
-    {"contact_angle_difference", "rad", "left less right inclination, each positive where it rises to the field side",
-     [](const WheelsetContact& c) { return c.contact_angle_difference(); }}};
-
-/// A number of one of its wheels; `side` is 1 on the left and -1 on the right, whose point is that of a mirror image.
-struct PointQuantity {
-  const char *name, *unit, *description;
-  double (*value)(const ContactPoint& point, const WheelsetSearch::Side& of, double side);
-};
-constexpr PointQuantity point_quantities[] = {
-    {"rail_y", "m", "on the rail's profile, in its axes: to the field side positive",
-     [](const ContactPoint& p, const WheelsetSearch::Side& of, double) { return of.rail.at(p.s_rail).value.y; }},
-    {"wheel_y", "m", "on the wheel's profile, in its axes",
-     [](const ContactPoint& p, const WheelsetSearch::Side& of, double) { return of.wheel.at(p.s_wheel).value.y; }},
-    {"rolling_radius", "m", "of the wheel there", [](const ContactPoint& p, const auto&, double) { return p.radius; }},
-    {"contact_angle", "rad", "inclination of the surfaces against the track plane; positive rises to the left",
-     [](const ContactPoint& p, const auto&, double side) { return side * p.inclination; }},
-    {"place_x", "m", "along the track, ahead of the wheelset's centre",
-     [](const ContactPoint& p, const auto&, double) { return p.place.x; }},
-    {"place_y", "m", "to the left of the track's centre",
-     [](const ContactPoint& p, const auto&, double side) { return side * p.place.y; }}};
 
 std::unique_ptr<WheelsetGeometry> make_geometry(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                                                 const ProfileValue& wheel,
@@ -194,34 +160,21 @@ double steering_index(const RollingRadiusDifference& difference, double lateral,
 constexpr double nonlinearity_reach = 4e-3; ///< [m], the larger amplitude of nonlinearity_parameter
 
 void bind_contacts(py::module_& module) {
-  auto contacts = py::class_<WheelsetContacts>(module, "WheelsetContacts",
-                                               "Where both wheels of a rigid wheelset touch: arrays of the shape of "
-                                               "the positions, NaN where there is no contact.");
-  const auto add = [&](const std::string& name, const std::string& description, const char* unit, const auto& value) {
+  auto contacts = py::class_<WheelsetContacts>(
+      module, "WheelsetContacts",
+      "Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact.");
+  for (const WheelsetContactQuantity& q : wheelset_contact_quantities())
     contacts.def_property_readonly(
-        name.c_str(),
-        [value](const WheelsetContacts& self) {
+        q.name.c_str(),
+        [&q](const WheelsetContacts& self) {
           RealArray out(self.shape);
           std::transform(self.contacts.begin(), self.contacts.end(), out.mutable_data(), [&](const auto& contact) {
-            return contact.status == Status::no_contact ? none : value(self, contact);
+            return contact.status == Status::no_contact ? none
+                                                        : q.value(contact, self.sides.left(), self.sides.right());
           });
           return out;
         },
-        text_of(description, unit, ", shape (...)").c_str());
-  };
-  for (const WheelsetQuantity& q : wheelset_quantities)
-    add(q.name, q.description, q.unit,
-        [value = q.value](const WheelsetContacts&, const WheelsetContact& contact) { return value(contact); });
-  for (const PointQuantity& q : point_quantities) {
-    add(std::string("left_") + q.name, std::string("of the left wheel: ") + q.description, q.unit,
-        [value = q.value](const WheelsetContacts& self, const WheelsetContact& contact) {
-          return value(contact.left, self.sides.left(), 1);
-        });
-    add(std::string("right_") + q.name, std::string("of the right wheel: ") + q.description, q.unit,
-        [value = q.value](const WheelsetContacts& self, const WheelsetContact& contact) {
-          return value(contact.right, self.sides.right(), -1);
-        });
-  }
+        text_of(q.description, q.unit, ", shape (...)").c_str());
   contacts
       .def_property_readonly(
           "status",
