@@ -29,13 +29,13 @@ class CMakeBuild(build_ext):
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         jobs = str(os.cpu_count() or 1)  # without a number make starts all compilers at once
-        targets = ["microslip_python", "microslip_app"]
+        targets = ["microslip_python", "microslip_app", "microslip_validate"]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *OPTIONS], check=True)
         subprocess.run(["cmake", "--build", build, "--target", *targets, "--parallel", jobs], check=True)
         for component in ("python", "program"):
             subprocess.run(["cmake", "--install", build, "--prefix", package.parent, "--component", component], check=True)
-        carry_libraries([package / Path(self.get_ext_filename(ext.name)).name, package / "bin/microslip"],
-                        package / "libraries")
+        carry_libraries([package / Path(self.get_ext_filename(ext.name)).name, package / "bin/microslip",
+                         package / "bin/microslip-validate"], package / "libraries")
 
 
 VERSION = "".join(re.search(r'project\(microslip VERSION ([\d.]+).*MICROSLIP_PRERELEASE "(\w*)"',

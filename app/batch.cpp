@@ -507,26 +507,26 @@ int batch(const BatchArguments& arguments) {
 
 } // namespace
 
-void add_batch_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV");
+void add_batch_command(Command& program, int& exit_code) {
+  Command command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV");
   const auto arguments = std::make_shared<BatchArguments>();
   const auto option = [&](const char* name, std::string& value, const std::string& type, const char* what) {
-    command->add_option(name, value, what)->type_name(type)->capture_default_str();
+    command.add_option(name, value, what).type_name(type).capture_default_str();
   };
-  command->add_option("IN.csv", arguments->input, "table of contacts; -: standard input")->required()->type_name("");
-  command->add_option("-o,--output", arguments->output, "table of results; -: standard output")
-      ->required()
-      ->type_name("OUT.csv");
+  command.add_option("IN.csv", arguments->input, "table of contacts; -: standard input").required().type_name("");
+  command.add_option("-o,--output", arguments->output, "table of results; -: standard output")
+      .required()
+      .type_name("OUT.csv");
   command
-      ->add_option("--errors", arguments->errors,
-                   "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then")
-      ->type_name("FILE.csv");
-  command->add_flag("--skip-bad", arguments->skip_bad, "leave bad rows out of OUT.csv");
+      .add_option("--errors", arguments->errors,
+                  "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then")
+      .type_name("FILE.csv");
+  command.add_flag("--skip-bad", arguments->skip_bad, "leave bad rows out of OUT.csv");
   option("--theory", arguments->theory, choices<Theory>(), "what the contacts are solved by");
   command
-      ->add_option("--table", arguments->table,
-                   "a creep-force table made by `microslip table make`; default: the one that microslip has")
-      ->type_name("FILE");
+      .add_option("--table", arguments->table,
+                  "a creep-force table made by `microslip table make`; default: the one that microslip has")
+      .type_name("FILE");
   option("--grid", arguments->grid, "MXxMY",
          "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
   option("--bound", arguments->bound, choices<TractionBound>(),
@@ -543,15 +543,15 @@ void add_batch_command(CLI::App& program, int& exit_code) {
   option("--elements", arguments->elements, choices<ElementShape>(),
          "of the exact theory's classical discretisation; default: constant");
   command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6")
-      ->type_name("VALUE");
+      .add_option("--tolerance", arguments->tolerance,
+                  "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6")
+      .type_name("VALUE");
   command
-      ->add_option("--threads", arguments->threads,
-                   "threads, 1 to 1024; results do not depend on it; default: one for each processor")
-      ->type_name("COUNT");
-  add_json_flag(*command, arguments->json);
-  command->footer(
+      .add_option("--threads", arguments->threads,
+                  "threads, 1 to 1024; results do not depend on it; default: one for each processor")
+      .type_name("COUNT");
+  add_json_flag(command, arguments->json);
+  command.footer(
       "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
       "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have\n"
       "dissimilarity [-], the combined K of bodies of different materials, which needs --theory exact, and\n"
@@ -564,7 +564,7 @@ void add_batch_command(CLI::App& program, int& exit_code) {
       "and column, and OUT.csv appears only when it is complete. With --json the numbers of contacts, of those not\n"
       "solved and of bad rows. Exit code 1: some contacts have another status than ok, or rows were left out.\n\n"
       "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
-  command->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }
 
 } // namespace microslip::app

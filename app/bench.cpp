@@ -254,15 +254,15 @@ void bench(bool json) {
 
 } // namespace
 
-void add_bench_command(CLI::App& program) {
-  auto* command = program.add_subcommand("bench", "Print what a contact costs on this machine, within a minute");
+void add_bench_command(Command& program) {
+  Command command = program.add_subcommand("bench", "Print what a contact costs on this machine, within a minute");
   const auto json = std::make_shared<bool>(false);
-  add_json_flag(*command, *json);
-  command->footer(
+  add_json_flag(command, *json);
+  command.footer(
       "Each line is the median of runs for a second on one core, and its ratio to another line: times depend on\n"
       "the machine and on what else it does, ratios hardly. docs/performance.md has more.\n\n"
       "Example:\n  microslip bench");
-  command->callback([json] { bench(*json); });
+  command.callback([json] { bench(*json); });
 }
 
 } // namespace microslip::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// Adds `microslip bench`, which prints what a contact costs on this machine.
-void add_bench_command(CLI::App& program);
+void add_bench_command(Command& program);
 
 } // namespace microslip::app

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -65,6 +66,22 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
   }
   InterruptGuard::throw_if_interrupted();
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+int go_on_as(const std::filesystem::path& program) {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
+  sigset_t ends, before;
+  sigemptyset(&ends);
+  sigaddset(&ends, SIGINT);
+  sigaddset(&ends, SIGTERM);
+  sigprocmask(SIG_BLOCK, &ends, &before); // until the other program's InterruptGuard lives
+  InterruptGuard::throw_if_interrupted();
+  ::execv(program.c_str(), pointers(arguments).data());
+  const int error = errno;
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  return -error;
 }
 
 bool open_in_browser(const std::string& address) {

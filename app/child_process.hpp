@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ std::vector<std::string> environment_variables();
 /// One at a time.
 int run_child(std::vector<std::string> arguments, std::vector<std::string> environment, std::FILE* output,
               std::FILE* errors);
+
+/// Runs another program in place of this one, with its arguments and streams; Ctrl-C meets the one or the other.
+/// Returns only where the system cannot do that: the other's exit code, or the negative error number if it cannot be
+/// started. Throws Interrupted.
+int go_on_as(const std::filesystem::path& program);
 
 /// Asks the program that run_child waits for to end, if any. For signal handlers: it makes one system call.
 void end_child() noexcept;

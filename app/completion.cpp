@@ -3,11 +3,12 @@
 #include "app/init.hpp"
 #include "app/option_text.hpp"
 #include "io/option_words.hpp"
-#include "validation/study.hpp"
+#include "validation/study_texts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,37 +28,52 @@ struct Candidates {
   std::string ending = {}; ///< of the files
 };
 
+Words split(std::string_view text, char separator) {
+  Words words;
+  for (const auto part : std::views::split(text, separator)) words.emplace_back(part.begin(), part.end());
+  return words;
+}
+
+std::string replaced(const std::string& text, std::string_view what, std::string_view by) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool is_here = text.compare(at, what.size(), what) == 0;
+    result += is_here ? by : std::string_view(text).substr(at, 1);
+    at += is_here ? what.size() : 1;
+  }
+  return result;
+}
+
 Words study_names() {
   Words names;
-  for (const auto& study : validation::studies()) names.emplace_back(study.name);
+  for (const auto& study : validation::study_texts) names.emplace_back(study.name);
   return names;
 }
 
-Candidates candidates(const CLI::Option& option) {
-  const auto value = value_name(option);
+Candidates candidates(const OptionText& option) {
+  const std::string& value = option.value_name;
   if (value == "EXAMPLE") {
     const auto names = example_names();
     return {.kind = Candidates::Kind::words, .words = Words(names.begin(), names.end())};
   }
   if (value == "STUDY") return {.kind = Candidates::Kind::words, .words = study_names()};
   if (value == "FOLDER") return {.kind = Candidates::Kind::folders};
-  if (value.find('|') != std::string::npos)
-    return {.kind = Candidates::Kind::words, .words = CLI::detail::split(value, '|')};
+  if (value.find('|') != std::string::npos) return {.kind = Candidates::Kind::words, .words = split(value, '|')};
   const auto dot = value.find('.');
   if (dot != std::string::npos) return {.kind = Candidates::Kind::files, .ending = value.substr(dot + 1)};
   return {};
 }
 
-Words names_of(const std::vector<const CLI::Option*>& options) {
+Words names_of(const std::vector<OptionText>& options) {
   Words names;
-  for (const auto* option : options)
-    for (const auto& name : dashed_names(*option)) names.push_back(name);
+  for (const OptionText& option : options)
+    names.insert(names.end(), option.dashed_names.begin(), option.dashed_names.end());
   return names;
 }
 
-Words names_of(const std::vector<const CLI::App*>& commands) {
+Words names_of(const std::vector<CommandText>& commands) {
   Words names;
-  for (const auto* command : commands) names.push_back(command->get_name());
+  for (const CommandText& command : commands) names.push_back(command.name);
   return names;
 }
 
@@ -112,32 +128,32 @@ std::string in_bash(const Candidates& candidates) {
   }
 }
 
-std::string bash_values(const CLI::App& command) {
+std::string bash_values(const CommandText& command) {
   std::string script;
-  for (const auto* option : named_options(command)) {
-    if (!takes_value(*option)) continue;
+  for (const OptionText& option : command.options) {
+    if (!option.takes_value()) continue;
     Words patterns;
-    for (const auto& name : dashed_names(*option)) patterns.push_back("'" + command.get_name() + " " + name + "'");
-    script += fmt::format("    {}) {} ;;\n", fmt::join(patterns, " | "), in_bash(candidates(*option)));
+    for (const auto& name : option.dashed_names) patterns.push_back("'" + command.name + " " + name + "'");
+    script += fmt::format("    {}) {} ;;\n", fmt::join(patterns, " | "), in_bash(candidates(option)));
   }
   return script;
 }
 
-std::string bash_words(const CLI::App& command) {
-  auto script = fmt::format("        '{} '-*) _microslip_words '{}' ;;\n", command.get_name(),
-                            fmt::join(names_of(named_options(command)), " "));
-  for (const auto* argument : positional_arguments(command))
-    script += fmt::format("        '{} '*) {} ;;\n", command.get_name(), in_bash(candidates(*argument)));
+std::string bash_words(const CommandText& command) {
+  auto script = fmt::format("        '{} '-*) _microslip_words '{}' ;;\n", command.name,
+                            fmt::join(names_of(command.options), " "));
+  for (const OptionText& argument : command.arguments)
+    script += fmt::format("        '{} '*) {} ;;\n", command.name, in_bash(candidates(argument)));
   return script;
 }
 
-std::string bash_script(const CLI::App& program) {
+std::string bash_script(const CommandText& program) {
   std::string script = bash_begin;
-  for (const auto* command : commands(program)) script += bash_values(*command);
+  for (const CommandText& command : program.commands) script += bash_values(command);
   script += "    *)\n      case \"$command $word\" in\n";
-  for (const auto* command : commands(program)) script += bash_words(*command);
-  script += fmt::format("        ' '-*) _microslip_words '{}' ;;\n", fmt::join(names_of(named_options(program)), " "));
-  script += fmt::format("        ' '*) _microslip_words '{}' ;;\n", fmt::join(names_of(commands(program)), " "));
+  for (const CommandText& command : program.commands) script += bash_words(command);
+  script += fmt::format("        ' '-*) _microslip_words '{}' ;;\n", fmt::join(names_of(program.options), " "));
+  script += fmt::format("        ' '*) _microslip_words '{}' ;;\n", fmt::join(names_of(program.commands), " "));
   return script + bash_end;
 }
 
@@ -160,13 +176,12 @@ fi
 )";
 
 std::string zsh_quoted(const std::string& text) {
-  return "'" + CLI::detail::find_and_replace(text, "'", "'\\''") + "'";
+  return "'" + replaced(text, "'", "'\\''") + "'";
 }
 
 /// Escapes the characters that _arguments and _describe interpret.
 std::string zsh_text(std::string text) {
-  for (const auto* mark : {"\\", "[", "]", ":"})
-    text = CLI::detail::find_and_replace(text, mark, "\\" + std::string(mark));
+  for (const auto* mark : {"\\", "[", "]", ":"}) text = replaced(text, mark, "\\" + std::string(mark));
   return text;
 }
 
@@ -184,43 +199,40 @@ std::string in_zsh(const Candidates& candidates) {
 }
 
 /// `--name[what]:VALUE:candidates` for each of its names; one excludes the others unless it may be given again.
-std::string zsh_option(const CLI::Option& option) {
-  const bool again = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll && takes_value(option) &&
-                     option.get_expected_max() == 1;
-  const auto names = dashed_names(option);
+std::string zsh_option(const OptionText& option) {
+  const Words& names = option.dashed_names;
   std::string script;
   for (const auto& name : names) {
-    auto text = again ? "*" : fmt::format("({})", fmt::join(names, " "));
+    auto text = option.is_repeatable ? "*" : fmt::format("({})", fmt::join(names, " "));
     text += name;
-    if (takes_value(option)) text += name.starts_with("--") ? "=" : "+";
-    text.append("[").append(zsh_text(description(option))).append("]");
-    for (int i = 0; takes_value(option) && i < option.get_items_expected_min(); ++i)
-      text += ":" + zsh_text(value_name(option)) + ":" + in_zsh(candidates(option));
+    if (option.takes_value()) text += name.starts_with("--") ? "=" : "+";
+    text.append("[").append(zsh_text(option.description)).append("]");
+    for (int i = 0; option.takes_value() && i < option.fewest_values; ++i)
+      text += ":" + zsh_text(option.value_name) + ":" + in_zsh(candidates(option));
     script += " \\\n        " + zsh_quoted(text);
   }
   return script;
 }
 
-std::string zsh_argument(const CLI::Option& argument) {
-  const auto place = argument.get_expected_max() > 1 ? "*" : "1";
-  return " \\\n        " +
-         zsh_quoted(place + (":" + zsh_text(argument.get_name(true)) + ":") + in_zsh(candidates(argument)));
+std::string zsh_argument(const OptionText& argument) {
+  const auto place = argument.most_values > 1 ? "*" : "1";
+  return " \\\n        " + zsh_quoted(place + (":" + zsh_text(argument.name) + ":") + in_zsh(candidates(argument)));
 }
 
-std::string zsh_script(const CLI::App& program) {
+std::string zsh_script(const CommandText& program) {
   std::string script = zsh_begin;
   script += "  local -a commands=(\n";
-  for (const auto* command : commands(program))
-    script += "    " + zsh_quoted(command->get_name() + ":" + zsh_text(command->get_description())) + "\n";
+  for (const CommandText& command : program.commands)
+    script += "    " + zsh_quoted(command.name + ":" + zsh_text(command.description)) + "\n";
   script += "  )\n  _arguments -C";
-  for (const auto* option : named_options(program)) script += zsh_option(*option);
+  for (const OptionText& option : program.options) script += zsh_option(option);
   script += " \\\n        '1: :->command' '*:: :->arguments' && return\n";
   script += "  if [[ $state == command ]]; then\n    _describe -t commands command commands\n    return\n  fi\n";
   script += "  curcontext=${curcontext%:*:*}:microslip-$words[1]:\n  case $words[1] in\n";
-  for (const auto* command : commands(program)) {
-    script += "    " + command->get_name() + ")\n      _arguments";
-    for (const auto* option : named_options(*command)) script += zsh_option(*option);
-    for (const auto* argument : positional_arguments(*command)) script += zsh_argument(*argument);
+  for (const CommandText& command : program.commands) {
+    script += "    " + command.name + ")\n      _arguments";
+    for (const OptionText& option : command.options) script += zsh_option(option);
+    for (const OptionText& argument : command.arguments) script += zsh_argument(argument);
     script += " ;;\n";
   }
   return script + zsh_end;
@@ -229,7 +241,7 @@ std::string zsh_script(const CLI::App& program) {
 // fish
 
 std::string fish_quoted(const std::string& text) {
-  return "'" + CLI::detail::find_and_replace(CLI::detail::find_and_replace(text, "\\", "\\\\"), "'", "\\'") + "'";
+  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
 }
 
 std::string in_fish(const Candidates& candidates) {
@@ -245,37 +257,37 @@ std::string in_fish(const Candidates& candidates) {
   }
 }
 
-std::string fish_option(const CLI::Option& option) {
+std::string fish_option(const OptionText& option) {
   std::string script;
-  for (const auto& name : option.get_snames()) script += " -s " + name;
-  for (const auto& name : option.get_lnames()) script += " -l " + name;
-  if (takes_value(option)) script += " -x" + in_fish(candidates(option));
-  return script + " -d " + fish_quoted(description(option)) + "\n";
+  for (const auto& name : option.dashed_names)
+    script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  if (option.takes_value()) script += " -x" + in_fish(candidates(option));
+  return script + " -d " + fish_quoted(option.description) + "\n";
 }
 
-std::string fish_script(const CLI::App& program) {
+std::string fish_script(const CommandText& program) {
   std::string script =
       "# Completion of microslip in fish, made by `microslip completion fish`.\ncomplete -c microslip -f\n";
   const std::string first = "complete -c microslip -n __fish_use_subcommand";
-  for (const auto* option : named_options(program)) script += first + fish_option(*option);
-  for (const auto* command : commands(program))
-    script += first + " -a " + command->get_name() + " -d " + fish_quoted(command->get_description()) + "\n";
-  for (const auto* command : commands(program)) {
-    const auto after = "complete -c microslip -n '__fish_seen_subcommand_from " + command->get_name() + "'";
-    for (const auto* option : named_options(*command)) script += after + fish_option(*option);
-    for (const auto* argument : positional_arguments(*command)) script += after + in_fish(candidates(*argument)) + "\n";
+  for (const OptionText& option : program.options) script += first + fish_option(option);
+  for (const CommandText& command : program.commands)
+    script += first + " -a " + command.name + " -d " + fish_quoted(command.description) + "\n";
+  for (const CommandText& command : program.commands) {
+    const auto after = "complete -c microslip -n '__fish_seen_subcommand_from " + command.name + "'";
+    for (const OptionText& option : command.options) script += after + fish_option(option);
+    for (const OptionText& argument : command.arguments) script += after + in_fish(candidates(argument)) + "\n";
   }
   return script;
 }
 
 struct Shell {
   std::string_view name;
-  std::string (*script)(const CLI::App& program);
+  std::string (*script)(const CommandText& program);
 };
 
 constexpr std::array<Shell, 3> shells = {{{"bash", bash_script}, {"zsh", zsh_script}, {"fish", fish_script}}};
 
-void print_completion(const CLI::App& program, const std::string& word) {
+void print_completion(const CommandText& program, const std::string& word) {
   std::vector<std::string_view> names;
   names.reserve(shells.size());
   for (const auto& shell : shells) names.push_back(shell.name);
@@ -286,15 +298,16 @@ void print_completion(const CLI::App& program, const std::string& word) {
 
 } // namespace
 
-void add_completion_command(CLI::App& program) {
-  auto* command = program.add_subcommand("completion", "Print a script that completes commands and options in a shell");
+void add_completion_command(Command& program) {
+  Command command =
+      program.add_subcommand("completion", "Print a script that completes commands and options in a shell");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "bash, zsh or fish")->required()->type_name("bash|zsh|fish");
-  command->footer(
+  command.add_option("SHELL", *shell, "bash, zsh or fish").required().type_name("bash|zsh|fish");
+  command.footer(
       "cmake --install puts the scripts where the shells look for them; without it, load one where the shell starts:\n"
       "~/.bashrc, ~/.zshrc or ~/.config/fish/config.fish.\n\n"
       "Example:\n  source <(microslip completion bash)\n  microslip completion fish | source");
-  command->callback([&program, shell] { print_completion(program, *shell); });
+  command.callback([&program, shell] { print_completion(command_text(program.parser()), *shell); });
 }
 
 } // namespace microslip::app

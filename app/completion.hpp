@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// Adds `microslip completion`, which prints a script that completes the program's commands and options in a shell.
-void add_completion_command(CLI::App& program);
+void add_completion_command(Command& program);
 
 } // namespace microslip::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// Adds `microslip conicity`, which computes rolling radius difference and equivalent conicity of wheels on rails.
-void add_conicity_command(CLI::App& program);
+void add_conicity_command(Command& program);
 
 } // namespace microslip::app

@@ -76,21 +76,22 @@ int convert(const ConvertArguments& arguments) {
 
 } // namespace
 
-void add_convert_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML");
+void add_convert_command(Command& program, int& exit_code) {
+  Command command =
+      program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML");
   const auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("FILE.inp", arguments->input, "input file, module 3")->required()->type_name("");
-  command->add_option("-o,--output", arguments->folder, "folder for FILE.0001.toml, ...")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  add_json_flag(*command, arguments->json);
-  command->footer(
+  command.add_option("FILE.inp", arguments->input, "input file, module 3").required().type_name("");
+  command.add_option("-o,--output", arguments->folder, "folder for FILE.0001.toml, ...")
+      .type_name("FOLDER")
+      .capture_default_str();
+  add_json_flag(command, arguments->json);
+  command.footer(
       "Writes a case file for microslip solve for each case that is an independent contact with an elliptic area. "
       "Cases\n"
       "that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not "
       "written.\n\n"
       "Example:\n  microslip convert examples/sphere_on_plane.inp -o results");
-  command->callback([arguments, &exit_code] { exit_code = convert(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = convert(*arguments); });
 }
 
 } // namespace microslip::app

@@ -109,22 +109,23 @@ void explore(const ExploreArguments& arguments) {
 
 } // namespace
 
-void add_explore_command(CLI::App& program) {
-  auto* command =
+void add_explore_command(Command& program) {
+  Command command =
       program.add_subcommand("explore", "Open the explorer, a page to see and feel rolling contact, in a browser");
   const auto arguments = std::make_shared<ExploreArguments>();
   arguments->page = "explorer.html";
-  command->add_option("FILE", arguments->files, "a case file (.toml), or profiles of a wheel and a rail, to start with")
-      ->type_name("");
-  auto* file = command->get_option("FILE");
-  command->add_option("-o,--output", arguments->page, "page that leads to the explorer with FILE, to keep or to send")
-      ->type_name("PAGE.html")
-      ->needs(file)
-      ->capture_default_str();
-  command->add_flag("--no-browser", arguments->no_browser, "print the address only");
-  command->footer("The page computes by itself, without a server or a network.\n\n"
-                  "Example:\n  microslip explore examples/wheel_on_rail.toml");
-  command->callback([arguments] { explore(*arguments); });
+  const CommandOption file =
+      command
+          .add_option("FILE", arguments->files, "a case file (.toml), or profiles of a wheel and a rail, to start with")
+          .type_name("");
+  command.add_option("-o,--output", arguments->page, "page that leads to the explorer with FILE, to keep or to send")
+      .type_name("PAGE.html")
+      .needs(file)
+      .capture_default_str();
+  command.add_flag("--no-browser", arguments->no_browser, "print the address only");
+  command.footer("The page computes by itself, without a server or a network.\n\n"
+                 "Example:\n  microslip explore examples/wheel_on_rail.toml");
+  command.callback([arguments] { explore(*arguments); });
 }
 
 } // namespace microslip::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// microslip explore: opens the explorer's page in a browser.
-void add_explore_command(CLI::App& program);
+void add_explore_command(Command& program);
 
 } // namespace microslip::app

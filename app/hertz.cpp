@@ -126,12 +126,12 @@ void hertz(const HertzArguments& arguments) {
   table.print();
 }
 
-void add_options(CLI::App& command, HertzArguments& arguments) {
+void add_options(Command& command, HertzArguments& arguments) {
   const auto option = [&](const char* name, std::vector<double>& values, int fewest, int most, const char* value,
                           const char* what) {
-    command.add_option(name, values, what)->expected(fewest, most)->type_name(value);
+    command.add_option(name, values, what).expected(fewest, most).type_name(value);
   };
-  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below")->type_name("");
+  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below").type_name("");
   option("--rolling-radius", arguments.rolling_radius, 2, 2, "R1 R2",
          "radii of body 1 and 2 in the plane of rolling [m]; inf: flat, negative: concave");
   option("--transverse-radius", arguments.transverse_radius, 2, 2, "R1 R2",
@@ -160,16 +160,16 @@ void print_warnings(const std::string& of, const std::vector<std::string>& warni
   for (const auto& warning : warnings) fmt::print(stderr, "microslip: warning: {}: {}\n", of, warning);
 }
 
-void add_hertz_command(CLI::App& program) {
-  auto* command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness");
+void add_hertz_command(Command& program) {
+  Command command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness");
   const auto arguments = std::make_shared<HertzArguments>();
-  add_options(*command, *arguments);
-  command->footer("Prints semi-axes, peak pressure, approach, stiffness and curvatures of the gap, in units that fit; "
-                  "with --json in\n"
-                  "SI units, by the names that they have in result files.\n\n"
-                  "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
-                  "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
-  command->callback([arguments] { hertz(*arguments); });
+  add_options(command, *arguments);
+  command.footer("Prints semi-axes, peak pressure, approach, stiffness and curvatures of the gap, in units that fit; "
+                 "with --json in\n"
+                 "SI units, by the names that they have in result files.\n\n"
+                 "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
+                 "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
+  command.callback([arguments] { hertz(*arguments); });
 }
 
 } // namespace microslip::app

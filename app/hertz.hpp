@@ -1,17 +1,16 @@
 #pragma once
 
+#include "app/command.hpp"
 #include "app/quantity_table.hpp"
 #include "microslip/elasticity/hertz.hpp"
 
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 namespace microslip::app {
 
 /// Adds `microslip hertz`.
-void add_hertz_command(CLI::App& program);
+void add_hertz_command(Command& program);
 
 /// The ellipse, pressure, approach and stiffness of a contact, with units.
 void add_hertz(QuantityTable& table, const HertzContact& hertz);

@@ -119,19 +119,17 @@ std::vector<std::string_view> example_names() {
   return names;
 }
 
-void add_init_command(CLI::App& program) {
-  auto* command = program.add_subcommand("init", "Write an annotated case file to start from");
+void add_init_command(Command& program) {
+  Command command = program.add_subcommand("init", "Write an annotated case file to start from");
   const auto arguments = std::make_shared<InitArguments>();
-  command->add_option("CASE.toml", arguments->file, "name of the case file")->type_name("")->capture_default_str();
-  command->add_option("--example", arguments->example, "which example it is")
-      ->type_name("EXAMPLE")
-      ->capture_default_str();
+  command.add_option("CASE.toml", arguments->file, "name of the case file").type_name("").capture_default_str();
+  command.add_option("--example", arguments->example, "which example it is").type_name("EXAMPLE").capture_default_str();
   command
-      ->add_option("--keys", arguments->keys,
-                   "print the keys of case files in place of writing one: unit, default, range and meaning of each")
-      ->type_name("bodies|wheel|wheelset");
-  command->add_flag("--force", arguments->force, "replace files of these names");
-  command->footer(
+      .add_option("--keys", arguments->keys,
+                  "print the keys of case files in place of writing one: unit, default, range and meaning of each")
+      .type_name("bodies|wheel|wheelset");
+  command.add_flag("--force", arguments->force, "replace files of these names");
+  command.footer(
       "There are hertzian_contact, a case of two bodies by their radii, and wheel_on_rail, of a wheel on a rail by\n"
       "their profiles, both with every key, its unit, range and default in a comment; further two_rollers,\n"
       "starting_to_roll, lateral_sweep, wheelset_in_curve; and creep_sweep and wheel_rail_sample for `microslip "
@@ -139,7 +137,7 @@ void add_init_command(CLI::App& program) {
       "Profiles and case files that an example names are written beside it.\n\n"
       "Example:\n  microslip init wheel.toml && microslip solve wheel.toml\n"
       "  microslip init --example wheel_on_rail rail.toml && microslip solve rail.toml");
-  command->callback([arguments] { init(*arguments); });
+  command.callback([arguments] { init(*arguments); });
 }
 
 } // namespace microslip::app

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/command.hpp"
+
 #include <string_view>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 namespace microslip::app {
 
@@ -11,6 +11,6 @@ namespace microslip::app {
 std::vector<std::string_view> example_names();
 
 /// Adds `microslip init`.
-void add_init_command(CLI::App& program);
+void add_init_command(Command& program);
 
 } // namespace microslip::app

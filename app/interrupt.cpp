@@ -55,6 +55,11 @@ InterruptGuard::InterruptGuard() {
   handle(SIGALRM, end_at_once, old_alarm);
   handle(SIGINT, note, old_interrupt);
   handle(SIGTERM, note, old_termination);
+  sigset_t held_back; // by go_on_as
+  sigemptyset(&held_back);
+  sigaddset(&held_back, SIGINT);
+  sigaddset(&held_back, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &held_back, nullptr);
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -9,7 +9,7 @@
 
 namespace microslip::app {
 
-void add_json_flag(CLI::App& command, bool& json) {
+void add_json_flag(Command& command, bool& json) {
   command.add_flag("--json", json, "print one JSON document instead of the text");
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 
+#include "app/command.hpp"
 #include "io/json.hpp"
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 namespace microslip::app {
 
 /// Adds the flag --json to a command: one JSON document on standard output instead of text for people.
-void add_json_flag(CLI::App& command, bool& json);
+void add_json_flag(Command& command, bool& json);
 
 /// The beginning of a command's document: `kind`, this program's `version`, `commit`, `compiler` and `build_type`, and
 /// `command_line`.

@@ -58,21 +58,23 @@ std::string footer(const std::string& text) {
   return page + ".EE\n";
 }
 
-std::string option(const CLI::Option& option) {
+std::string option(const OptionText& option) {
   std::string head;
-  for (const auto& name : dashed_names(option)) head += (head.empty() ? "" : ", ") + bold(name);
-  if (head.empty()) head = italic(option.get_name(true));
-  if (takes_value(option) && !option.get_positional()) head += " " + italic(value_name(option));
-  return ".TP\n" + head + "\n" + roff(description(option)) + "\n";
+  for (const auto& name : option.dashed_names) head += (head.empty() ? "" : ", ") + bold(name);
+  if (head.empty())
+    head = italic(option.name);
+  else if (option.takes_value())
+    head += " " + italic(option.value_name);
+  return ".TP\n" + head + "\n" + roff(option.description) + "\n";
 }
 
-std::string command(const CLI::App& command) {
-  auto page = ".SS \"" + roff("microslip " + command.get_name() + " [OPTIONS]");
-  for (const auto* argument : positional_arguments(command)) page += " " + roff(usage(*argument));
-  page += "\"\n" + roff(command.get_description()) + ".\n";
-  for (const auto* argument : positional_arguments(command)) page += option(*argument);
-  for (const auto* named : named_options(command)) page += option(*named);
-  return page + ".P\n" + footer(command.get_footer());
+std::string command(const CommandText& command) {
+  auto page = ".SS \"" + roff("microslip " + command.name + " [OPTIONS]");
+  for (const OptionText& argument : command.arguments) page += " " + roff(argument.usage());
+  page += "\"\n" + roff(command.description) + ".\n";
+  for (const OptionText& argument : command.arguments) page += option(argument);
+  for (const OptionText& named : command.options) page += option(named);
+  return page + ".P\n" + footer(command.footer);
 }
 
 constexpr auto description_text =
@@ -102,15 +104,15 @@ OMP_NUM_THREADS
 Threads of a single large solution by the exact theory. Default: one for each processor.
 )";
 
-std::string manual(const CLI::App& program) {
+std::string manual(const CommandText& program) {
   auto page = fmt::format(".TH MICROSLIP 1 \"\" \"microslip {}\" \"User Commands\"\n", build_info().version);
   page += ".SH NAME\nmicroslip \\- frictional rolling contact of two bodies\n";
   page += ".SH SYNOPSIS\n\\fBmicroslip\\fR \\fICOMMAND\\fR [\\fIOPTIONS\\fR] ...\n";
   page += std::string(".SH DESCRIPTION\n") + description_text;
   page += ".SH OPTIONS\n";
-  for (const auto* named : named_options(program)) page += option(*named);
+  for (const OptionText& named : program.options) page += option(named);
   page += ".SH COMMANDS\n";
-  for (const auto* one : commands(program)) page += command(*one);
+  for (const CommandText& one : program.commands) page += command(one);
   page += std::string(".SH JSON\n") + json_text_of_manual;
   page += ".SH EXIT STATUS\n";
   for (const auto& [code, meaning] : exit_code_meanings) page += fmt::format(".TP\n{}\n{}\n", code, roff(meaning));
@@ -119,13 +121,13 @@ std::string manual(const CLI::App& program) {
 
 } // namespace
 
-void add_manual_command(CLI::App& program) {
-  auto* command = program.add_subcommand("manual", "Print the man page of this program");
-  command->footer(
+void add_manual_command(Command& program) {
+  Command command = program.add_subcommand("manual", "Print the man page of this program");
+  command.footer(
       "The man page has all commands with their options, the exit codes and the environment. It is installed with the\n"
       "program, for man microslip.\n\n"
       "Example:\n  microslip manual | man -l -");
-  command->callback([&program] { fmt::print("{}", manual(program)); });
+  command.callback([&program] { fmt::print("{}", manual(command_text(program.parser()))); });
 }
 
 } // namespace microslip::app

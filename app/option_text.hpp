@@ -2,12 +2,17 @@
 
 #include "io/option_words.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+namespace CLI {
+class App;
+class FormatterBase;
+} // namespace CLI
 
 namespace microslip::app {
 
@@ -16,26 +21,33 @@ template <class Option> std::string choices() {
   return fmt::format("{}", fmt::join(io::option_words<Option>(), "|"));
 }
 
-/// Text of an option in help, man page and shell completion. The type name of an option, or the name of an argument
-/// without one, tells what stands there: choices as above, FOLDER, STUDY (a study of `validate`), a file with its
-/// ending such as CASE.toml, or anything else.
-bool takes_value(const CLI::Option& option);
-std::string value_name(const CLI::Option& option);
-/// Description, and its default or that it is required.
-std::string description(const CLI::Option& option);
-/// Its names with their dashes, short ones first; empty for an argument without.
-std::vector<std::string> dashed_names(const CLI::Option& option);
-std::vector<const CLI::Option*> named_options(const CLI::App& command);
-std::vector<const CLI::Option*> positional_arguments(const CLI::App& command);
-/// Form of an argument in a usage line, e.g. "CASE.toml" or "[STUDY...]".
-std::string usage(const CLI::Option& argument);
-std::vector<const CLI::App*> commands(const CLI::App& program);
+/// What help, man page and shell completion say of an option or an argument.
+struct OptionText {
+  std::vector<std::string> dashed_names; ///< with their dashes, short ones first; none of an argument
+  std::string name;                      ///< of an argument
+  /// What stands there, its type name or its own name: choices as above, FOLDER, STUDY (a study of `validate`), a file
+  /// with its ending such as CASE.toml, or anything else. Empty: it takes no value.
+  std::string value_name;
+  std::string description; ///< what it is, and its default or that it is required
+  bool is_required = false;
+  bool is_repeatable = false;             ///< may be given again, with one value each time
+  int fewest_values = 0, most_values = 0; ///< that follow it
 
-/// Help with these texts.
-class HelpFormatter : public CLI::Formatter {
-public:
-  std::string make_option_opts(const CLI::Option* option) const override;
-  std::string make_option_desc(const CLI::Option* option) const override;
+  bool takes_value() const { return !value_name.empty(); }
+  /// How an argument stands in a usage line, e.g. "CASE.toml" or "[STUDY...]".
+  std::string usage() const;
 };
+
+/// A command, or the program with its commands.
+struct CommandText {
+  std::string name, description, footer;
+  std::vector<OptionText> options, arguments;
+  std::vector<CommandText> commands;
+};
+
+CommandText command_text(const CLI::App& command);
+
+/// Of help with these texts.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 } // namespace microslip::app

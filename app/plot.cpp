@@ -61,48 +61,48 @@ int plot(const PlotArguments& arguments) {
 
 } // namespace
 
-void add_plot_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("plot", "Draw the pictures of a result file");
+void add_plot_command(Command& program, int& exit_code) {
+  Command command = program.add_subcommand("plot", "Draw the pictures of a result file");
   const auto arguments = std::make_shared<PlotArguments>();
   command
-      ->add_option("RESULT.h5", arguments->result, "a result file of solve, run, sweep, profile, conicity or validate")
-      ->required()
-      ->type_name("");
-  command->add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
-      ->type_name("FOLDER");
+      .add_option("RESULT.h5", arguments->result, "a result file of solve, run, sweep, profile, conicity or validate")
+      .required()
+      .type_name("");
+  command.add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
+      .type_name("FOLDER");
   const auto field_option = [&](const char* name, std::vector<std::string>& fields, const char* what) {
-    command->add_option(name, fields, what)
-        ->expected(1)
-        ->take_all()
-        ->type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess");
+    command.add_option(name, fields, what)
+        .expected(1)
+        .take_all()
+        .type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess");
   };
   field_option("--field", arguments->fields, "a field as a map; may be given again");
   field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
   command
-      ->add_option("--cut", arguments->cut,
-                   "tractions with their bound and slip along the row at y [mm], on a rail in the frame of each patch")
-      ->expected(1)
-      ->type_name("Y");
+      .add_option("--cut", arguments->cut,
+                  "tractions with their bound and slip along the row at y [mm], on a rail in the frame of each patch")
+      .expected(1)
+      .type_name("Y");
   command
-      ->add_option("--stresses", arguments->stresses,
-                   "stresses inside both bodies in the plane of y [mm], on a rail below each patch")
-      ->expected(1)
-      ->type_name("Y");
+      .add_option("--stresses", arguments->stresses,
+                  "stresses inside both bodies in the plane of y [mm], on a rail below each patch")
+      .expected(1)
+      .type_name("Y");
   command
-      ->add_option("--creep-curves", arguments->spins,
-                   "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
-      ->type_name("SPINS");
-  command->add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
-  command->add_option("--compare", arguments->other, "another result file, side by side with this one")
-      ->type_name("OTHER.h5");
-  add_json_flag(*command, arguments->json);
-  command->footer(
+      .add_option("--creep-curves", arguments->spins,
+                  "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
+      .type_name("SPINS");
+  command.add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
+  command.add_option("--compare", arguments->other, "another result file, side by side with this one")
+      .type_name("OTHER.h5");
+  add_json_flag(command, arguments->json);
+  command.footer(
       "Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and stresses are of two\n"
       "bodies and of wheels on rails in one state, the others of two bodies. Creep curves, convergence and stresses "
       "are\n"
       "computed by the Python module. Prints the names of the PNG files.\n\n"
       "Example:\n  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0");
-  command->callback([arguments, &exit_code] { exit_code = plot(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = plot(*arguments); });
 }
 
 } // namespace microslip::app

@@ -184,39 +184,38 @@ void run(const ProfileArguments& arguments) {
 
 } // namespace
 
-void add_profile_command(CLI::App& program) {
-  auto* command = program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail");
+void add_profile_command(Command& program) {
+  Command command = program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail");
   const auto arguments = std::make_shared<ProfileArguments>();
   command
-      ->add_option("FILE", arguments->file,
-                   "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
-      ->required()
-      ->type_name("");
+      .add_option("FILE", arguments->file,
+                  "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
+      .required()
+      .type_name("");
+  command.add_option("-o,--output", arguments->folder, "folder for result.h5 and profile.png; default: none is written")
+      .type_name("FOLDER");
+  command.add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
   command
-      ->add_option("-o,--output", arguments->folder, "folder for result.h5 and profile.png; default: none is written")
-      ->type_name("FOLDER");
-  command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
-  command
-      ->add_option("--convert", arguments->converted,
-                   "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending")
-      ->type_name("OUT");
-  command->add_option("--role", arguments->role, "what it is; default: by the file or its name")
-      ->type_name(choices<ProfileRole>());
-  add_profile_options(*command, arguments->options);
-  command->add_option("--tape-line", arguments->tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
-      ->expected(1)
-      ->type_name("Y");
-  command->add_option("--gauge-height", arguments->gauge_height, "where a rail's gauge is measured, below its top [m]")
-      ->type_name("HEIGHT")
-      ->capture_default_str();
-  add_json_flag(*command, arguments->json);
-  command->footer("Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, "
-                  "and the flange's\n"
-                  "dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same "
-                  "in SI units.\n"
-                  "Axes of a profile: y to the field side, z up.\n\n"
-                  "Example:\n  microslip profile examples/profiles/s1002.prw -o results/s1002");
-  command->callback([arguments] { run(*arguments); });
+      .add_option("--convert", arguments->converted,
+                  "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending")
+      .type_name("OUT");
+  command.add_option("--role", arguments->role, "what it is; default: by the file or its name")
+      .type_name(choices<ProfileRole>());
+  add_profile_options(command, arguments->options);
+  command.add_option("--tape-line", arguments->tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
+      .expected(1)
+      .type_name("Y");
+  command.add_option("--gauge-height", arguments->gauge_height, "where a rail's gauge is measured, below its top [m]")
+      .type_name("HEIGHT")
+      .capture_default_str();
+  add_json_flag(command, arguments->json);
+  command.footer("Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, "
+                 "and the flange's\n"
+                 "dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same "
+                 "in SI units.\n"
+                 "Axes of a profile: y to the field side, z up.\n\n"
+                 "Example:\n  microslip profile examples/profiles/s1002.prw -o results/s1002");
+  command.callback([arguments] { run(*arguments); });
 }
 
 } // namespace microslip::app

@@ -6,10 +6,10 @@
 
 namespace microslip::app {
 
-void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
+void add_profile_options(Command& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
   options.prefix = "--" + prefix;
   const auto add = [&](const char* name, auto& value, const std::string& what, const std::string& type) {
-    return command.add_option(options.prefix + name, value, what)->type_name(type);
+    return command.add_option(options.prefix + name, value, what).type_name(type);
   };
   add("format", options.format, "grammar of " + of + "; default: by its first lines and its name",
       choices<io::ProfileFormat>());
@@ -20,7 +20,7 @@ void add_profile_options(CLI::App& command, ProfileOptions& options, const std::
   add("z-axis", options.z_axis, "where z is positive in " + of + "; default: by its format or the shape",
       choices<io::VerticalSense>());
   add("section", options.section, "which profile of several in a MiniProf .mpt file, from 1", "N");
-  add("trim", options.trim, "drop the ends with y outside Y1 to Y2 [m]", "Y1 Y2")->expected(2);
+  add("trim", options.trim, "drop the ends with y outside Y1 to Y2 [m]", "Y1 Y2").expected(2);
   add("smoothing-length", options.smoothing_length, "wavelength [m] of which smoothing leaves half; 0: none", "LENGTH");
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "app/command.hpp"
 #include "io/profile_file.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 namespace microslip::app {
 
@@ -21,7 +20,7 @@ struct ProfileOptions {
 
 /// Adds --format, --unit, --y-axis and so on; `prefix` makes --wheel-unit of them, `of` says what they concern.
 /// `options` must outlive the command.
-void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& prefix = "",
+void add_profile_options(Command& command, ProfileOptions& options, const std::string& prefix = "",
                          const std::string& of = "the file");
 
 /// Throws Error that names the option.

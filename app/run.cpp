@@ -371,23 +371,21 @@ int run(const RunArguments& arguments) {
 
 } // namespace
 
-void add_run_command(CLI::App& program, int& exit_code) {
-  auto* command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
+void add_run_command(Command& program, int& exit_code) {
+  Command command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
   const auto arguments = std::make_shared<RunArguments>();
-  command->add_option("FILE.inp", arguments->input, "input file, modules 1 and 3")->required()->type_name("");
-  command->add_option("-o,--output", arguments->folder, "folder for FILE.h5")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  command->add_flag("--out", arguments->out, "also FILE.out, CONTACT's output file");
-  command->add_flag(
+  command.add_option("FILE.inp", arguments->input, "input file, modules 1 and 3").required().type_name("");
+  command.add_option("-o,--output", arguments->folder, "folder for FILE.h5").type_name("FOLDER").capture_default_str();
+  command.add_flag("--out", arguments->out, "also FILE.out, CONTACT's output file");
+  command.add_flag(
       "--mat", arguments->mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
-  command->add_flag(
+  command.add_flag(
       "--accurate", arguments->accurate,
       "also solves wheels on rails by microslip's geometry, patches and elements of second order, and prints "
       "both beside each other");
-  add_json_flag(*command, arguments->json);
-  command->footer(
+  add_json_flag(command, arguments->json);
+  command.footer(
       "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
       "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"
       "the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,\n"
@@ -395,7 +393,7 @@ void add_run_command(CLI::App& program, int& exit_code) {
       "the\n"
       "names that they have in FILE.h5. Exit code 1: some cases are not run or not solved.\n\n"
       "Example:\n  microslip run examples/sphere_on_plane.inp -o results");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 } // namespace microslip::app

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// Adds `microslip run`, which runs the cases of an input file of the program CONTACT and sets `exit_code` to 1 unless
 /// all of them are solved.
-void add_run_command(CLI::App& program, int& exit_code);
+void add_run_command(Command& program, int& exit_code);
 
 } // namespace microslip::app

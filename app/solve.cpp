@@ -365,20 +365,20 @@ int solve(SolveArguments arguments) {
 
 } // namespace
 
-void add_solve_command(CLI::App& program, int& exit_code) {
-  auto* command =
+void add_solve_command(Command& program, int& exit_code) {
+  Command command =
       program.add_subcommand("solve", "Solve a wheel on a rail or a Hertzian contact: forces, fields and pictures");
   const auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")
-      ->required()
-      ->type_name("");
+  command.add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")
+      .required()
+      .type_name("");
   command
-      ->add_option("-o,--output", arguments->folder,
-                   "folder for result.h5 and the pictures; default: results/NAME for NAME.toml")
-      ->type_name("FOLDER");
-  command->add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
-  add_json_flag(*command, arguments->json);
-  command->footer(
+      .add_option("-o,--output", arguments->folder,
+                  "folder for result.h5 and the pictures; default: results/NAME for NAME.toml")
+      .type_name("FOLDER");
+  command.add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
+  add_json_flag(command, arguments->json);
+  command.footer(
       "Of a wheel on a rail ([track], [rail], [wheelset], [wheel]) finds the patches between the profiles and solves\n"
       "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
       "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
@@ -389,7 +389,7 @@ void add_solve_command(CLI::App& program, int& exit_code) {
       "of\n"
       "result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
       "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
-  command->callback([arguments, &exit_code] { exit_code = solve(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = solve(*arguments); });
 }
 
 } // namespace microslip::app

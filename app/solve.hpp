@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// Adds `microslip solve`, which sets `exit_code` to 1 if the result is not one.
-void add_solve_command(CLI::App& program, int& exit_code);
+void add_solve_command(Command& program, int& exit_code);
 
 } // namespace microslip::app

@@ -157,19 +157,19 @@ int sweep(const SweepArguments& arguments) {
 
 } // namespace
 
-void add_sweep_command(CLI::App& program, int& exit_code) {
-  auto* command =
+void add_sweep_command(Command& program, int& exit_code) {
+  Command command =
       program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys");
   const auto arguments = std::make_shared<SweepArguments>();
-  command->add_option("SPEC.toml", arguments->spec, "what varies in which case")->required()->type_name("");
-  command->add_option("-o,--output", arguments->output, "result file")->required()->type_name("OUT.h5");
+  command.add_option("SPEC.toml", arguments->spec, "what varies in which case").required().type_name("");
+  command.add_option("-o,--output", arguments->output, "result file").required().type_name("OUT.h5");
   command
-      ->add_option("--threads", arguments->threads,
-                   "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "
-                   "for each rank")
-      ->type_name("COUNT");
-  add_json_flag(*command, arguments->json);
-  command->footer(
+      .add_option("--threads", arguments->threads,
+                  "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "
+                  "for each rank")
+      .type_name("COUNT");
+  add_json_flag(command, arguments->json);
+  command.footer(
       "SPEC.toml names a case file of `solve` and the keys that vary:\n\n"
       "  case = \"wheel_on_rail.toml\"\n"
       "  [grid]                                  # all combinations; or [sample] with count and seed, or\n"
@@ -184,7 +184,7 @@ void add_sweep_command(CLI::App& program, int& exit_code) {
       "Example:\n"
       "  microslip sweep examples/creep_sweep.toml -o creep.h5\n"
       "  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5");
-  command->callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
+  command.callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
 }
 
 } // namespace microslip::app

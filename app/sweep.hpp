@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// `microslip sweep SPEC.toml -o OUT.h5`: many cases, on threads and ranks, with a checkpoint.
-void add_sweep_command(CLI::App& program, int& exit_code);
+void add_sweep_command(Command& program, int& exit_code);
 
 } // namespace microslip::app

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
 
 namespace microslip::app {
 
 /// `microslip table`: inspects, draws and makes creep-force tables.
-void add_table_command(CLI::App& program, int& exit_code);
+void add_table_command(Command& program, int& exit_code);
 
 } // namespace microslip::app

@@ -1,10 +1,29 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
 
 namespace microslip::app {
 
-/// Adds `microslip validate`, which sets `exit_code` to 1 if a published figure is not met.
-void add_validate_command(CLI::App& program, int& exit_code);
+struct ValidateArguments {
+  std::vector<std::string> names; ///< of the studies; none: all
+  bool list = false;
+  std::filesystem::path output = "results";
+  std::optional<std::filesystem::path> report; ///< folder
+  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  bool thorough = false, no_pictures = false, json = false;
+};
+
+/// Adds `microslip validate`, whose exit code is what `run` returns.
+void add_validate_command(Command& program, int& exit_code, int (*run)(const ValidateArguments& arguments));
+
+/// Goes on as microslip-validate, the program beside this one that has the studies. Throws Error if it is not there.
+int run_studies_program(const ValidateArguments& arguments);
 
 } // namespace microslip::app

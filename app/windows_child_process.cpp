@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include <io.h>
 #include <windows.h>
@@ -32,6 +33,26 @@ HANDLE inherited(std::FILE* file) {
   return handle;
 }
 
+/// Starts a program that its command line names, or `file`, with its output and errors there, and waits. As run_child.
+int run(const wchar_t* file, std::wstring line, wchar_t* environment, std::FILE* output, std::FILE* errors) {
+  STARTUPINFOW start{};
+  start.cb = sizeof start;
+  start.dwFlags = STARTF_USESTDHANDLES;
+  start.hStdOutput = inherited(output);
+  start.hStdError = inherited(errors);
+  PROCESS_INFORMATION child{};
+  constexpr DWORD how = CREATE_UNICODE_ENVIRONMENT;
+  if (!::CreateProcessW(file, line.data(), nullptr, nullptr, TRUE, how, environment, nullptr, &start, &child))
+    return ::GetLastError() == ERROR_FILE_NOT_FOUND ? -ENOENT : -EACCES;
+  ::WaitForSingleObject(child.hProcess, INFINITE);
+  DWORD code = 0;
+  ::GetExitCodeProcess(child.hProcess, &code);
+  ::CloseHandle(child.hThread);
+  ::CloseHandle(child.hProcess);
+  InterruptGuard::throw_if_interrupted();
+  return static_cast<int>(code);
+}
+
 } // namespace
 
 std::vector<std::string> environment_variables() {
@@ -49,22 +70,11 @@ int run_child(std::vector<std::string> arguments, std::vector<std::string> envir
   for (const auto& argument : arguments)
     line.append(line.empty() ? L"" : L" ").append(wide(command_line_word(argument)));
   for (const auto& variable : environment) variables.append(wide(variable)).push_back(L'\0');
-  STARTUPINFOW start{};
-  start.cb = sizeof start;
-  start.dwFlags = STARTF_USESTDHANDLES;
-  start.hStdOutput = inherited(output);
-  start.hStdError = inherited(errors);
-  PROCESS_INFORMATION child{};
-  constexpr DWORD how = CREATE_UNICODE_ENVIRONMENT;
-  if (!::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE, how, variables.data(), nullptr, &start, &child))
-    return ::GetLastError() == ERROR_FILE_NOT_FOUND ? -ENOENT : -EACCES;
-  ::WaitForSingleObject(child.hProcess, INFINITE);
-  DWORD code = 0;
-  ::GetExitCodeProcess(child.hProcess, &code);
-  ::CloseHandle(child.hThread);
-  ::CloseHandle(child.hProcess);
-  InterruptGuard::throw_if_interrupted();
-  return static_cast<int>(code);
+  return run(nullptr, std::move(line), variables.data(), output, errors);
+}
+
+int go_on_as(const std::filesystem::path& program) {
+  return run(program.c_str(), ::GetCommandLineW(), nullptr, stdout, stderr);
 }
 
 void end_child() noexcept {} // the console tells it as well

@@ -2,7 +2,7 @@
 
 #include "microslip.h"
 
-#include "tests/wheel_rail_text.hpp"
+#include "tests/support/case_text.hpp"
 
 #include <cstddef>
 #include <string>

@@ -16,6 +16,7 @@ microslip init wheel.toml
 microslip solve wheel.toml --no-pictures -o results >solved.txt
 grep -q "status  *ok  *ok" solved.txt
 microslip batch "$here/contacts.csv" -o forces.csv --theory table
+microslip validate carter --no-pictures
 python3 "$here/first_contact.py"
 python3 -m microslip --version
 python3 -c "import microslip; print(microslip.__version__, microslip.CreepForceTable(poisson_ratio=0.28))"
@@ -43,7 +44,7 @@ cc "$here/manchester.c" -o manchester -lcontact -lm
 
 # and nothing is left
 apt-get purge -y -qq microslip microslip-libcontact >/dev/null
-for left in /usr/bin/microslip /usr/share/microslip /usr/lib/python3/dist-packages/microslip; do
+for left in /usr/bin/microslip /usr/bin/microslip-validate /usr/share/microslip /usr/lib/python3/dist-packages/microslip; do
   [ ! -e $left ] || exit 1 # `set -e` stops at the last of a list of conditions only
 done
 echo "packages: all is as it should be"

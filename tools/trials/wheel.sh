@@ -8,11 +8,12 @@ cd "$work"
 unset PYTHONPATH MICROSLIP_PYTHON
 package=$("$environment/bin/python" -c "import microslip, os; print(os.path.dirname(microslip.__file__))")
 case $package in "$environment"/*) ;; *) exit 1 ;; esac
-if ldd "$package"/_core*.so "$package/bin/microslip" | grep -E "hdf5|csv|gomp|sz|fmt" | grep -v "$package/"; then exit 1; fi
+if ldd "$package"/_core*.so "$package"/bin/microslip* | grep -E "hdf5|csv|gomp|sz|fmt" | grep -v "$package/"; then exit 1; fi
 "$environment/bin/microslip" --version
 "$environment/bin/python" -m microslip init wheel.toml
 "$environment/bin/microslip" solve wheel.toml -o results | grep -q "status  *ok  *ok"
 test -f results/tractions.png
+"$environment/bin/microslip" validate carter --no-pictures
 "$environment/bin/python" -c "import h5py, microslip
 print(microslip.__version__, microslip.CreepForceTable(poisson_ratio=0.28))
 case = microslip.read_case('wheel.toml')

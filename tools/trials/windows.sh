@@ -29,6 +29,7 @@ for case in first hertzian_contact two_rollers wheel_on_rail starting_to_roll; d
   "$linux/bin/microslip" solve $case.toml --no-pictures --json -o linux >linux.json
   same_numbers $case.json linux.json
 done
+windows validate carter --no-pictures | grep -q "all figures are met"
 # whose moments of balance are as near to zero as its tolerance
 windows solve wheelset_in_curve.toml --no-pictures -o wheelset >solved.txt
 test -f wheelset/result.h5

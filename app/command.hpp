@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace microslip::app {
+
+/// An option or an argument of a command while it is declared. Like Command it hides the parser's templates, which take
+/// seconds to compile wherever they are seen.
+class CommandOption {
+public:
+  explicit CommandOption(CLI::Option& option) : option_(&option) {}
+
+  /// What stands in place of its value in texts; see OptionText. Empty: the name of the argument says it.
+  CommandOption& type_name(const std::string& name);
+  CommandOption& required();
+  /// How many values follow it.
+  CommandOption& expected(int count);
+  CommandOption& expected(int fewest, int most);
+  /// All values count where it is given again.
+  CommandOption& take_all();
+  /// The default as texts say it; that of the variable as it is now.
+  CommandOption& default_str(const std::string& text);
+  CommandOption& capture_default_str();
+  CommandOption& needs(const CommandOption& other);
+  CommandOption& excludes(const std::string& name);
+
+private:
+  CLI::Option* option_;
+};
+
+/// The program or one of its commands while it is declared. What it refers to must outlive the parsing.
+class Command {
+public:
+  explicit Command(CLI::App& command) : command_(&command) {}
+
+  Command add_subcommand(const std::string& name, const std::string& what);
+  /// `names`: "-o,--output", or the name of an argument, "FILE". For texts, paths and numbers, several of them, and
+  /// some that need not be there: the list is in command.cpp.
+  template <class Value> CommandOption add_option(const std::string& names, Value& value, const std::string& what);
+  CommandOption add_flag(const std::string& name, bool& value, const std::string& what);
+  /// What help and man page say at the end, with an example.
+  void footer(const std::string& text);
+  void callback(std::function<void()> run);
+  void require_subcommand(int count);
+
+  const CLI::App& parser() const { return *command_; }
+
+private:
+  CLI::App* command_;
+};
+
+} // namespace microslip::app
