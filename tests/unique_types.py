@@ -7,6 +7,7 @@ import sys
 
 ENDINGS = (".hpp", ".cpp", ".h", ".c")
 LEFT_OUT = ("build", ".git")
+COPIES = ("microslip_abi_1.h",)  # of a header as it was, for programs that were built with that
 
 # What a definition of a type ends with before its brace; its name may be qualified, and have template arguments.
 TYPE = re.compile(r"(?:^|\s)(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?:alignas\s*\([^()]*\)\s*)?"
@@ -63,7 +64,7 @@ def sources(root):
     """All sources below a folder, without what is built there."""
     for folder in sorted(root.iterdir()):
         if folder.is_dir() and folder.name not in LEFT_OUT:
-            yield from sorted(file for file in folder.rglob("*") if file.suffix in ENDINGS)
+            yield from sorted(file for file in folder.rglob("*") if file.suffix in ENDINGS and file.name not in COPIES)
 
 
 def definitions(root):
