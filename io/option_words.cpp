@@ -3,6 +3,8 @@
 #include "io/nearest_word.hpp"
 #include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/wheelset_contact.hpp"
 
 #include <algorithm>
 #include <string>
@@ -10,10 +12,26 @@
 namespace microslip::io {
 namespace {
 
-template <class Option> constexpr auto words_of = description::words<Option>;
+template <class Option> constexpr std::array<std::string_view, 0> words_of{};
+template <> constexpr auto words_of<Theory> = description::theories;
+template <> constexpr auto words_of<TractionBound> = description::traction_bounds;
+template <> constexpr auto words_of<FlexibilityModel> = description::flexibility_models;
+template <> constexpr auto words_of<CreepageTable> = description::creepage_tables;
+template <> constexpr auto words_of<Precision> = description::precisions;
+template <> constexpr auto words_of<RollingDirection> = description::rolling_directions;
+template <> constexpr auto words_of<Discretisation> = description::discretisations;
+template <> constexpr auto words_of<ElementShape> = description::element_shapes;
+template <> constexpr auto words_of<Coupling> = description::couplings;
+template <> constexpr auto words_of<SlipStart> = description::slip_starts;
+template <> constexpr auto words_of<ContactMotion> = description::contact_motions;
+template <> constexpr auto words_of<ProfileRole> = description::profile_roles;
 template <> constexpr auto words_of<ProfileFormat> = description::profile_formats;
 template <> constexpr auto words_of<LateralSense> = description::lateral_senses;
 template <> constexpr auto words_of<VerticalSense> = description::vertical_senses;
+template <> constexpr auto words_of<WheelRailLevel> = description::wheel_rail_levels;
+template <> constexpr auto words_of<PatchShape> = description::patch_shapes;
+template <> constexpr auto words_of<TrackSide> = description::track_sides;
+template <> constexpr auto words_of<RollRule> = description::roll_rules;
 
 } // namespace
 

@@ -36,7 +36,7 @@ ALLOWED = {
     "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
                           "microslip/simplified", "microslip/table", EXACT + "fitted", EXACT + "halfspace",
                           EXACT + "normal"],
-    "microslip/description": ["microslip/contact", "microslip/friction", "microslip/railway", "microslip/rolling"],
+    "microslip/description": ["microslip/contact", "microslip/friction", "microslip/railway"],
 }
 
 

@@ -6,6 +6,8 @@
 #include "io/toml_section.hpp"
 #include "io/units.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/rolling/method.hpp"
 
 #include "paths.hpp"
 
@@ -162,7 +164,7 @@ TEST(InputTable, DefaultsAreTheLibrarys) {
   EXPECT_EQ(missing(rolling, "motion", "steps"), Motion().steps);
   EXPECT_EQ(missing(wheel, "solution", "grid"), of_wheel.elements);
   EXPECT_EQ(missing(wheel, "solution", "tolerance"), of_wheel.tolerance);
-  EXPECT_EQ(description::words<WheelRailLevel>[static_cast<std::size_t>(of_wheel.level)],
+  EXPECT_EQ(description::wheel_rail_levels[static_cast<std::size_t>(of_wheel.level)],
             wheel.find("solution", "theory")->missing_word);
 }
 

@@ -148,7 +148,7 @@ TEST(Units, TextIsANumberAndAUnitAndNothingElse) {
 
 TEST(Units, HaveOnePrefixEach) {
   for (const char* text : {"3 kmm", "3 mmm", "3 dam%", "3 k%"})
-    EXPECT_NE(error_of(text, "m").find("unknown unit"), std::string::npos) << error_of(text, "m");
+    EXPECT_NE(message_of(text, "m").find("unknown unit"), std::string::npos) << message_of(text, "m");
 }
 
 TEST(Units, PowersOfPrefixesAreExact) {

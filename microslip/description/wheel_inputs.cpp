@@ -1,7 +1,10 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input.hpp"
 #include "microslip/friction/friction_law.hpp"
+#include "microslip/railway/track.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/wheelset.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 
 namespace microslip::description {
@@ -175,12 +178,12 @@ const Input all_inputs[] = {
      .key = "theory",
      .kind = Kind::word,
      .missing_word = "fastsim2",
-     .words = words<WheelRailLevel>,
+     .words = wheel_rail_levels,
      .text = "FASTSIM2 on rows, the exact theory of half-spaces, or a creep-force table"},
     {.section = "solution",
      .key = "shape",
      .kind = Kind::word,
-     .words = words<PatchShape>,
+     .words = patch_shapes,
      .text = "exact: surface of a patch; left out: the true one, conformal where it turns and else curved"},
     {.section = "solution",
      .key = "grid",

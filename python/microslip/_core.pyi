@@ -1793,7 +1793,7 @@ class WheelRail:
     def differentiate(self, *, lateral: float = 0.0, vertical: float = ..., roll: float = 0.0, yaw: float = 0.0, forward_velocity: float, lateral_velocity: float = 0.0, vertical_velocity: float = 0.0, roll_velocity: float = 0.0, pitch_velocity: float = ..., yaw_velocity: float = 0.0, curvature: float = 0.0, deflection_longitudinal: float = 0.0, deflection_lateral: float = 0.0, deflection_vertical: float = 0.0, deflection_roll: float = 0.0, deflection_yaw: float = 0.0, deflection_longitudinal_velocity: float = 0.0, deflection_lateral_velocity: float = 0.0, deflection_vertical_velocity: float = 0.0, deflection_roll_velocity: float = 0.0, deflection_pitch_velocity: float = 0.0, deflection_yaw_velocity: float = 0.0, deviation_lateral: float = 0.0, deviation_vertical: float = 0.0, deviation_roll: float = 0.0, deviation_lateral_velocity: float = 0.0, deviation_vertical_velocity: float = 0.0, deviation_roll_velocity: float = 0.0, longitudinal: float = 0.0, pitch: float = 0.0, vertical_force: float = ...) -> WheelRailDerivatives:
         """The WheelRailDerivatives in a state given as for solve [SI units]: of forces and moments, and of the
         height that a vertical force finds. They hold where no patch comes or goes; those of a state that is not
-        ok are zero. With theory "exact" those by velocities are right to 1e-4, by places to some percent."""
+        ok are zero. With theory "exact" those by velocities are accurate to 1e-4, by positions to some percent."""
     def differentiate_batch(self, threads: int = 0, *, lateral: ArrayLike = 0.0, vertical: ArrayLike = ..., roll: ArrayLike = 0.0, yaw: ArrayLike = 0.0, forward_velocity: ArrayLike, lateral_velocity: ArrayLike = 0.0, vertical_velocity: ArrayLike = 0.0, roll_velocity: ArrayLike = 0.0, pitch_velocity: ArrayLike = ..., yaw_velocity: ArrayLike = 0.0, curvature: ArrayLike = 0.0, deflection_longitudinal: ArrayLike = 0.0, deflection_lateral: ArrayLike = 0.0, deflection_vertical: ArrayLike = 0.0, deflection_roll: ArrayLike = 0.0, deflection_yaw: ArrayLike = 0.0, deflection_longitudinal_velocity: ArrayLike = 0.0, deflection_lateral_velocity: ArrayLike = 0.0, deflection_vertical_velocity: ArrayLike = 0.0, deflection_roll_velocity: ArrayLike = 0.0, deflection_pitch_velocity: ArrayLike = 0.0, deflection_yaw_velocity: ArrayLike = 0.0, deviation_lateral: ArrayLike = 0.0, deviation_vertical: ArrayLike = 0.0, deviation_roll: ArrayLike = 0.0, deviation_lateral_velocity: ArrayLike = 0.0, deviation_vertical_velocity: ArrayLike = 0.0, deviation_roll_velocity: ArrayLike = 0.0, longitudinal: ArrayLike = 0.0, pitch: ArrayLike = 0.0, vertical_force: ArrayLike = ...) -> WheelRailDerivativeArrays:
         """The WheelRailDerivativeArrays of many states, given as for solve_batch [SI units]."""
 
@@ -2256,7 +2256,7 @@ class Wheelset:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelsetContacts:
-    """Where both wheels of a rigid wheelset touch: arrays of the shape of the positions, NaN where there is no contact."""
+    """Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact."""
     @property
     def lateral(self) -> NDArray[numpy.float64]:
         """Displacement of the wheelset's centre, to the left positive, shape (...) [m]."""
@@ -2274,16 +2274,16 @@ class WheelsetContacts:
         """Left less right inclination, each positive where it rises to the field side, shape (...) [rad]."""
     @property
     def left_rail_y(self) -> NDArray[numpy.float64]:
-        """Of the left wheel: on the rail's profile, in its axes: to the field side positive, shape (...) [m]."""
+        """Of the left wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
     @property
     def right_rail_y(self) -> NDArray[numpy.float64]:
-        """Of the right wheel: on the rail's profile, in its axes: to the field side positive, shape (...) [m]."""
+        """Of the right wheel: on the rail's profile, in its own axes: to the field side positive, shape (...) [m]."""
     @property
     def left_wheel_y(self) -> NDArray[numpy.float64]:
-        """Of the left wheel: on the wheel's profile, in its axes, shape (...) [m]."""
+        """Of the left wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
     @property
     def right_wheel_y(self) -> NDArray[numpy.float64]:
-        """Of the right wheel: on the wheel's profile, in its axes, shape (...) [m]."""
+        """Of the right wheel: on the wheel's profile, in its own axes, shape (...) [m]."""
     @property
     def left_rolling_radius(self) -> NDArray[numpy.float64]:
         """Of the left wheel: of the wheel there, shape (...) [m]."""
