@@ -185,8 +185,9 @@ constexpr PatchQuantity all_patch_results[] = {
 /// Those of a table that are no codes.
 template <const auto& table> constexpr auto numbers_of() {
   constexpr auto is_number = [](const auto& q) { return !q.is_code; };
-  std::array<std::remove_cvref_t<decltype(table[0])>, std::ranges::count_if(table, is_number)> numbers{};
-  std::ranges::copy_if(table, numbers.begin(), is_number);
+  constexpr std::size_t count = std::count_if(std::begin(table), std::end(table), is_number);
+  std::array<std::remove_cvref_t<decltype(table[0])>, count> numbers{};
+  std::copy_if(std::begin(table), std::end(table), numbers.begin(), is_number);
   return numbers;
 }
 constexpr auto all_wheel_quantities = numbers_of<all_wheel_results>();
