@@ -419,7 +419,7 @@ test("a reversed or mirrored profile is the same one, and the page tells what wa
   const wheel = points("s1002.prw");
   for (const [name, of, told] of [
     ["mirrored.txt", wheel.map(([y, z]) => [-y, z] as [number, number]), "mirrored: the file's y runs to the gauge side"],
-    ["reversed.txt", [...wheel].reverse(), "y runs to the field side, by the place of the flange"],
+    ["reversed.txt", [...wheel].reverse(), "y runs to the field side, by the position of the flange"],
   ] as const) {
     await page.locator("#file-wheel").setInputFiles({ name, mimeType: "text/plain", buffer: text(of) });
     await page.getByText(told).waitFor();
