@@ -31,22 +31,9 @@ struct InitArguments {
   bool force = false;
 };
 
-/// Kinds of cases by name.
-struct CaseKind {
-  std::string_view name;
-  const description::InputTable& (*inputs)();
-};
-constexpr CaseKind case_kinds[] = {{"bodies", description::rolling_inputs},
-                                   {"wheel", description::wheel_inputs},
-                                   {"wheelset", description::wheelset_inputs}};
-
 void print_keys(const std::string& kind) {
-  std::vector<std::string_view> names;
-  for (const CaseKind& one : case_kinds) names.push_back(one.name);
-  io::require_word("--keys", kind, names);
-  const auto* const found =
-      std::find_if(std::begin(case_kinds), std::end(case_kinds), [&](const CaseKind& one) { return one.name == kind; });
-  fmt::print("{}", input_list(found->inputs()));
+  io::require_word("--keys", kind, description::case_kinds);
+  fmt::print("{}", input_list(description::inputs_of(kind)));
 }
 
 std::string_view text_of(std::string_view name) {

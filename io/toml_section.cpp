@@ -188,28 +188,10 @@ double TomlSection::finite(std::string_view key, std::string_view unit, std::opt
   return number(key, unit, missing, [&](auto field, double value) { return require_finite(field, value, unit); });
 }
 
-double TomlSection::positive(std::string_view key, std::string_view unit, std::optional<double> missing) const {
-  return number(key, unit, missing, [&](auto field, double value) { return require_positive(field, value, unit); });
-}
-
 double TomlSection::between(std::string_view key, std::string_view unit, double low, double high,
                             std::optional<double> missing) const {
   return number(key, unit, missing,
                 [&](auto field, double value) { return require_between(field, value, unit, low, high); });
-}
-
-double TomlSection::radius(std::string_view key) const {
-  return number(key, "m", {}, [](auto field, double value) {
-    require_radius(field, value);
-    return value;
-  });
-}
-
-double TomlSection::modulus(std::string_view key) const {
-  return number(key, "Pa", {}, [](auto field, double value) {
-    if (!(value > 0)) throw Error(field, value, "Pa", "positive (inf for a rigid body)");
-    return value;
-  });
 }
 
 std::vector<double> TomlSection::numbers(std::string_view key, std::string_view unit) const {

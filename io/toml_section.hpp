@@ -64,12 +64,8 @@ public:
   const description::Input& input(std::string_view key) const;
 
   double finite(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
-  double positive(std::string_view key, std::string_view unit, std::optional<double> missing = {}) const;
   double between(std::string_view key, std::string_view unit, double low, double high,
                  std::optional<double> missing = {}) const;
-  double radius(std::string_view key) const;
-  /// A modulus of elasticity [Pa]: infinite for a rigid body.
-  double modulus(std::string_view key) const;
   /// A list of finite numbers, at least one.
   std::vector<double> numbers(std::string_view key, std::string_view unit) const;
   bool is_list(std::string_view key) const;

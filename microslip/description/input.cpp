@@ -68,4 +68,9 @@ const Input* InputTable::find(std::string_view section, std::string_view key) co
   return found == inputs_.end() ? nullptr : &*found;
 }
 
+const InputTable& inputs_of(std::string_view kind) {
+  if (kind == case_kinds[0]) return rolling_inputs();
+  return kind == case_kinds[1] ? wheel_inputs() : wheelset_inputs();
+}
+
 } // namespace microslip::description

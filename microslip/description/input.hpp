@@ -91,4 +91,7 @@ const InputTable& rolling_inputs();
 const InputTable& wheel_inputs();
 const InputTable& wheelset_inputs();
 
+/// That of a kind of case, one of case_kinds.
+const InputTable& inputs_of(std::string_view kind);
+
 } // namespace microslip::description

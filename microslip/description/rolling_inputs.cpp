@@ -2,13 +2,22 @@
 #include "microslip/description/input.hpp"
 #include "microslip/friction/friction_law.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace microslip::description {
 namespace {
 
 using Kind = InputKind;
 
 constexpr Bounds coefficient = between(0, FrictionLaw::largest_coefficient);
-constexpr Word friction_laws[] = {"coulomb", "linear", "rational", "exponential", "polach"};
+/// The library's laws, and the one that is a case of them.
+constexpr auto friction_laws = [] {
+  std::array<Word, FrictionLaw::names.size() + 1> words{};
+  std::copy(FrictionLaw::names.begin(), FrictionLaw::names.end(), words.begin());
+  words.back() = "polach";
+  return words;
+}();
 
 constexpr Input all_inputs[] = {
     {.section = "", .key = "title", .kind = Kind::text, .text = "heading of tables and pictures"},

@@ -29,4 +29,7 @@ inline constexpr std::array<Word, 3> patch_shapes{"flat", "curved", "conformal"}
 inline constexpr std::array<Word, 2> track_sides{"left", "right"};
 inline constexpr std::array<Word, 2> roll_rules{"equilibrium", "none"};
 
+/// Kinds of cases: of two bodies, a wheel on a rail, a wheelset.
+inline constexpr std::array<Word, 3> case_kinds{"bodies", "wheel", "wheelset"};
+
 } // namespace microslip::description

@@ -177,29 +177,29 @@ double approach_of(const Loaded& one, std::span<const PointLoad> loads, double z
   return approach;
 }
 
-/// Changes of the normal forces by `rise` [N] of each patch alone, when each lifts the others off. Those of each
-/// alone where together they have none.
-std::vector<double> with_coupling(const std::vector<Loaded>& loaded, const std::vector<double>& rise) {
-  const std::size_t count = loaded.size();
-  std::vector<double> matrix, change = rise;
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t l = 0; l < count; ++l) {
+/// Changes of the normal forces [N] that were those of each patch on its own, when each lifts the others off; as they
+/// were where together they have none.
+void couple(const std::vector<Loaded>& loaded, std::vector<double>& direct, std::vector<double>& lowered) {
+  std::vector<double> matrix;
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    for (std::size_t l = 0; l < loaded.size(); ++l) {
       PointLoad unit = loaded[l].exact.load();
       unit.force = 1;
       matrix.push_back(k == l ? 1 : loaded[k].stiffness * loaded[k].exact.lift_by(unit));
     }
-  return eliminate(matrix, {change}) ? change : rise;
+  std::vector<double> coupled = direct, coupled_lowered = lowered;
+  if (eliminate(matrix, {coupled, coupled_lowered})) direct = coupled, lowered = coupled_lowered;
 }
 
 /// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force
 /// [N] where one is given. Returns the change of zeta [m], nothing where lowering the wheel would lift it less.
 std::optional<double> correct(std::vector<Loaded>& loaded, std::optional<double> vertical_force) {
-  std::vector<double> missing, by_zeta;
+  std::vector<double> direct, lowered;
   for (const Loaded& one : loaded) {
-    missing.push_back(one.pressed - one.force);
-    by_zeta.push_back(one.stiffness * one.cosine());
+    direct.push_back(one.pressed - one.force);
+    lowered.push_back(one.stiffness * one.cosine());
   }
-  const std::vector<double> direct = with_coupling(loaded, missing), lowered = with_coupling(loaded, by_zeta);
+  couple(loaded, direct, lowered);
   double more = 0;
   if (vertical_force) {
     double short_of = *vertical_force, vertical_by_zeta = 0;

@@ -1,7 +1,7 @@
 #include "binding/bindings.hpp"
 
+#include "io/option_words.hpp"
 #include "microslip/description/input.hpp"
-#include "microslip/error.hpp"
 
 #include <pybind11/stl.h>
 
@@ -14,14 +14,6 @@ namespace py = pybind11;
 using namespace py::literals;
 using description::Input;
 using description::InputKind;
-using description::InputTable;
-
-const InputTable& table_of(const std::string& kind) {
-  if (kind == "bodies") return description::rolling_inputs();
-  if (kind == "wheel") return description::wheel_inputs();
-  if (kind == "wheelset") return description::wheelset_inputs();
-  throw Error("kind = \"" + kind + "\": must be bodies, wheel or wheelset");
-}
 
 py::object default_of(const Input& input) {
   if (!input.missing_word.empty()) return py::str(std::string(input.missing_word));
@@ -31,8 +23,9 @@ py::object default_of(const Input& input) {
 }
 
 py::list inputs(const std::string& kind) {
+  io::require_word("kind", kind, description::case_kinds);
   py::list all;
-  for (const Input& input : table_of(kind).inputs()) {
+  for (const Input& input : description::inputs_of(kind).inputs()) {
     py::list words;
     for (const std::string_view word : input.words) words.append(std::string(word));
     all.append(py::dict("section"_a = std::string(input.section), "key"_a = std::string(input.key),
