@@ -1,6 +1,7 @@
 // What the simplified theory does with extreme contacts, and with those that make no sense.
 
 #include "microslip/batch/solve_parallel.hpp"
+#include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/support/expect_error.hpp"
@@ -199,6 +200,18 @@ TEST(ContactInput, IsInvalidWhereItIsRefused) {
     EXPECT_FALSE(is_valid_simplified(good));
     EXPECT_TRUE(is_refused(check_simplified, good));
   }
+}
+
+/// Numbers whose elements would have no places: an element's length that underflows, coordinates that overflow.
+TEST(ContactInput, SizesThatNoElementHasAreRefusedByBothTheories) {
+  for (const double size : {5e-324, 1e-300, 1e300, 1.7e308})
+    for (double EllipticContact::*member : {&EllipticContact::a, &EllipticContact::b, &EllipticContact::shear_modulus,
+                                            &EllipticContact::normal_force, &EllipticContact::rolling_speed}) {
+      EllipticContact contact = good_contact();
+      contact.*member = size;
+      EXPECT_EQ(EllipticContactSolver({.mx = 5, .my = 4}).solve(contact).report.status, Status::invalid_input);
+      EXPECT_EQ(Fastsim2({.mx = 5, .my = 4}).solve(contact).status, Status::invalid_input);
+    }
 }
 
 TEST(ContactInput, EndsOfTheRangesAreValid) {
