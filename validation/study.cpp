@@ -31,6 +31,7 @@
 #include "validation/subsurface.hpp"
 #include "validation/temperature.hpp"
 #include "validation/viscoelastic_cylinders.hpp"
+#include "validation/wheel_levels.hpp"
 #include "validation/wheel_rail.hpp"
 #include "validation/wheel_surfaces.hpp"
 
@@ -77,6 +78,7 @@ constexpr std::array all_studies = {
     study("subsurface", run_subsurface),
     study("temperature", run_temperature),
     study("viscoelastic-cylinders", run_viscoelastic_cylinders),
+    study("wheel-levels", run_wheel_levels),
     study("wheel-rail", run_wheel_rail),
     study("wheel-surfaces", run_wheel_surfaces),
 };

@@ -44,6 +44,7 @@ inline constexpr std::array study_texts = {
     StudyText{"subsurface", "displacements and stresses inside the bodies; how near to the surface they hold"},
     StudyText{"temperature", "surface temperatures of a sliding wheel beside CONTACT's, and Hertzian heat"},
     StudyText{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads"},
+    StudyText{"wheel-levels", "fast theories of a wheel on a rail beside the exact one; their largest jumps"},
     StudyText{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy"},
     StudyText{"wheel-surfaces", "the exact level of wheels on rails on planes and on the true surfaces"},
 };

@@ -1,0 +1,273 @@
+#include "validation/wheel_levels.hpp"
+
+#include "io/creep_table_file.hpp"
+#include "io/creep_tables.hpp"
+#include "microslip/batch/batch.hpp"
+#include "microslip/railway/wheel_rail.hpp"
+#include "microslip/table/creep_force_table.hpp"
+#include "validation/draw.hpp"
+#include "validation/random_wheels.hpp"
+#include "validation/report.hpp"
+#include "validation/worn_profiles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace microslip::validation {
+namespace {
+
+constexpr double friction = 0.3, speed = 30, radius = 0.46;
+constexpr std::size_t pairs_compared = 3;
+
+/// Table, rows of FASTSIM2 and the exact theory on elements.
+struct Level {
+  std::string name;
+  WheelRailMethod method;
+};
+
+Level exact(int elements) {
+  return {fmt::format("exact, {}", elements),
+          {.level = WheelRailLevel::exact, .shape = PatchShape::curved, .elements = elements}};
+}
+
+std::vector<Level> fast_levels(double poisson_ratio) {
+  return {{"table",
+           {.level = WheelRailLevel::table,
+            .table = std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()),
+                                                             poisson_ratio)}},
+          {"fastsim2", {}}};
+}
+
+/// Running at 30 m/s with some slip, on straight track and in curves.
+LoadedState running_state(std::uint64_t seed) {
+  Draw draw(seed);
+  LoadedState s;
+  s.state.lateral = draw.number(-6e-3, 6e-3), s.state.yaw = draw.number(-6e-3, 6e-3);
+  s.force = draw.power(10e3, 150e3);
+  s.state.forward_velocity = speed;
+  s.state.pitch_velocity = speed / radius * (1 + draw.sign() * draw.power(3e-5, 1.3e-2));
+  s.state.yaw_velocity = draw.number(-0.02, 0.02);
+  return s;
+}
+
+struct Errors {
+  std::vector<double> of_force; ///< over mu times the vertical force, ascending
+  int unsolved = 0;
+
+  double rms() const {
+    double sum = 0;
+    for (const double e : of_force) sum += e * e;
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(of_force.size(), 1)));
+  }
+  double quantile(double share) const {
+    if (of_force.empty()) return 0;
+    return of_force[static_cast<std::size_t>(share * static_cast<double>(of_force.size() - 1))];
+  }
+};
+
+/// Horizontal forces of all states by all levels, the last one the truth; NaN where a state is not solved.
+using Forces = std::vector<std::array<double, 2>>;
+
+Errors errors(const Forces& forces, std::size_t level, std::size_t levels, std::size_t first, std::size_t count,
+              const std::vector<double>& loads) {
+  Errors out;
+  for (std::size_t k = first; k < first + count; ++k) {
+    const auto &found = forces[k * levels + level], &right = forces[k * levels + levels - 1];
+    const double error = std::hypot(found[0] - right[0], found[1] - right[1]) / (friction * loads[k]);
+    if (std::isfinite(error))
+      out.of_force.push_back(error);
+    else
+      ++out.unsolved;
+  }
+  std::sort(out.of_force.begin(), out.of_force.end());
+  return out;
+}
+
+bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const StudyOptions& options,
+              const Progress& progress) {
+  constexpr std::size_t count = 300;
+  std::vector<Level> levels = fast_levels(pairs.front().bodies.material.poisson_ratio);
+  for (const int elements : {8, 12, 24, 48}) levels.push_back(exact(elements));
+  Forces forces(pairs_compared * count * levels.size());
+  std::vector<double> loads(pairs_compared * count);
+  const BatchReport done =
+      run_batch(loads.size(), {.threads = options.threads, .progress = progress}, [&]() -> BatchWorker {
+        const auto wheels = std::make_shared<std::vector<WheelRail>>();
+        for (std::size_t pair = 0; pair < pairs_compared; ++pair)
+          for (const Level& level : levels) wheels->emplace_back(pairs[pair].bodies, level.method);
+        return [&, wheels](std::size_t first, std::size_t n, const Progress&) {
+          for (std::size_t k = first; k < first + n; ++k) {
+            const LoadedState s = running_state(k);
+            loads[k] = s.force;
+            for (std::size_t level = 0; level < levels.size(); ++level) {
+              const WheelRailSolution found = (*wheels)[k / count * levels.size() + level].solve(s.state, s.force);
+              const bool solved = found.status == Status::ok;
+              forces[k * levels.size() + level] = {solved ? found.force.x : NAN, solved ? found.force.y : NAN};
+            }
+          }
+        };
+      });
+  if (!done.complete) return false;
+  report.heading("Horizontal force beside the exact theory on 48 elements: errors over mu Fz, 300 states a pair");
+  report.line("profiles         theory       not solved    median       rms      99 %   largest");
+  double worst = 0, most = 0;
+  for (std::size_t pair = 0; pair < pairs_compared; ++pair)
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+      const Errors e = errors(forces, level, levels.size(), pair * count, count, loads);
+      report.line(fmt::format("{:16} {:12} {:10} {:9.4f} {:9.4f} {:9.4f} {:9.4f}", pairs[pair].name, levels[level].name,
+                              e.unsolved, e.quantile(0.5), e.rms(), e.quantile(0.99), e.quantile(1)));
+      if (level == 0) worst = std::max(worst, e.rms()), most = std::max(most, e.quantile(1));
+    }
+  report.figure("table: rms", fmt::format("{:.4f}", worst), "at most 0.0075", worst <= 0.0075);
+  report.figure("table: largest", fmt::format("{:.4f}", most), "at most 0.05", most <= 0.05);
+  return true;
+}
+
+/// Forces along a sweep of the lateral displacement.
+class Sweep {
+public:
+  Sweep(WheelRail& wheel, double yaw, double force) : wheel_(wheel), force_(force) {
+    state_.forward_velocity = speed, state_.pitch_velocity = speed / radius, state_.yaw = yaw;
+  }
+
+  using Numbers = std::array<double, 3>;
+  /// Forces and the moment over the radius, over mu times the load; NaN where there are none.
+  Numbers at(double y) {
+    state_.lateral = y;
+    wheel_.solve(state_, force_, found_);
+    if (found_.status != Status::ok) return {NAN, NAN, NAN};
+    double load = 0;
+    for (const WheelRailPatch& p : found_.patches) load += p.normal_force;
+    const double unit = friction * load;
+    return {found_.force.x / unit, found_.force.y / unit, found_.moment.y / (radius * unit)};
+  }
+
+  static double change(const Numbers& a, const Numbers& b) {
+    double most = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+    return most;
+  }
+
+  /// What is left of a change after halving the interval 34 times, always towards where most of it happens.
+  double jump(double low, double high) {
+    Numbers at_low = at(low), at_high = at(high);
+    for (int k = 0; k < 34; ++k) {
+      const double middle = (low + high) / 2;
+      const Numbers there = at(middle);
+      if (!std::isfinite(there[0])) return 0;
+      if (change(at_low, there) > change(there, at_high))
+        high = middle, at_high = there;
+      else
+        low = middle, at_low = there;
+    }
+    return change(at_low, at_high);
+  }
+
+private:
+  WheelRail& wheel_;
+  WheelState<double> state_;
+  WheelRailSolution found_;
+  double force_;
+};
+
+struct Smoothness {
+  double jump = 0, where = 0; ///< the largest one over mu Fn; its y [m]
+  int unsolved = 0;
+};
+
+/// Steps from -8 to 8 mm; the jumps are looked for where second differences are largest.
+Smoothness smoothness(WheelRail& wheel, double yaw, double force, double step, std::size_t bisected) {
+  constexpr double from = -8e-3, to = 8e-3;
+  Sweep sweep(wheel, yaw, force);
+  std::vector<Sweep::Numbers> values;
+  Smoothness out;
+  const auto count = static_cast<std::size_t>((to - from) / step);
+  for (std::size_t k = 0; k <= count; ++k) values.push_back(sweep.at(from + static_cast<double>(k) * step));
+  std::vector<std::pair<double, double>> places; // second difference, y
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k][0])) {
+      ++out.unsolved;
+      continue;
+    }
+    if (k < 2 || !std::isfinite(values[k - 1][0]) || !std::isfinite(values[k - 2][0])) continue;
+    double second = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      second = std::max(second, std::abs(values[k][i] - 2 * values[k - 1][i] + values[k - 2][i]));
+    places.emplace_back(second, from + static_cast<double>(k - 1) * step);
+  }
+  const std::size_t first = std::min(bisected, places.size());
+  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(first), places.end(),
+                    [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t k = 0; k < first; ++k)
+    for (const double side : {-step, 0.0}) {
+      const double low = places[k].second + side, jump = sweep.jump(low, low + step);
+      if (jump > out.jump) out.jump = jump, out.where = low;
+    }
+  return out;
+}
+
+bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOptions& options,
+           const Progress& progress) {
+  constexpr std::array loads = {10e3, 50e3, 80e3, 150e3};
+  constexpr std::array yaws = {0.0, 2e-3, 6e-3};
+  std::vector<Level> levels = fast_levels(pairs.front().bodies.material.poisson_ratio);
+  levels.push_back(exact(24));
+  const std::size_t each = loads.size() * yaws.size(), of_pair = levels.size() * each;
+  std::vector<Smoothness> found(pairs_compared * of_pair);
+  const BatchReport done =
+      run_batch(found.size(), {.threads = options.threads, .progress = progress}, [&]() -> BatchWorker {
+        return [&](std::size_t first, std::size_t n, const Progress&) {
+          for (std::size_t k = first; k < first + n; ++k) {
+            const Level& level = levels[k % of_pair / each];
+            WheelRail wheel(pairs[k / of_pair].bodies, level.method);
+            const bool fast = level.method.level != WheelRailLevel::exact;
+            const double step = fast ? options.thorough ? 1e-6 : 4e-6 : options.thorough ? 2e-6 : 4e-5;
+            found[k] = smoothness(wheel, yaws[k % yaws.size()], loads[k % each / yaws.size()], step, fast ? 40 : 8);
+          }
+        };
+      });
+  if (!done.complete) return false;
+  report.heading("Largest jump of a force for y from -8 to 8 mm, by bisection, over mu Fn: for yaws of 0, 2, 6 mrad");
+  report.line("profiles         theory       load kN   not solved      0 mrad      2 mrad      6 mrad   at y [mm]");
+  std::vector<double> worst(levels.size(), 0.0);
+  for (std::size_t row = 0; row < found.size(); row += yaws.size()) {
+    const std::size_t level = row % of_pair / each;
+    std::string line = fmt::format("{:16} {:12} {:7.0f}", pairs[row / of_pair].name, levels[level].name,
+                                   loads[row % each / yaws.size()] * 1e-3);
+    int unsolved = 0;
+    for (std::size_t k = row; k < row + yaws.size(); ++k) unsolved += found[k].unsolved;
+    line += fmt::format(" {:12}", unsolved);
+    Smoothness largest;
+    for (std::size_t k = row; k < row + yaws.size(); ++k) {
+      line += fmt::format(" {:11.5f}", found[k].jump);
+      if (found[k].jump >= largest.jump) largest = found[k];
+    }
+    worst[level] = std::max(worst[level], largest.jump);
+    report.line(line + fmt::format(" {:11.4f}", largest.where * 1e3));
+  }
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const double limit = level < 2 ? 0.0005 : 0.001;
+    report.figure(levels[level].name + ": largest jump", fmt::format("{:.5f}", worst[level]),
+                  fmt::format("at most {:g}", limit), worst[level] <= limit);
+  }
+  return true;
+}
+
+} // namespace
+
+bool run_wheel_levels(const StudyOptions& options, std::ostream& out) {
+  const std::vector<ProfilePair> pairs = worn_pairs();
+  Report report(out, options.figures);
+  if (!accuracy(report, pairs, options, part_of(options.progress, 0, 0.3))) return false;
+  if (!jumps(report, pairs, options, part_of(options.progress, 0.3, 1))) return false;
+  return report.all_met();
+}
+
+} // namespace microslip::validation
