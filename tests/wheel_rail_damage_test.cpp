@@ -121,11 +121,11 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
         // Rows lean against one another by the turn of the surface; fields of fastsim2 have rows of equal width in one
         // plane.
         const bool is_exact = method.level == WheelRailLevel::exact, is_plane = method.surface() == PatchShape::flat;
-        const double rows = is_exact ? 1e-6 : 2e-3, turn = is_plane ? 0 : std::abs(patch.turn);
+        const double rows = is_exact ? 1e-6 : 3e-3, turn = is_plane ? 0 : std::abs(patch.turn);
         EXPECT_NEAR(normal / patch.normal_force, 1, rows + 1 - std::cos(turn));
         EXPECT_NEAR(f.totals.fx, patch.fx, rows * normal);
         EXPECT_NEAR(f.totals.fy, patch.fs, (rows + std::sin(turn)) * normal);
-        EXPECT_NEAR(f.totals.mz, patch.moment, (is_plane ? 1e-8 : 2e-6) * normal);
+        EXPECT_NEAR(f.totals.mz, patch.moment, (is_plane ? 1e-8 : 2.5e-6) * normal);
         EXPECT_NEAR(f.totals.frictional_power / patch.frictional_power, 1, rows);
         EXPECT_NEAR(f.totals.slip_area, patch.slip_area, (is_exact ? 1e-6 : 0.1) * patch.contact_area);
       }

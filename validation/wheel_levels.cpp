@@ -24,7 +24,7 @@ namespace microslip::validation {
 namespace {
 
 constexpr double friction = 0.3, speed = 30, radius = 0.46;
-constexpr std::size_t pairs_compared = 3;
+constexpr std::size_t pairs_judged = 3; // new, hollow and worn; others are shown
 
 /// Table, rows of FASTSIM2 and the exact theory on elements.
 struct Level {
@@ -95,12 +95,12 @@ bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const Study
   constexpr std::size_t count = 300;
   std::vector<Level> levels = fast_levels(pairs.front().bodies.material.poisson_ratio);
   for (const int elements : {8, 12, 24, 48}) levels.push_back(exact(elements));
-  Forces forces(pairs_compared * count * levels.size());
-  std::vector<double> loads(pairs_compared * count);
+  Forces forces(pairs.size() * count * levels.size());
+  std::vector<double> loads(pairs.size() * count);
   const BatchReport done =
       run_batch(loads.size(), {.threads = options.threads, .progress = progress}, [&]() -> BatchWorker {
         const auto wheels = std::make_shared<std::vector<WheelRail>>();
-        for (std::size_t pair = 0; pair < pairs_compared; ++pair)
+        for (std::size_t pair = 0; pair < pairs.size(); ++pair)
           for (const Level& level : levels) wheels->emplace_back(pairs[pair].bodies, level.method);
         return [&, wheels](std::size_t first, std::size_t n, const Progress&) {
           for (std::size_t k = first; k < first + n; ++k) {
@@ -118,12 +118,12 @@ bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const Study
   report.heading("Horizontal force beside the exact theory on 48 elements: errors over mu Fz, 300 states a pair");
   report.line("profiles         theory       not solved    median       rms      99 %   largest");
   double worst = 0, most = 0;
-  for (std::size_t pair = 0; pair < pairs_compared; ++pair)
+  for (std::size_t pair = 0; pair < pairs.size(); ++pair)
     for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
       const Errors e = errors(forces, level, levels.size(), pair * count, count, loads);
       report.line(fmt::format("{:16} {:12} {:10} {:9.4f} {:9.4f} {:9.4f} {:9.4f}", pairs[pair].name, levels[level].name,
                               e.unsolved, e.quantile(0.5), e.rms(), e.quantile(0.99), e.quantile(1)));
-      if (level == 0) worst = std::max(worst, e.rms()), most = std::max(most, e.quantile(1));
+      if (level == 0 && pair < pairs_judged) worst = std::max(worst, e.rms()), most = std::max(most, e.quantile(1));
     }
   report.figure("table: rms", fmt::format("{:.4f}", worst), "at most 0.0075", worst <= 0.0075);
   report.figure("table: largest", fmt::format("{:.4f}", most), "at most 0.05", most <= 0.05);
@@ -220,7 +220,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
   std::vector<Level> levels = fast_levels(pairs.front().bodies.material.poisson_ratio);
   levels.push_back(exact(24));
   const std::size_t each = loads.size() * yaws.size(), of_pair = levels.size() * each;
-  std::vector<Smoothness> found(pairs_compared * of_pair);
+  std::vector<Smoothness> found(pairs_judged * of_pair);
   const BatchReport done =
       run_batch(found.size(), {.threads = options.threads, .progress = progress}, [&]() -> BatchWorker {
         return [&](std::size_t first, std::size_t n, const Progress&) {

@@ -18,10 +18,10 @@ struct BracketedRoot {
   bool found = false; ///< |value| <= tolerance; else the function jumps over zero there
 };
 
-/// f| <= tolerance|Finds an argument with |f| <= tolerance|f| <= tolerance between two with values of opposite signs,
-/// or closes in on a jump until its sides are `precision` apart: the ITP method (Oliveira & Takahashi 2020, ACM Trans.
-/// Math. Softw. 47(1), algorithm 1), which converges superlinearly where f is smooth and takes at most one evaluation
-/// more than bisection. What is not a number counts as a positive value.
+/// Finds an argument with |f| <= tolerance between two with values of opposite signs, or closes in on a jump until its
+/// sides are `precision` apart: the ITP method (Oliveira & Takahashi 2020, ACM Trans. Math. Softw. 47(1), algorithm 1),
+/// which converges superlinearly where f is smooth and takes at most one evaluation more than bisection. What is not a
+/// number counts as a positive value.
 template <class Function>
 BracketedRoot find_bracketed_root(RootSide low, RootSide high, double tolerance, double precision, Function&& f) {
   constexpr double kappa = 0.2; // of kappa_1 = kappa/(b0 - a0), with kappa_2 = 2

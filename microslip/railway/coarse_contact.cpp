@@ -105,10 +105,11 @@ void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, cons
 CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMethod& method,
                              const NominalPlacement& nominal, const EquivalentRail* equivalent)
     : bodies_(bodies), method_(method), nominal_(nominal), equivalent_(equivalent), search_(bodies.rail, bodies.wheel),
-      rows_(bodies.rail, bodies.wheel, most_rows, equivalent), normal_(most_rows), hertz_(most_rows),
-      forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward), shear_(most_rows),
-      speed_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows), loaded_(most_rows),
-      flat_rows_(most_rows), forces_(most_rows), flat_forces_(most_rows) {
+      penetration_(bodies.rail, bodies.wheel, most_rows), rows_(bodies.rail, bodies.wheel, most_rows, equivalent),
+      normal_(most_rows), hertz_(most_rows), forward_(cells, most_rows),
+      backward_(cells, most_rows, RollingDirection::backward), shear_(most_rows), speed_(most_rows), load_(most_rows),
+      half_length_(most_rows), centre_(most_rows), loaded_(most_rows), flat_rows_(most_rows), forces_(most_rows),
+      flat_forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
   if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_rows);
@@ -130,13 +131,20 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Regions and rows of the wheel lowered by `depth` [m] from where it first touches, which it was searched for.
-void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
+/// Regions and virtual penetration of the wheel lowered by `depth` [m] from where it first touches, which it was
+/// searched for.
+void CoarseContact::lower_to(const WheelState<double>& state, double depth) {
   if (depth > searched_) search(state, 2 * depth);
   put(state, state.vertical - clearance_ - depth);
   depth_ = depth;
   regions_ = search_.regions(clearance_ + depth);
-  complete_ = rows_.place(placement_, regions_, points_, clearance_ + depth, depth);
+  penetration_.sample(placement_, regions_.first(std::min(regions_.size(), most_rows)), depth);
+}
+
+/// Rows of the wheel lowered by `depth` [m].
+void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
+  lower_to(state, depth);
+  complete_ = rows_.place(placement_, regions_, penetration_);
   normal_rows_.clear();
   for (const ContactRow& row : rows_.rows()) {
     normal_rows_.push_back(row.normal);
@@ -146,6 +154,7 @@ void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
 
 /// Loads of the rows in their positions: after Hertz, by the normal problem of the rows, or in between.
 CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_force, int steps) {
+  constexpr double shortest = 1e-9; // [m]
   const double hertzian = hertz_.fit(rows_.rows());
   // In between it is the forces in the same position that are mixed.
   const std::optional<double> goal = vertical_force;
@@ -154,8 +163,9 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
   const auto add = [&](double share, std::span<const double> loads, std::span<const double> half_lengths,
                        auto&& centre) {
     for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
-      load_[k] += share * loads[k];
-      half_length_[k] += share * half_lengths[k], centre_[k] += share * centre(k);
+      load_[k] += share * loads[k], centre_[k] += share * centre(k);
+      // Squares of half-lengths grow with the loads; rows without load have none.
+      if (loads[k] > 0) half_length_[k] += share * half_lengths[k] * half_lengths[k];
     }
   };
   const std::size_t n = normal_rows_.size();
@@ -173,6 +183,7 @@ CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_fo
     found.change = rest.status == Status::ok ? 0 : rest.change;
     add(1 - hertzian, normal_.loads(), normal_.half_lengths(), [&](std::size_t k) { return normal_rows_[k].place.x; });
   }
+  for (std::size_t k = 0; k < n; ++k) half_length_[k] = std::max(std::sqrt(half_length_[k]), shortest);
   if (goal && !vertical_force) {
     double vertical = 0;
     for (std::size_t k = 0; k < n; ++k) vertical += load_[k] * normal_rows_[k].vertical_weight();
@@ -263,6 +274,18 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
   return hertz_from_load(gap, bodies_.material, vertical_force / cosine).approach / cosine;
 }
 
+/// The depth below the first touch from which the search for a vertical force starts: where the virtual penetration
+/// bears it. A continuous function of the state.
+double CoarseContact::bearing_depth(const WheelState<double>& state, double vertical_force) {
+  constexpr double typical = 1.5; // curvature [1/m] across a wheel's contact
+  const GapCurvatures gap{1 / (2 * placement_.radius), typical};
+  for (double reach = 2 * hertz_from_load(gap, bodies_.material, vertical_force).approach;; reach *= 2) {
+    lower_to(state, std::min(reach, deepest_));
+    const double depth = penetration_.bearing_depth(bodies_.material, placement_.radius, vertical_force);
+    if (depth < reach || !(reach < deepest_)) return depth;
+  }
+}
+
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
   constexpr double first_search = 3e-4; // [m]
@@ -276,8 +299,9 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
     if (clearance_ < 0) lower(state, -clearance_, out);
     return;
   }
-  const double start = hertzian_lowering(touch, *vertical_force);
-  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
+  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1),
+                      hertzian_lowering(touch, *vertical_force));
+  const double start = bearing_depth(state, *vertical_force);
   if (!settle(state, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
 }
 
@@ -334,17 +358,22 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
 
 /// The height that bears the vertical force [N] by forces at given heights alone: from the first touch downwards, each
 /// time by half of the distance so far, until one carries it or the bodies overlap too far. What jumps over the force
-/// carries it only if nothing else does.
+/// carries it only if nothing else does. Heights at which the pressures are not found do not count.
 void CoarseContact::bracket(const WheelState<double>& state, double vertical_force, double start,
                             WheelRailSolution& out) {
-  constexpr double growth = 1.5, precision = 1e-11; // [-], [m]
+  constexpr double growth = 1.5, precision = 1e-11, least = 1e-5; // [-], [m], of the deepest one
   const auto missing = [&](double depth) { return lower(state, depth, out) / vertical_force - 1; };
   RootSide before{0, -1}, nearest{0, std::numeric_limits<double>::infinity()};
   std::optional<RootSide> jump;
   warm_ = false;
-  for (double depth = start / 16; before.at < deepest_; depth *= growth) {
+  const double first = start > least * deepest_ ? start / 16 : least * deepest_;
+  for (double depth = first; before.at < deepest_; depth *= growth) {
     const double at = std::min(depth, deepest_);
     const RootSide here{at, missing(at)};
+    if (out.status == Status::not_converged) {
+      if (at < deepest_) continue;
+      break;
+    }
     if ((here.value >= 0) != (before.value >= 0)) {
       const BracketedRoot root = find_bracketed_root(before, here, method_.tolerance, precision, missing);
       out.residual = std::max(out.residual, std::abs(root.side.value));
@@ -352,9 +381,14 @@ void CoarseContact::bracket(const WheelState<double>& state, double vertical_for
       if (!jump) jump = root.side;
     }
     before = here;
-    if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
+    if (here.value < 0 && std::abs(here.value) < std::abs(nearest.value)) nearest = here;
   }
-  out.residual = std::max(std::abs(missing(jump.value_or(nearest).at)), out.residual);
+  double left = std::abs(missing(jump.value_or(nearest).at));
+  if (jump && out.status == Status::not_converged) { // where the pressures are not found nothing is known to jump
+    left = std::abs(missing(nearest.at));
+    jump.reset();
+  }
+  out.residual = std::max(left, out.residual);
   if (jump) return mark_jump(out);
   out.status = Status::no_solution, out.reason = Unsolved::no_height;
 }

@@ -558,7 +558,8 @@ std::span<const ContactRegion> ContactSearch::regions(double lowering) {
     const ContactPoint& first = points_[k];
     region.inner =
         walk.edge(first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, walk.first_step(first, lowering), lowering);
-    while (k + 1 < n && points_[k + 1].gap < lowering) ++k;
+    // Between two minima there is a maximum: one that is not among the points is higher than they reach.
+    while (k + 1 < n && points_[k + 1].gap < lowering && !(points_[k].minimum && points_[k + 1].minimum)) ++k;
     const ContactPoint& last = points_[k];
     region.outer = walk.edge(last.wheel_arc, k + 1 < n ? points_[k + 1].wheel_arc : walk.end(),
                              walk.first_step(last, lowering), lowering);

@@ -45,25 +45,32 @@ double parabola_between(double low, double high) {
 HertzianRows::HertzianRows(std::size_t most_rows)
     : weight_(most_rows), load_(most_rows), half_length_(most_rows), centre_(most_rows), place_(most_rows) {}
 
-/// The squared overlap times the width, of the rows of a region.
-void HertzianRows::find_weights(std::span<const ContactRow> rows, int region) {
-  for (std::size_t k = 0; k < count_; ++k) {
-    const double overlap = rows[k].region == region ? std::max(-rows[k].normal.gap, 0.0) : 0;
-    weight_[k] = overlap * overlap * rows[k].normal.width;
-  }
+/// The squared overlap times the width, where the overlap of a row counts as far as there is as much all the way to the
+/// deepest row: so rows beyond a hole count as it closes. Returns the largest overlap that does not count, over the
+/// greatest one.
+double HertzianRows::find_weights(std::span<const ContactRow> rows) {
+  std::size_t deepest = 0;
+  for (std::size_t k = 1; k < count_; ++k)
+    if (rows[k].normal.gap < rows[deepest].normal.gap) deepest = k;
+  const double most = std::max(-rows[deepest].normal.gap, 0.0);
+  double least = most, other = 0;
+  const auto add = [&](std::size_t k, bool joined) {
+    const double overlap = std::max(-rows[k].normal.gap, 0.0);
+    least = joined ? std::min(least, overlap) : 0;
+    other = std::max(other, overlap - least);
+    weight_[k] = least * least * rows[k].normal.width;
+  };
+  add(deepest, true);
+  for (std::size_t k = deepest; k-- > 0;) add(k, rows[k + 1].joined);
+  least = most;
+  for (std::size_t k = deepest + 1; k < count_; ++k) add(k, rows[k].joined);
+  return most > 0 ? other / most : 0;
 }
 
 double HertzianRows::fit(std::span<const ContactRow> rows) {
   count_ = rows.size();
-  std::size_t deepest = 0;
-  for (std::size_t k = 1; k < count_; ++k)
-    if (rows[k].normal.gap < rows[deepest].normal.gap) deepest = k;
-  const double most = -rows[deepest].normal.gap;
-  if (!(most > 0)) return 0;
-  double other = 0;
-  for (const ContactRow& row : rows)
-    if (row.region != rows[deepest].region) other = std::max(other, -row.normal.gap);
-  find_weights(rows, rows[deepest].region);
+  if (count_ == 0) return 0;
+  const double other = find_weights(rows);
 
   // Means of powers of s about the mean, and the normal equations of a parabola with orthogonal polynomials.
   double sum = 0, mean = 0, x_mean = 0, gap_mean = 0, along = 0, cosine = 0;
@@ -73,6 +80,7 @@ double HertzianRows::fit(std::span<const ContactRow> rows) {
     sum += weight_[k], mean += weight_[k] * place_[k], x_mean += weight_[k] * row.place.x;
     gap_mean += weight_[k] * row.gap, along += weight_[k] * row.curvature, cosine += weight_[k] * std::cos(row.angle);
   }
+  if (!(sum > 0)) return 0;
   for (double* value : {&mean, &x_mean, &gap_mean, &along, &cosine}) *value /= sum;
   double m2 = 0, m3 = 0, gap1 = 0, x1 = 0;
   for (std::size_t k = 0; k < count_; ++k) {
@@ -106,7 +114,7 @@ double HertzianRows::fit(std::span<const ContactRow> rows) {
     off += weight_[k] / sum * (gap * gap + by_length * by_length + 2 * along_ * overlap_ * x * x);
   }
   if (!std::isfinite(off)) return 0;
-  return fade(std::sqrt(off) / overlap_, 0.015, 0.03) * fade(other / most, 0.1, 0.3) *
+  return fade(std::sqrt(off) / overlap_, 0.015, 0.03) * fade(other, 0.1, 0.3) *
          fade(std::abs(t0) / std::sqrt(m2), 0.1, 0.3);
 }
 

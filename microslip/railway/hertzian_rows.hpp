@@ -16,9 +16,10 @@ class HertzianRows {
 public:
   explicit HertzianRows(std::size_t most_rows);
 
-  /// Fits the paraboloid to the rows of the deepest region. Returns how far Hertz's solution holds: 1 where the rows
+  /// Fits the paraboloid to the rows about the deepest one. Returns how far Hertz's solution holds: 1 where the rows
   /// are off by less than 1.5 % of the overlap (weighted rms), 0 beyond 3 %, where the fit is not about its middle, or
-  /// where another region overlaps by more than 0.3 of the deepest one, smooth in between. Cost some 10 ns a row.
+  /// where the bodies overlap elsewhere by more than 0.3 of the greatest overlap, smooth in between. Cost some 10 ns a
+  /// row.
   double fit(std::span<const ContactRow> rows);
 
   /// Loads and half-lengths of the rows that were fitted; by how much the wheel is to be lowered [m] for a vertical
@@ -39,7 +40,7 @@ public:
   std::span<const double> centres() const { return {centre_.data(), count_}; }
 
 private:
-  void find_weights(std::span<const ContactRow> rows, int region);
+  double find_weights(std::span<const ContactRow> rows);
 
   std::size_t count_ = 0;
   std::vector<double> weight_, load_, half_length_, centre_, place_;

@@ -30,7 +30,7 @@ double square(double x) {
 RowStrips::RowStrips(const CombinedMaterial& material, const PatchEllipse& ellipse, double capacity)
     : shape_(ellipse), capacity_(capacity) {
   const double ratio = ellipse.a / ellipse.b * square(ellipse.stretch());
-  exponent_ = 1.3 + 4 * ratio / (ratio + 5);
+  exponent_ = 1.3 + 2 * ratio / (ratio + 5);
   const auto c = creepage_coefficients(ratio, material.poisson_ratio, CreepageTable::computed);
   stiffness_ = material.shear_modulus * ellipse.a * ellipse.b * c.c11;
   double sum = 0, lengths = 0;

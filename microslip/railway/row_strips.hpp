@@ -28,7 +28,7 @@ struct PatchEllipse {
 ///
 /// w = (xi, eta + phi x), and the traction -sigma/sqrt(1 + |sigma|^2) times its bound, semi-elliptic along x. K = G a b
 /// C11 is the stiffness of the ellipse, and a patch's is greater by 0.06 g^2/(1 + g^2/4) of it, g the skewness of its
-/// load. So a patch is about as stiff as its ellipse but at other points: the exponent alpha = 1.3 + 4 r/(r + 5), r the
+/// load. So a patch is about as stiff as its ellipse but at other points: the exponent alpha = 1.3 + 2 r/(r + 5), r the
 /// ellipse's ratio of axes, was chosen such that the centre of the stiffness is that of the exact theory on patches
 /// between wheel and rail, and so was the gain of stiffness. m gives the strips of the ellipse the lateral force by
 /// spin that C23 does: tractions grow from the leading edge, and so come from a slip further ahead; where a strip
