@@ -26,8 +26,7 @@ microslip_code set(microslip_problem* problem, const char* path, microslip_error
 }
 
 /// Gets an input that is of one kind; another one than `what` is refused.
-template <class Value>
-Value get(const microslip_problem& problem, const char* path, const char* what) {
+template <class Value> Value get(const microslip_problem& problem, const char* path, const char* what) {
   const auto found = problem.inputs.get(require_pointer("path", path));
   if (!found) throw Refusal(MICROSLIP_NO_RESULT, std::string(path) + ": is not set, and has no default");
   if (const auto* value = std::get_if<Value>(&*found)) return *value;
@@ -35,8 +34,7 @@ Value get(const microslip_problem& problem, const char* path, const char* what) 
 }
 
 /// Runs `solve` with the caller's progress function, and reports how it ended.
-template <class Solve>
-microslip_code run(microslip_problem& problem, microslip_error* error, const Solve& solve) {
+template <class Solve> microslip_code run(microslip_problem& problem, microslip_error* error, const Solve& solve) {
   bool stopped = false;
   Progress progress;
   if (problem.progress)
@@ -72,7 +70,8 @@ microslip_code microslip_problem_read(const char* text, const char* name, micros
                                       microslip_error* error) {
   return guarded(error, [&] {
     *require_pointer("problem", problem) = nullptr;
-    *problem = new microslip_problem(io::CaseInputs::read(require_pointer("text", text), require_pointer("name", name)));
+    *problem =
+        new microslip_problem(io::CaseInputs::read(require_pointer("text", text), require_pointer("name", name)));
   });
 }
 

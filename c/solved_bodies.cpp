@@ -17,8 +17,7 @@ public:
     return keep(problem, solver_->solve(problem, progress));
   }
 
-  Ending differentiate(const io::CaseInputs& inputs, const Progress& progress,
-                       std::span<double, 9> jacobian) override {
+  Ending differentiate(const io::CaseInputs& inputs, const Progress& progress, std::span<double, 9> jacobian) override {
     const RollingProblem problem = read(inputs);
     const ExactDerivatives found = solver_->differentiate(problem, progress);
     const bool has_result = std::isfinite(found.solution.totals.fx);

@@ -94,7 +94,7 @@ void read_input(const TomlSection& section, const Input& input) {
   const std::string_view key = input.key;
   switch (input.kind) {
   case InputKind::number:
-    input.may_be_list && section.is_list(key) ? void(section.numbers(key)) : void(section.number(key));
+    input.may_be_list&& section.is_list(key) ? void(section.numbers(key)) : void(section.number(key));
     return;
   case InputKind::numbers:
     section.numbers(key);
@@ -133,7 +133,7 @@ CaseInputs::CaseInputs(std::string_view kind, std::string name) : kind_(kind), n
   if (kind_ == wheelset) table_of(given_, parts_of(side).first).insert(parts_of(side).second, both);
 }
 
-CaseInputs CaseInputs::read(std::string_view text, std::string name) {
+CaseInputs CaseInputs::read(std::string_view text, const std::string& name) {
   toml::table given = parse_toml(text, name);
   CaseInputs inputs(kind_of(TomlSection(given, name)), name);
   inputs.given_ = std::move(given);
@@ -156,8 +156,9 @@ void CaseInputs::set(std::string_view path, const Value& value) {
   std::visit(Store{table_of(alone, section), key, given}, value);
   read_from(TomlSection(alone, name_), kind_, path, given);
   if (path == side && (std::get<std::string>(value) == both) != (kind_ == wheelset))
-    throw Error(name_ + ": " + std::string(path) + ": " +
-                (kind_ == wheelset ? "must be both in a problem of a wheelset" : "must be left or right, of one wheel"));
+    throw Error(
+        name_ + ": " + std::string(path) + ": " +
+        (kind_ == wheelset ? "must be both in a problem of a wheelset" : "must be left or right, of one wheel"));
   std::visit(Store{table_of(given_, section), key, given}, value);
 }
 

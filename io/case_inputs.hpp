@@ -9,9 +9,9 @@
 
 namespace microslip::io {
 
-/// Inputs of a case by their paths, "load.normal_force", in SI units: what a program gives in place of a file. The table
-/// of inputs tells at once whether a path is there and what it may be; what does not go together the readers of cases
-/// refuse, as they do in a file. A call that throws changes nothing.
+/// Inputs of a case by their paths, "load.normal_force", in SI units: what a program gives in place of a file. The
+/// table of inputs tells at once whether a path is there and what it may be; what does not go together the readers of
+/// cases refuse, as they do in a file. A call that throws changes nothing.
 class CaseInputs {
 public:
   /// A number, a text or a word, a list of numbers; a number may be a text with its unit, "80 kN".
@@ -21,7 +21,7 @@ public:
   explicit CaseInputs(std::string_view kind, std::string name = "problem");
   /// Those of a case file's text; `name` is its name for messages, and files of profiles start at its folder. Throws
   /// Error for text that is no TOML.
-  static CaseInputs read(std::string_view text, std::string name);
+  static CaseInputs read(std::string_view text, const std::string& name);
 
   std::string_view kind() const { return kind_; }
 

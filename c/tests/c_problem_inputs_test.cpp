@@ -1,5 +1,5 @@
-// Inputs of problems by their paths: each of the table can be set and read back, and what it cannot be is refused in the
-// words of case files.
+// Inputs of problems by their paths: each of the table can be set and read back, and what it cannot be is refused in
+// the words of case files.
 
 #include "c/tests/c_cases.hpp"
 #include "c/tests/c_problem.hpp"
@@ -135,7 +135,8 @@ TEST(CProblemInputs, NumbersOutOfRangeAreRefusedWithPathValueUnitAndRange) {
     }
   }
   CProblem problem(MICROSLIP_BODIES);
-  EXPECT_EQ(refusal(problem, "load.normal_force", -80e3), "problem: load.normal_force = -80000 [N]: must be positive and finite");
+  EXPECT_EQ(refusal(problem, "load.normal_force", -80e3),
+            "problem: load.normal_force = -80000 [N]: must be positive and finite");
   EXPECT_EQ(refusal(problem, "friction.coefficient", 30.0),
             "problem: friction.coefficient = 30 [-]: must be in [0, 10]");
 }
@@ -148,7 +149,8 @@ TEST(CProblemInputs, MisspeltPathsAreAnsweredWithTheNearest) {
             "problem: \"solution.slope_reduktion.decay\" is no path of an input; did you mean "
             "solution.slope_reduction.decay?");
   EXPECT_EQ(refusal(problem, "track.gauge", 1.4), "problem: \"track.gauge\" is no path of an input");
-  for (const char* path : {"", ".", "load", "load.", ".normal_force", "load.normal_force.x"}) refusal(problem, path, 1.0);
+  for (const char* path : {"", ".", "load", "load.", ".normal_force", "load.normal_force.x"})
+    refusal(problem, path, 1.0);
   double value = 0;
   EXPECT_EQ(problem.get("lode.normal_force", value), MICROSLIP_INVALID_OPTION);
   EXPECT_EQ(problem.unset("lode.normal_force"), MICROSLIP_INVALID_OPTION);
@@ -163,7 +165,8 @@ TEST(CProblemInputs, ValuesOfAnotherKindAreRefused) {
   EXPECT_EQ(refusal(problem, "load.normal_force", std::vector{1.0, 2.0}),
             "problem: load.normal_force: must be a number, not a list");
   EXPECT_EQ(refusal(problem, "interior.x", 1.0), "problem: interior.x: must be a list of numbers, not a number");
-  EXPECT_EQ(refusal(problem, "interior.x", std::vector<double>()), "problem: interior.x: must have at least one number");
+  EXPECT_EQ(refusal(problem, "interior.x", std::vector<double>()),
+            "problem: interior.x: must have at least one number");
   EXPECT_EQ(refusal(problem, "motion.steps", 2.5), "problem: motion.steps: must be a whole number, not a number");
   refusal(problem, "motion.steps", 1e300);
   for (const std::vector<double>& grid : {std::vector{1.0}, {1.0, 2.0, 3.0}, {2.5, 3.0}, {0.0, 1.0}})

@@ -26,27 +26,20 @@ using Settings = std::vector<Setting>;
 
 void set_all(CProblem& problem, const Settings& settings) {
   for (const auto& [path, value] : settings)
-    std::visit([&, &path = path](const auto& v) { EXPECT_EQ(problem.set(path, v), MICROSLIP_OK) << problem.error.text; },
-               value);
+    std::visit(
+        [&, &path = path](const auto& v) { EXPECT_EQ(problem.set(path, v), MICROSLIP_OK) << problem.error.text; },
+        value);
 }
 
 /// A wheel of steel on a rail, by the exact theory on few elements.
-const Settings steel = {{"body1.rolling_radius", 0.46},
-                        {"body1.transverse_radius", infinite},
-                        {"body1.young_modulus", 210e9},
-                        {"body1.poisson_ratio", 0.28},
-                        {"body2.rolling_radius", infinite},
-                        {"body2.transverse_radius", 0.3},
-                        {"body2.young_modulus", 210e9},
-                        {"body2.poisson_ratio", 0.28},
-                        {"load.normal_force", 80e3},
-                        {"friction.coefficient", 0.3},
-                        {"motion.rolling_speed", 30.0},
-                        {"motion.creepage_longitudinal", 0.0012},
-                        {"motion.creepage_lateral", 0.0006},
-                        {"motion.spin", 0.4},
-                        {"solution.theory", "exact"},
-                        {"solution.grid", std::vector{10.0, 8.0}}};
+const Settings steel = {{"body1.rolling_radius", 0.46},      {"body1.transverse_radius", infinite},
+                        {"body1.young_modulus", 210e9},      {"body1.poisson_ratio", 0.28},
+                        {"body2.rolling_radius", infinite},  {"body2.transverse_radius", 0.3},
+                        {"body2.young_modulus", 210e9},      {"body2.poisson_ratio", 0.28},
+                        {"load.normal_force", 80e3},         {"friction.coefficient", 0.3},
+                        {"motion.rolling_speed", 30.0},      {"motion.creepage_longitudinal", 0.0012},
+                        {"motion.creepage_lateral", 0.0006}, {"motion.spin", 0.4},
+                        {"solution.theory", "exact"},        {"solution.grid", std::vector{10.0, 8.0}}};
 
 struct Steel : CProblem {
   explicit Steel(const Settings& more = {}) : CProblem(MICROSLIP_BODIES) {
@@ -122,12 +115,12 @@ TEST(CProblem, HasTheNumbersOfItsCaseFile) {
 
 TEST(CProblem, FrictionHeatForcesAndShiftsReachTheSolver) {
   Steel falling(Settings{{"friction.law", "polach"},
-                 {"friction.static_coefficient", 0.4},
-                 {"friction.ratio", 0.4},
-                 {"friction.decay", 0.6},
-                 {"friction.memory_distance", 1e-4},
-                 {"friction.memory_speed", 0.01},
-                 {"solution.slip_start", "above"}});
+                         {"friction.static_coefficient", 0.4},
+                         {"friction.ratio", 0.4},
+                         {"friction.decay", 0.6},
+                         {"friction.memory_distance", 1e-4},
+                         {"friction.memory_speed", 0.01},
+                         {"solution.slip_start", "above"}});
   ASSERT_EQ(falling.unset("friction.coefficient"), MICROSLIP_OK);
   Steel warm;
   for (const char* body : {"body1.", "body2."})
@@ -135,7 +128,8 @@ TEST(CProblem, FrictionHeatForcesAndShiftsReachTheSolver) {
                    {body + std::string("conductivity"), 50.0},
                    {body + std::string("density"), 7850.0},
                    {body + std::string("heat_capacity"), 450.0}});
-  set_all(warm, {{"friction.thermal_change", -0.1}, {"friction.thermal_begin", 20.0}, {"friction.thermal_range", 400.0}});
+  set_all(warm,
+          {{"friction.thermal_change", -0.1}, {"friction.thermal_begin", 20.0}, {"friction.thermal_range", 400.0}});
   Steel given(Settings{{"motion.force_longitudinal", -9e3}, {"motion.force_lateral", "4 kN"}});
   for (const char* path : {"motion.creepage_longitudinal", "motion.creepage_lateral"}) given.unset(path);
   Steel shift(Settings{{"motion.kind", "shift"}, {"motion.shift_longitudinal", 4e-6}});
@@ -174,9 +168,9 @@ TEST(CProblem, KeepsItsSolverAndNotItsState) {
   Steel problem;
   ASSERT_EQ(problem.solve(), MICROSLIP_OK);
   const double first = problem.number("fx");
-  const Settings changes = {{"motion.creepage_longitudinal", 0.004}, {"load.normal_force", 60e3},
-                            {"friction.coefficient", 0.2},          {"motion.direction", "backward"},
-                            {"solution.grid", 12.0},                {"solution.theory", "fastsim2"}};
+  const Settings changes = {
+      {"motion.creepage_longitudinal", 0.004}, {"load.normal_force", 60e3}, {"friction.coefficient", 0.2},
+      {"motion.direction", "backward"},        {"solution.grid", 12.0},     {"solution.theory", "fastsim2"}};
   for (const Setting& change : changes) {
     set_all(problem, {change});
     ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;
