@@ -29,6 +29,8 @@ const char* microslip_code_text(int code) {
     return "prescribed force exceeds mu Fn";
   case MICROSLIP_OUT_OF_RANGE:
     return "beyond the range of the creep-force table";
+  case MICROSLIP_IMPLAUSIBLE:
+    return "solved, but it cannot be meant";
   case MICROSLIP_NULL_POINTER:
     return "a pointer is NULL";
   case MICROSLIP_WRONG_SIZE:

@@ -22,8 +22,8 @@ microslip_forces forces_of(const ContactForces& forces) noexcept;
 /// The solution, or Refusal if there is none as `call` was not called yet.
 const ContactSolution& require_solution(const std::optional<ContactSolution>& solution, const char* call);
 
-/// The name of a microslip_field. Throws Refusal for another number.
-std::string_view field_name(int field);
+/// Throws Error for a name that no field of contacts has.
+void require_field_name(std::string_view name);
 /// Copies a field of a solution. Throws Error for a name that no field has, and Refusal if the solution does not have
 /// it or `values` is of the wrong size.
 void copy_field(const ContactSolution& solution, std::string_view name, std::span<double> values);

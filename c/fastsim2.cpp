@@ -143,13 +143,6 @@ microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver, const
   });
 }
 
-microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, int field, size_t count, double* values,
-                                      microslip_error* error) {
-  return guarded_use(error, "solver", solver, [&] {
-    copy_field(solution_of(*solver), field_name(field), {require_pointer("values", values), count});
-  });
-}
-
 microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name, double* value,
                                            microslip_error* error) {
   return guarded_use(error, "solver", solver, [&] {

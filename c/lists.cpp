@@ -1,24 +1,28 @@
 #include "c/growing_struct.hpp"
-#include "c/guarded_call.hpp"
-#include "io/nearest_word.hpp"
+#include "c/names.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/contact/warnings.hpp"
-#include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/railway/wheelset_contact_quantities.hpp"
+#include "microslip/railway/wheelset_quantities.hpp"
 
-#include <span>
+#include <limits>
 #include <string>
 #include <string_view>
-#include <vector>
 
 using namespace microslip;
 using namespace microslip::c;
 
 namespace {
 
+/// The place among the kinds of cases whose inputs a microslip_list has.
+std::size_t kind_of_inputs(int list) {
+  return static_cast<std::size_t>(list - MICROSLIP_BODIES_INPUT);
+}
+
 /// Hands the table behind a microslip_list on. Throws Error if there is no such list.
 template <class Visit> auto with_list(int list, const Visit& visit) {
-  switch (require_count("list", list, MICROSLIP_CONTACT_QUANTITY, MICROSLIP_WHEELSET_CONTACT)) {
+  switch (require_count("list", list, MICROSLIP_CONTACT_QUANTITY, MICROSLIP_WHEELSET_INPUT)) {
   case MICROSLIP_CONTACT_QUANTITY:
     return visit(quantities());
   case MICROSLIP_CONTACT_FIELD:
@@ -31,43 +35,63 @@ template <class Visit> auto with_list(int list, const Visit& visit) {
     return visit(wheel_derivatives());
   case MICROSLIP_WHEEL_PATCH:
     return visit(patch_results());
-  default:
+  case MICROSLIP_WHEELSET_CONTACT:
     return visit(wheelset_contact_quantities());
+  case MICROSLIP_WHEELSET_RESULT:
+    return visit(wheelset_quantities());
+  default:
+    return visit(description::inputs_of(description::case_kinds[kind_of_inputs(list)]).named());
   }
 }
 
 // What the entries of tables tell. Their texts are literals or strings that last, which end with a zero.
 
-template <class Entry> std::string_view name_of(const Entry& entry) {
-  return entry.name;
-}
-std::string_view name_of(const WheelDerivative& entry) {
-  return entry.of->name;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+microslip_quantity description_of(std::string_view name, std::string_view unit, std::string_view text) {
+  return {.struct_size = sizeof(microslip_quantity),
+          .name = name.data(),
+          .symbol = "",
+          .unit = unit.data(),
+          .shift_unit = unit.data(),
+          .description = text.data(),
+          .range = "",
+          .least = -std::numeric_limits<double>::infinity(),
+          .largest = std::numeric_limits<double>::infinity(),
+          .missing = none,
+          .missing_word = "",
+          .kind = MICROSLIP_NUMBER};
 }
 
 template <class Entry> microslip_quantity description_of(const Entry& q) {
-  return {sizeof(microslip_quantity), q.name.data(), "", q.unit.data(), q.unit.data(), q.description.data()};
+  return description_of(q.name, q.unit, q.description);
 }
 template <class Entry>
 requires requires(const Entry& q) {
   q.shift_unit;
 }
 microslip_quantity description_of(const Entry& q) {
-  return {sizeof(microslip_quantity), q.name.data(),       q.symbol.data(), q.unit.data(),
-          q.shift_unit.data(),        q.description.data()};
+  microslip_quantity out = description_of(q.name, q.unit, q.description);
+  out.symbol = q.symbol.data();
+  out.shift_unit = q.shift_unit.data();
+  return out;
 }
 microslip_quantity description_of(const WheelDerivative& entry) {
   return description_of(*entry.of);
 }
-
-template <class Entry> std::size_t place_of(std::span<const Entry> table, std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : table) {
-    if (name_of(entry) == name) return names.size();
-    names.push_back(name_of(entry));
-  }
-  throw Error("name = " + io::printable(name) + ": is none of this list" + io::suggestion(name, names));
+microslip_quantity description_of(const description::NamedInput& named) {
+  const description::Input& input = *named.input;
+  microslip_quantity out = description_of(named.path, input.unit.empty() ? "-" : input.unit, input.text);
+  out.range = named.range.c_str();
+  out.least = input.bounds.least();
+  out.largest = input.bounds.largest();
+  out.missing = input.missing.value_or(none);
+  if (!input.missing_word.empty()) out.missing_word = input.missing_word.data();
+  out.kind = static_cast<int>(input.kind);
+  return out;
 }
+static_assert(static_cast<int>(description::InputKind::number) == MICROSLIP_NUMBER &&
+              static_cast<int>(description::InputKind::word) == MICROSLIP_WORD);
 
 } // namespace
 

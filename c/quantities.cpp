@@ -3,15 +3,11 @@
 #include "c/guarded_call.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace microslip::c {
 namespace {
 
-/// Those of microslip_field, in its order.
-constexpr std::string_view field_names[] = {"x",  "y",  "area",  "bound",    "px", "py",
-                                            "sx", "sy", "state", "pressure", "ux", "uy"};
-static_assert(std::size(field_names) == MICROSLIP_FIELD_UY + 1);
+constexpr std::string_view state = "state"; ///< of cells, no number
 
 [[noreturn]] void refuse(const char* kind, std::string_view name) {
   throw Refusal(MICROSLIP_NO_RESULT, std::string(kind) + " = " + std::string(name) + ": is none of these results");
@@ -24,21 +20,20 @@ const ContactSolution& require_solution(const std::optional<ContactSolution>& so
   return *solution;
 }
 
-std::string_view field_name(int field) {
-  if (field < 0 || field >= static_cast<int>(std::size(field_names))) refuse("field", std::to_string(field));
-  return field_names[field];
+void require_field_name(std::string_view name) {
+  if (name != state) field_quantity(name);
 }
 
 void copy_field(const ContactSolution& solution, std::string_view name, std::span<double> values) {
-  if (name == "state") {
-    const auto& state = solution.fields.state;
-    require_size("count", values.size(), state.size());
-    std::ranges::transform(state, values.begin(), [](CellState s) { return static_cast<double>(s); });
+  if (name == state) {
+    const auto& states = solution.fields.state;
+    require_size("count", values.size(), states.size());
+    std::ranges::transform(states, values.begin(), [](CellState s) { return static_cast<double>(s); });
     return;
   }
   const std::vector<double>& found = field_quantity(name).values(solution);
   require_size("count", values.size(), solution.elements.size());
-  if (found.empty()) refuse("field", name);
+  if (found.size() != values.size()) refuse("field", name);
   std::ranges::copy(found, values.begin());
 }
 

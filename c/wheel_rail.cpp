@@ -1,5 +1,6 @@
-#include "c/guarded_call.hpp"
+#include "c/problem.hpp"
 #include "io/wheel_rail_case.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/railway/coarse_contact.hpp"
 #include "microslip/railway/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
@@ -162,13 +163,13 @@ microslip_code solve_states(microslip_wheel_rail& handle, const StateRows& rows,
 
 } // namespace
 
-microslip_code microslip_wheel_rail_create(const char* text, const char* name, microslip_wheel_rail** wheel_rail,
+microslip_code microslip_wheel_rail_create(const microslip_problem* problem, microslip_wheel_rail** wheel_rail,
                                            microslip_error* error) {
-  return guarded(error, [&] {
-    require_pointer("wheel_rail", wheel_rail);
-    *wheel_rail = nullptr;
-    const io::WheelRailCase input =
-        io::parse_wheel_rail_case(require_pointer("text", text), require_pointer("name", name));
+  return guarded_use(error, "problem", problem, [&] {
+    *require_pointer("wheel_rail", wheel_rail) = nullptr;
+    if (problem->inputs.kind() != description::case_kinds[MICROSLIP_WHEEL])
+      throw Error("problem: is none of a wheel on a rail");
+    const io::WheelRailCase input = io::read_wheel_rail_case(problem->inputs.root());
     std::unique_ptr<microslip_wheel_rail> made(
         new microslip_wheel_rail{.solver = WheelRail(io::bodies_of(input), input.method),
                                  .first = input.states.front(),

@@ -108,7 +108,7 @@ public:
   const auto& state(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Read& read) {
     is_new = is_new || !solver_;
     if (is_new)
-      input_ = read(root, tables);
+      input_ = read(root, tables, nullptr);
     else
       input_->states = io::read_states(root, *input_);
     if (is_new || input_->method.level == WheelRailLevel::exact)

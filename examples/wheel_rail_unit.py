@@ -72,7 +72,7 @@ def main(path):
         for k in range(8):
             unit.set("state.lateral", k * 1e-3)
             unit.call("fmi2DoStep", ctypes.c_double(k * 0.1), ctypes.c_double(0.1), 1)
-            angle = max(unit.get(f"patch[{patch}].angle") for patch in (1, 2, 3))
+            angle = max(unit.get(f"patch[{patch}].angle") for patch in range(1, 9))
             print(f"{k:6} {unit.get('wheel.force_y'):8.0f} {unit.derivative('wheel.force_y', 'state.lateral') / 1e3:15.0f} {angle * 57.29578:29.1f}")
         unit.library.fmi2FreeInstance(unit.instance)
 

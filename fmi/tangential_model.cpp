@@ -3,6 +3,8 @@
 #include "fmi/model.hpp"
 #include "fmi/tangential_law.hpp"
 #include "microslip/contact/limits.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 
 #include <fstream>
@@ -122,6 +124,23 @@ private:
   std::array<std::array<double, 5>, 3> derivatives_{};
 };
 
+/// A variable that cases of two bodies have, by its unit, range and text there.
+Variable of_input(const char* section, const char* key, const char* name, Causality causality, double start) {
+  const description::Input& input = *description::rolling_inputs().find(section, key);
+  return {.name = name,
+          .description = std::string(input.text),
+          .causality = causality,
+          .unit = std::string(input.unit),
+          .start = start,
+          .min = input.bounds.least(),
+          .max = input.bounds.largest()};
+}
+
+Variable of_result(const char* name, Causality causality) {
+  const Quantity& q = quantity(name);
+  return {.name = name, .description = std::string(q.description), .causality = causality, .unit = std::string(q.unit)};
+}
+
 } // namespace
 
 ModelInfo model_info() {
@@ -130,10 +149,6 @@ ModelInfo model_info() {
   const LawParameters p;
   const auto real = [](const char* name, Causality causality, const char* unit, double start, const char* text) {
     return Variable{.name = name, .description = text, .causality = causality, .unit = unit, .start = start};
-  };
-  const auto ranged = [&](Variable v, double min, double max) {
-    v.min = min, v.max = max;
-    return v;
   };
   const auto cells = [](const char* name, int start, const char* text) {
     return Variable{.name = name,
@@ -147,42 +162,37 @@ ModelInfo model_info() {
   const auto text = [](const char* name, const char* start, const char* what) {
     return Variable{.name = name, .description = what, .kind = Kind::text, .causality = parameter, .start_text = start};
   };
-  return {
-      .name = "microslip tangential contact law",
-      .identifier = "microslip_tangential",
-      .description = "Creep forces of a wheel on a rail by FASTSIM2 or a creep-force table: forces on the wheel, x "
-                     "along the rolling direction, "
-                     "y to the left, z up",
-      .variables = {
-          real("creepage_longitudinal", input, "-", 0,
-               "xi, velocity of the wheel over the rail along x, over the rolling speed"),
-          real("creepage_lateral", input, "-", 0, "eta, the same along y"),
-          real("spin", input, "1/m", 0,
-               "phi, angular velocity of the wheel over the rail about z, over the rolling speed"),
-          real("normal_force", input, "N", usual.normal_force, "Fn; no contact at 0 and below"),
-          ranged(real("friction", input, "-", usual.friction, "Coefficient of friction"), 0,
-                 FrictionLaw::largest_coefficient),
-          real("fx", output, "N", 0, "Longitudinal force on the wheel"),
-          real("fy", output, "N", 0, "Lateral force on the wheel"),
-          real("mz", output, "N m", 0, "Moment on the wheel about z at the centre of the contact"),
-          real("adhesion_area", local, "m^2", 0, "Part of the contact area that adheres"),
-          real("slip_area", local, "m^2", 0, "Part of the contact area that slips"),
-          real("semi_axis_x", parameter, "m", p.semi_axis_x,
-               "Semi-axis of the contact ellipse along x under the reference force; grows as Fn^(1/3)"),
-          real("semi_axis_y", parameter, "m", p.semi_axis_y, "The same along y"),
-          real("reference_force", parameter, "N", p.reference_force, "Normal force that the semi-axes belong to"),
-          real("shear_modulus", parameter, "Pa", p.shear_modulus, "Combined modulus of rigidity of wheel and rail"),
-          ranged(real("poisson_ratio", parameter, "-", p.poisson_ratio, "Combined Poisson's ratio of wheel and rail"),
-                 0, 0.5),
-          cells("mx", p.mx, "Cells along each row of the contact"),
-          cells("my", p.my, "Rows of cells"),
-          {.name = "status",
-           .description = "0: contact, 3: no contact, 5: contact beyond the range of the creep-force table",
-           .kind = Kind::integer,
-           .causality = output},
-          text("theory", "fastsim2", "fastsim2 or table"),
-          text("table", "hertz.creep",
-               "Creep-force table of theory table: a path, from the unit's resources on if it is relative")}};
+  return {.name = "microslip tangential contact law",
+          .identifier = "microslip_tangential",
+          .description = "Creep forces of a wheel on a rail by FASTSIM2 or a creep-force table: forces on the wheel, x "
+                         "along the rolling direction, "
+                         "y to the left, z up",
+          .variables = {
+              of_input("motion", "creepage_longitudinal", "creepage_longitudinal", input, 0),
+              of_input("motion", "creepage_lateral", "creepage_lateral", input, 0),
+              of_input("motion", "spin", "spin", input, 0),
+              real("normal_force", input, "N", usual.normal_force, "Fn; no contact at 0 and below"),
+              of_input("friction", "coefficient", "friction", input, usual.friction),
+              of_result("fx", output),
+              of_result("fy", output),
+              of_result("mz", output),
+              of_result("adhesion_area", local),
+              of_result("slip_area", local),
+              real("semi_axis_x", parameter, "m", p.semi_axis_x,
+                   "Semi-axis of the contact ellipse along x under the reference force; grows as Fn^(1/3)"),
+              real("semi_axis_y", parameter, "m", p.semi_axis_y, "The same along y"),
+              real("reference_force", parameter, "N", p.reference_force, "Normal force that the semi-axes belong to"),
+              real("shear_modulus", parameter, "Pa", p.shear_modulus, "Combined modulus of rigidity of wheel and rail"),
+              of_input("body1", "poisson_ratio", "poisson_ratio", parameter, p.poisson_ratio),
+              cells("mx", p.mx, "Cells along each row of the contact"),
+              cells("my", p.my, "Rows of cells"),
+              {.name = "status",
+               .description = "0: contact, 3: no contact, 5: contact beyond the range of the creep-force table",
+               .kind = Kind::integer,
+               .causality = output},
+              text("theory", "fastsim2", "fastsim2 or table"),
+              text("table", "hertz.creep",
+                   "Creep-force table of theory table: a path, from the unit's resources on if it is relative")}};
 }
 
 std::unique_ptr<Model> make_model(const std::filesystem::path& resources) {

@@ -198,9 +198,9 @@ void on_many(Draw& draw, const std::vector<Item>& items, const char* name, const
 
 /// The numbers of a list: each is found again by its name.
 void lists(Draw& draw, const Said& said) {
-  const int list = draw.choice(MICROSLIP_WHEELSET_CONTACT + 1);
+  const int list = draw.choice(MICROSLIP_WHEELSET_INPUT + 1);
   const std::size_t count = microslip_count(list);
-  require((count > 0) == (list >= 0 && list <= MICROSLIP_WHEELSET_CONTACT), "count of list " + std::to_string(list));
+  require((count > 0) == (list >= 0 && list <= MICROSLIP_WHEELSET_INPUT), "count of list " + std::to_string(list));
   microslip_quantity info = {};
   info.struct_size = draw.is_odd() ? draw.pick<std::size_t>({0, 8, 100000}) : sizeof info;
   const auto index = static_cast<std::size_t>(draw.is_odd() ? draw.size(0, 99) : draw.count(0, 40));
@@ -242,18 +242,16 @@ void simple_calls(Draw& draw) {
   require(microslip_code_text(draw.choice(30)) != nullptr, "code_text");
 }
 
-/// What can be got from a solved contact: by number, by name.
-template <class Handle, class Get, class Quantity, class Field>
-void get_results(Draw& draw, const Said& said, Handle* handle, std::size_t cells, Get get, Quantity quantity,
-                 Field field) {
+/// What can be got from a solved contact by name.
+template <class Handle, class Quantity, class Field>
+void get_results(Draw& draw, const Said& said, Handle* handle, std::size_t cells, Quantity quantity, Field field) {
   std::vector<double> values(cells + 1);
   const std::size_t count = draw.is_odd() ? cells + 1 : cells;
-  said.of(get(draw.pointer(handle), draw.choice(12), count, draw.pointer(values.data()), said.pointer), "get");
-  const char* const name =
-      draw.pick<const char*>({"fx", "frictional_power", "px", "gap", "state", "ux", "", "no such"});
-  said.of(field(handle, draw.pointer(name), count, draw.pointer(values.data()), said.pointer), "field");
+  const char* const name = draw.pick<const char*>({"fx", "frictional_power", "px", "gap", "state", "ux", "force_y",
+                                                   "normal_force", "left.fx", "right.force_z", "", "no such"});
+  said.of(field(draw.pointer(handle), draw.pointer(name), count, draw.pointer(values.data()), said.pointer), "field");
   double value = 0;
-  said.of(quantity(handle, draw.pointer(name), draw.pointer(&value), said.pointer), "quantity");
+  said.of(quantity(draw.pointer(handle), draw.pointer(name), draw.pointer(&value), said.pointer), "quantity");
 }
 
 void fastsim2(Draw& draw) {
@@ -286,8 +284,8 @@ void fastsim2(Draw& draw) {
   const int code = said.of(microslip_fastsim2_solve_fields(solver, draw.pointer(&c), forces.data(), said.pointer),
                            "fastsim2_solve_fields");
   if (code == MICROSLIP_OK) look_at(forces[0]);
-  get_results(draw, said, made, static_cast<std::size_t>(options.mx * options.my), microslip_fastsim2_get,
-              microslip_fastsim2_quantity, microslip_fastsim2_field);
+  get_results(draw, said, made, static_cast<std::size_t>(options.mx * options.my), microslip_fastsim2_quantity,
+              microslip_fastsim2_field);
 }
 
 void creep_table(Draw& draw) {
@@ -312,53 +310,6 @@ int end_after_many(double, void* calls) {
   return ++*static_cast<int*>(calls) > 300 ? 1 : 0;
 }
 
-void exact(Draw& draw) {
-  const Said said(draw);
-  int calls = 0;
-  microslip_exact_options options;
-  microslip_exact_options_init(&options, sizeof options);
-  options.mx = draw.is_odd() ? draw.size(1, 8) : draw.count(1, 8), options.my = draw.count(1, 8);
-  options.discretisation = draw.choice(2), options.direction = draw.choice(2), options.elements = draw.choice(2);
-  options.coupling = draw.choice(2), options.slip_start = draw.choice(2);
-  options.tolerance = draw.is_odd() ? draw.number(1e-4) : 1e-6;
-  options.progress = end_after_many, options.progress_data = &calls;
-  if (draw.is_odd()) options.dissimilarity = draw.number(0.1);
-  if (draw.is_odd()) options.layer = {draw.number(1e-14), draw.number(2e8), draw.number(1e12)};
-  for (microslip_exact_body* body : {&options.body1, &options.body2})
-    if (draw.is_odd())
-      *body = {draw.number(82e9), draw.number(0.28), draw.number(1),    draw.number(1e-3),
-               draw.number(20),   draw.number(50),   draw.number(7800), draw.number(450)};
-  if (draw.is_odd()) options.friction_memory = {draw.number(1e-3), draw.number(0.1)};
-  if (draw.is_odd()) options.temperature_effect = {draw.number(-0.1), draw.number(100), draw.number(500)};
-  if (draw.is_odd()) options.struct_size = draw.pick<std::size_t>({0, 9, 48, 100000});
-  microslip_exact* made = nullptr;
-  said.of(microslip_exact_create(&options, draw.pointer(&made), said.pointer), "exact_create");
-  const std::unique_ptr<microslip_exact, decltype(&microslip_exact_destroy)> own(made, microslip_exact_destroy);
-  microslip_exact_motion motion;
-  microslip_exact_motion_init(&motion, sizeof motion);
-  motion.kind = draw.choice(3), motion.steps = draw.is_odd() ? draw.pick({0, -1, 3}) : 1;
-  motion.force_x_given = draw.is_odd() ? draw.choice(2) : 0, motion.force_x = draw.number(1e4);
-  motion.force_y_given = draw.is_odd() ? draw.choice(2) : 0, motion.force_y = draw.number(1e4);
-  motion.step = draw.is_odd() ? draw.number(1e-3) : 0;
-  const microslip_contact c = contact(draw);
-  microslip_exact_result result = {};
-  result.struct_size = draw.is_odd() ? draw.pick<std::size_t>({0, 8, 100000}) : sizeof result;
-  int code =
-      said.of(microslip_exact_solve(draw.pointer(made), draw.pointer(&c), draw.pointer(&motion), &result, said.pointer),
-              "exact_solve");
-  if (code == MICROSLIP_OK) look_at(result.forces);
-  const std::size_t cells =
-      code < MICROSLIP_NULL_POINTER && result.mx > 0 ? std::size_t(result.mx) * std::size_t(result.my) : 0;
-  if (made != nullptr)
-    get_results(draw, said, made, cells, microslip_exact_get, microslip_exact_quantity, microslip_exact_field);
-  std::vector<double> jacobian(9);
-  calls = 0;
-  code = said.of(microslip_exact_differentiate(made, draw.pointer(&c), draw.is_odd() ? 8 : 9,
-                                               draw.pointer(jacobian.data()), nullptr, said.pointer),
-                 "exact_differentiate");
-  if (code == MICROSLIP_OK) require(std::ranges::all_of(jacobian, is_finite), "derivatives of the exact theory");
-}
-
 const std::string& two_bodies() {
   static const std::string text =
       "[body1]\nrolling_radius = 0.46\ntransverse_radius = inf\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
@@ -366,6 +317,111 @@ const std::string& two_bodies() {
       "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n[motion]\nrolling_speed = 30\n"
       "creepage_longitudinal = 0.001\nspin = 0.2\n[solution]\ngrid = 6\n";
   return text;
+}
+
+std::string text_of(const microslip_problem* problem) {
+  char* text = nullptr;
+  require(microslip_problem_text(problem, &text, nullptr) == MICROSLIP_OK, "problem_text");
+  const std::string copy = text;
+  microslip_free_text(text);
+  return copy;
+}
+
+/// A number that an input may be, usually.
+double number_of(Draw& draw, const microslip_quantity& info) {
+  if (info.kind == MICROSLIP_WHOLE || info.kind == MICROSLIP_WHOLES)
+    return draw.is_odd() ? draw.number(4) : draw.count(1, 8);
+  if (std::isfinite(info.missing) && info.missing != 0) return draw.number(info.missing);
+  if (draw.is_odd() || !std::isfinite(info.least) || !std::isfinite(info.largest)) return draw.number(0.3);
+  return draw.between(info.least, info.largest);
+}
+
+/// A word of a list such as "shift, transient or steady", or whatever.
+std::string word_of(Draw& draw, const microslip_quantity& info) {
+  std::vector<std::string> words = {"80 kN", "0.1 mm", ""};
+  const std::string range = info.range;
+  for (std::size_t at = 0; at < range.size();) {
+    const std::size_t end = std::min(range.find_first_of(", ", at), range.size());
+    if (end > at && !draw.is_odd()) words.insert(words.begin(), range.substr(at, end - at));
+    at = end + 1;
+  }
+  const auto likely = std::max<std::size_t>(words.size() - 3, 1);
+  return draw.mangled(words[static_cast<std::size_t>(draw.count(0, static_cast<int>(likely) - 1))]);
+}
+
+/// Sets an input, or something else; a refusal changes nothing.
+void set_input(Draw& draw, const Said& said, microslip_problem* problem, int list) {
+  microslip_quantity info = {};
+  info.struct_size = sizeof info;
+  const auto index = static_cast<std::size_t>(draw.count(0, static_cast<int>(microslip_count(list)) - 1));
+  require(microslip_describe(list, index, &info, nullptr) == MICROSLIP_OK, "describe");
+  if (std::string_view(info.name) == "solution.accuracy") return; // takes long
+  const std::string path = draw.mangled(info.name), before = text_of(problem);
+  const char* const named = draw.pointer(path.c_str());
+  const int kind = draw.is_odd() ? draw.count(0, 5) : info.kind;
+  const std::vector<double> values = {number_of(draw, info), number_of(draw, info), 1};
+  int code;
+  if (kind == MICROSLIP_NUMBER || kind == MICROSLIP_WHOLE)
+    code = microslip_set(problem, named, values[0], said.pointer);
+  else if (kind == MICROSLIP_TEXT || kind == MICROSLIP_WORD)
+    code = microslip_set_text(problem, named, draw.pointer(word_of(draw, info).c_str()), said.pointer);
+  else
+    code = microslip_set_array(problem, named, draw.is_odd() ? draw.count(0, 3) : 2, draw.pointer(values.data()),
+                               said.pointer);
+  said.of(code, "set");
+  if (is_refusal(code)) require(text_of(problem) == before, "set: refused, and changed");
+  if (draw.is_odd()) said.of(microslip_unset(problem, named, said.pointer), "unset");
+}
+
+/// Reads an input in each form.
+void get_input(Draw& draw, const Said& said, const microslip_problem* problem, int list) {
+  microslip_quantity info = {};
+  info.struct_size = sizeof info;
+  microslip_describe(list, static_cast<std::size_t>(draw.count(0, 40)), &info, nullptr);
+  const std::string path = draw.mangled(info.name ? info.name : "");
+  double values[3] = {};
+  std::size_t count = 0;
+  char* text = nullptr;
+  const char* const named = draw.pointer(path.c_str());
+  said.of(microslip_get(problem, named, draw.pointer(values), said.pointer), "get");
+  said.of(microslip_get_text(problem, named, draw.pointer(&text), said.pointer), "get_text");
+  microslip_free_text(text);
+  said.of(microslip_get_array(problem, named, 3, draw.pointer(values), draw.pointer(&count), said.pointer),
+          "get_array");
+}
+
+void problem(Draw& draw) {
+  const Said said(draw);
+  int calls = 0;
+  const int kind = draw.count(0, 2);
+  microslip_problem* made = nullptr;
+  if (draw.count(0, 3) == 0)
+    said.of(microslip_problem_create(draw.choice(3), draw.pointer(&made), said.pointer), "problem_create");
+  std::string text = kind == 0   ? two_bodies() + "theory = \"exact\"\n"
+                     : kind == 1 ? microslip::wheel_rail_text
+                                 : microslip::wheelset_text;
+  if (made == nullptr)
+    said.of(microslip_problem_read(draw.mangled(text).c_str(), "p.toml", draw.pointer(&made), said.pointer),
+            "problem_read");
+  const std::unique_ptr<microslip_problem, decltype(&microslip_problem_destroy)> own(made, microslip_problem_destroy);
+  if (made == nullptr) return;
+  const int list = MICROSLIP_BODIES_INPUT + kind;
+  for (int k = draw.count(0, 4); k > 0; --k) set_input(draw, said, made, list);
+  get_input(draw, said, made, list);
+  said.of(microslip_set_progress(made, end_after_many, &calls, said.pointer), "set_progress");
+  const int solved = said.of(microslip_solve(made, said.pointer), "solve");
+  std::size_t columns = 0, rows = 0;
+  said.of(microslip_field_size(made, kind == 0 ? "px" : "fx", &columns, &rows, said.pointer), "size");
+  double fx = 0;
+  const int told = microslip_number(made, kind == 0 ? "fx" : "force_x", &fx, nullptr);
+  require(solved != MICROSLIP_OK || told != MICROSLIP_OK || std::isfinite(fx), "the force is no number");
+  get_results(draw, said, made, columns * rows, microslip_number, microslip_field);
+  std::vector<double> jacobian(9);
+  calls = 0;
+  const int code =
+      said.of(microslip_differentiate(made, draw.is_odd() ? 8 : 9, draw.pointer(jacobian.data()), said.pointer),
+              "differentiate");
+  if (code == MICROSLIP_OK) require(std::ranges::all_of(jacobian, is_finite), "derivatives of the exact theory");
 }
 
 void solve_case(Draw& draw) {
@@ -491,9 +547,12 @@ void wheel_rail(Draw& draw) {
   if (theory > 6) text = microslip::with(text, "\"fastsim2\"", "\"table\"");
   if (draw.count(0, 3) == 0) text = microslip::with(text, "side = \"left\"", "side = \"right\"");
   microslip_wheel_rail* made = nullptr;
-  said.of(microslip_wheel_rail_create(draw.count(0, 3) == 0 ? draw.mangled(text).c_str() : text.c_str(), "w.toml",
-                                      draw.pointer(&made), said.pointer),
-          "wheel_rail_create");
+  microslip_problem* of = nullptr;
+  said.of(microslip_problem_read(draw.count(0, 3) == 0 ? draw.mangled(text).c_str() : text.c_str(), "w.toml", &of,
+                                 said.pointer),
+          "problem_read");
+  said.of(microslip_wheel_rail_create(of, draw.pointer(&made), said.pointer), "wheel_rail_create");
+  microslip_problem_destroy(of);
   const std::unique_ptr<microslip_wheel_rail, decltype(&microslip_wheel_rail_destroy)> own(
       made, microslip_wheel_rail_destroy);
   solve_states(draw, said, made);
@@ -524,9 +583,8 @@ struct Call {
   const char* name;
   void (*make)(Draw&);
 };
-constexpr Call calls[] = {{"simple_calls", simple_calls}, {"fastsim2", fastsim2},
-                          {"creep_table", creep_table},   {"exact", exact},
-                          {"solve_case", solve_case},     {"wheel_rail", wheel_rail}};
+constexpr Call calls[] = {{"simple_calls", simple_calls}, {"fastsim2", fastsim2},     {"creep_table", creep_table},
+                          {"problem", problem},           {"solve_case", solve_case}, {"wheel_rail", wheel_rail}};
 
 void make_call(unsigned long seed, unsigned long k) {
   Draw draw(seed, k);

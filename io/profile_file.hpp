@@ -28,6 +28,8 @@ struct ProfileFileOptions {
   std::optional<VerticalSense> z_axis = {};
   int section = 1; ///< which of several profiles of a MiniProf .mpt file, from 1
   ProfileTreatment treatment = {};
+
+  friend bool operator==(const ProfileFileOptions&, const ProfileFileOptions&) = default;
 };
 
 /// The profile in the text of a file. `name` is the file's, for the format, the role and messages. Throws Error that

@@ -64,4 +64,16 @@ PlacedProfile read_placed_profile(const std::filesystem::path& path, const Profi
   return profile;
 }
 
+const PlacedProfile& ProfileFiles::get(const std::filesystem::path& path, const ProfileFileOptions& options) {
+  constexpr std::size_t most = 4; // of both sides
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& e) { return e.path == path && e.options == options; });
+  if (found != entries_.end())
+    std::rotate(found, found + 1, entries_.end());
+  else
+    entries_.push_back({path, options, read_placed_profile(path, options)});
+  if (entries_.size() > most) entries_.erase(entries_.begin());
+  return entries_.back().profile;
+}
+
 } // namespace microslip::io

@@ -29,4 +29,19 @@ struct PlacedProfile : PreparedProfile {
 /// Reads either kind of file, as read_profile and read_sliced_profile do.
 PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
+/// Profiles by file and options, each read once, for a reader that is called again and again. It keeps the last four.
+class ProfileFiles {
+public:
+  /// Throws Error as read_placed_profile.
+  const PlacedProfile& get(const std::filesystem::path& path, const ProfileFileOptions& options);
+
+private:
+  struct Entry {
+    std::filesystem::path path;
+    ProfileFileOptions options;
+    PlacedProfile profile;
+  };
+  std::vector<Entry> entries_; ///< the one that was asked for last stands last
+};
+
 } // namespace microslip::io

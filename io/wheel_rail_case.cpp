@@ -88,13 +88,14 @@ ProfileFileOptions profile_options(const TomlSection& section, const std::string
 }
 
 /// The profile that a section names, with a path from the case file's folder.
-PlacedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role) {
+PlacedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role,
+                           ProfileFiles* profiles) {
   const auto path = std::filesystem::path(section.file()).parent_path() / section.required_text("profile");
   const ProfileFileOptions options = profile_options(section, name, role);
   std::optional<PlacedProfile> profile;
   section.at("profile", [&] {
     try {
-      profile = read_placed_profile(path, options);
+      profile = profiles != nullptr ? profiles->get(path, options) : read_placed_profile(path, options);
     } catch (const Error& error) {
       throw Error(name + ".profile: " + error.what());
     }
@@ -103,11 +104,12 @@ PlacedProfile read_profile(const TomlSection& section, const std::string& name, 
 }
 
 /// That of a section which need not be there: the right side's where it differs.
-std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const std::string& name, ProfileRole role) {
+std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const std::string& name, ProfileRole role,
+                                                ProfileFiles* profiles) {
   if (!root.has(name)) return {};
   const TomlSection section = root.required_section(name);
   section.allow_described();
-  return read_profile(section, name, role);
+  return read_profile(section, name, role, profiles);
 }
 
 Material read_material(const TomlSection& section) {
@@ -298,7 +300,7 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
 }
 
 /// All sections but [wheel] and [sweep].
-WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables) {
+WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables, ProfileFiles* profiles) {
   TomlSection::Words sections = {"track",    "rail",     "wheelset", "wheel", "material",
                                  "friction", "solution", "interior", "sweep"};
   const bool is_wheelset = is_wheelset_case(root);
@@ -319,8 +321,8 @@ WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables
   return {.title = root.text("title", ""),
           .track = read_track(track),
           .wheelset = read_wheelset(wheelset),
-          .rail = read_profile(rail, "rail", ProfileRole::rail),
-          .wheel = read_profile(wheelset, "wheelset", ProfileRole::wheel),
+          .rail = read_profile(rail, "rail", ProfileRole::rail, profiles),
+          .wheel = read_profile(wheelset, "wheelset", ProfileRole::wheel, profiles),
           .material = material,
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
@@ -394,13 +396,13 @@ WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& na
   return read_wheel_rail_case(TomlSection(table, name));
 }
 
-WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& tables) {
+WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& tables, ProfileFiles* profiles) {
   ReadInputs read;
   const TomlSection root = file.described_by(description::wheel_inputs(), &read);
   const TomlSection wheel = root.required_section("wheel");
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
   wheel.word("side");
-  WheelRailCase input{read_setting(root, tables), wheel.option("side", TrackSide::left), {}, {}};
+  WheelRailCase input{read_setting(root, tables, profiles), wheel.option("side", TrackSide::left), {}, {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
   if (root.has("interior") && input.method.level == WheelRailLevel::table)
@@ -426,15 +428,15 @@ WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name)
   return read_wheelset_case(TomlSection(table, name));
 }
 
-WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tables) {
+WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tables, ProfileFiles* profiles) {
   ReadInputs read;
   const TomlSection root = file.described_by(description::wheelset_inputs(), &read);
   if (root.has("interior"))
     root.at("interior", [] { throw Error("interior: of a wheel alone, with side = \"left\" or \"right\""); });
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheelset_inputs()));
-  WheelsetCase input{read_setting(root, tables),
-                     read_right_profile(root, "right_rail", ProfileRole::rail),
-                     read_right_profile(root, "right_wheel", ProfileRole::wheel),
+  WheelsetCase input{read_setting(root, tables, profiles),
+                     read_right_profile(root, "right_rail", ProfileRole::rail, profiles),
+                     read_right_profile(root, "right_wheel", ProfileRole::wheel, profiles),
                      {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);

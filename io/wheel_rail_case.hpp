@@ -72,9 +72,12 @@ inline constexpr std::string_view profile_sections[] = {"rail", "wheelset", "rig
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name);
-/// The same of a file that is parsed as TOML already. Where many are read, `tables` are those of all of them.
-WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables = {});
-WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tables = {});
+/// The same of a file that is parsed as TOML already. Where many are read, `tables` and `profiles` are those of all of
+/// them; without the latter profiles are read each time.
+WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables = {},
+                                   ProfileFiles* profiles = nullptr);
+WheelsetCase read_wheelset_case(const TomlSection& root, const CreepTables& tables = {},
+                                ProfileFiles* profiles = nullptr);
 /// Its states alone, of the setting `of`.
 std::vector<LoadedWheelState> read_states(const TomlSection& root, const WheelRailCase& of);
 std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const WheelsetCase& of);

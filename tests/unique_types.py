@@ -7,7 +7,7 @@ import sys
 
 ENDINGS = (".hpp", ".cpp", ".h", ".c")
 LEFT_OUT = ("build", ".git")
-COPIES = ("microslip_abi_1.h",)  # of a header as it was, for programs that were built with that
+COPIES = ("microslip_abi_2.h",)  # of a header as it was, for programs that were built with that
 
 # What a definition of a type ends with before its brace; its name may be qualified, and have template arguments.
 TYPE = re.compile(r"(?:^|\s)(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?:alignas\s*\([^()]*\)\s*)?"

@@ -1,5 +1,6 @@
 !> microslip from Fortran 2003: the names of microslip.h, which documents them. Compile this file with your program and
-!> link with libmicroslip_c. Where C takes NULL pass c_null_ptr (c_null_funptr for the progress function).
+!> link with libmicroslip_c. Where C takes NULL pass c_null_ptr (c_null_funptr for the progress function). Paths and names
+!> of problems are Fortran texts; microslip_set and microslip_get take numbers, texts and arrays.
 module microslip
   use, intrinsic :: iso_c_binding
   implicit none
@@ -17,20 +18,16 @@ module microslip
   integer(c_int), parameter, public :: microslip_kalker = 0, microslip_computed = 1
   integer(c_int), parameter, public :: microslip_double = 0, microslip_single = 1
   integer(c_int), parameter, public :: microslip_forward = 0, microslip_backward = 1
-  integer(c_int), parameter, public :: microslip_second_order = 0, microslip_classical = 1
-  integer(c_int), parameter, public :: microslip_constant = 0, microslip_bilinear = 1
-  integer(c_int), parameter, public :: microslip_newton = 0, microslip_alternating = 1
-  integer(c_int), parameter, public :: microslip_below = 0, microslip_above = 1
-  integer(c_int), parameter, public :: microslip_steady = 0, microslip_transient = 1, microslip_shift = 2
-  integer(c_int), parameter, public :: microslip_field_x = 0, microslip_field_y = 1, microslip_field_area = 2, &
-    microslip_field_bound = 3, microslip_field_px = 4, microslip_field_py = 5, microslip_field_sx = 6, &
-    microslip_field_sy = 7, microslip_field_state = 8, microslip_field_pressure = 9, microslip_field_ux = 10, &
-    microslip_field_uy = 11
+  integer(c_int), parameter, public :: microslip_bodies_problem = 0, microslip_wheel_problem = 1, &
+    microslip_wheelset_problem = 2
   integer(c_int), parameter, public :: microslip_contact_quantity = 0, microslip_contact_field = 1, &
     microslip_wheel_state = 2, microslip_wheel_result = 3, microslip_wheel_derivative = 4, microslip_wheel_patch = 5, &
-    microslip_wheelset_contact = 6
+    microslip_wheelset_contact = 6, microslip_wheelset_result = 7, microslip_bodies_input = 8, microslip_wheel_input = 9, &
+    microslip_wheelset_input = 10
+  integer(c_int), parameter, public :: microslip_number_input = 0, microslip_numbers_input = 1, microslip_whole_input = 2, &
+    microslip_wholes_input = 3, microslip_text_input = 4, microslip_word_input = 5
   integer, parameter, public :: microslip_error_length = 256
-  integer(c_int), parameter, public :: microslip_made_for_abi = 1
+  integer(c_int), parameter, public :: microslip_made_for_abi = 2
 
   type, bind(c), public :: microslip_error
     integer(c_int) :: code = 0
@@ -83,56 +80,10 @@ module microslip
     integer(c_size_t) :: struct_size = 0
     type(c_ptr) :: name = c_null_ptr, symbol = c_null_ptr, unit = c_null_ptr, shift_unit = c_null_ptr, &
       description = c_null_ptr
-  end type
-
-  type, bind(c), public :: microslip_exact_body
-    real(c_double) :: shear_modulus = 0, poisson_ratio = 0
-    real(c_double) :: creep_ratio = 0, creep_time = 0
-    real(c_double) :: bulk_temperature = 0, conductivity = 0, density = 0, heat_capacity = 0
-  end type
-
-  type, bind(c), public :: microslip_layer
-    real(c_double) :: flexibility = 0, yield_stress = 0, hardening = 0
-  end type
-
-  type, bind(c), public :: microslip_friction_memory
-    real(c_double) :: distance = 0, speed = 0
-  end type
-
-  type, bind(c), public :: microslip_temperature_effect
-    real(c_double) :: change = 0, begin = 0, range = 0
-  end type
-
-  type, bind(c), public :: microslip_exact_options
-    integer(c_size_t) :: struct_size
-    integer(c_int) :: mx, my, discretisation, direction
-    real(c_double) :: tolerance, accuracy
-    type(c_funptr) :: progress
-    type(c_ptr) :: progress_data
-    integer(c_int) :: elements, coupling, slip_start
-    real(c_double) :: dissimilarity
-    type(microslip_exact_body) :: body1, body2
-    type(microslip_layer) :: layer
-    type(microslip_friction_memory) :: friction_memory
-    type(microslip_temperature_effect) :: temperature_effect
-  end type
-
-  type, bind(c), public :: microslip_exact_motion
-    integer(c_size_t) :: struct_size
-    integer(c_int) :: kind, force_x_given, force_y_given, steps
-    real(c_double) :: force_x, force_y, step
-  end type
-
-  !> Set struct_size = c_sizeof(result) before use.
-  type, bind(c), public :: microslip_exact_result
-    integer(c_size_t) :: struct_size = 0
-    type(microslip_forces) :: forces
-    real(c_double) :: creepage_longitudinal = 0, creepage_lateral = 0, spin = 0
-    real(c_double) :: approach = 0, peak_pressure = 0, peak_traction = 0
-    real(c_double) :: frictional_power = 0, power_by_creepage = 0, elastic_energy = 0
-    real(c_double) :: residual = 0, error = 0
-    integer(c_int) :: mx = 0, my = 0, newton_steps = 0
-    integer(c_long_long) :: products = 0
+    type(c_ptr) :: range = c_null_ptr
+    real(c_double) :: least = 0, largest = 0, missing = 0
+    type(c_ptr) :: missing_word = c_null_ptr
+    integer(c_int) :: kind = 0
   end type
 
   interface
@@ -259,16 +210,6 @@ module microslip
       integer(c_int) :: code
     end function
 
-    function microslip_fastsim2_get(solver, field, count, values, error) bind(c) result(code)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int), value :: field
-      integer(c_size_t), value :: count
-      real(c_double), intent(out) :: values(*)
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
-    end function
-
     !> `name` ends with c_null_char: 'fx' // c_null_char.
     function microslip_fastsim2_quantity(solver, name, value, error) bind(c) result(code)
       import
@@ -289,80 +230,59 @@ module microslip
       integer(c_int) :: code
     end function
 
-    function microslip_exact_options_init(options, size) bind(c) result(code)
+    function microslip_problem_create(kind, problem, error) bind(c) result(code)
       import
-      type(microslip_exact_options), intent(out) :: options
-      integer(c_size_t), value :: size
-      integer(c_int) :: code
-    end function
-
-    function microslip_exact_motion_init(motion, size) bind(c) result(code)
-      import
-      type(microslip_exact_motion), intent(out) :: motion
-      integer(c_size_t), value :: size
-      integer(c_int) :: code
-    end function
-
-    function microslip_exact_create(options, solver, error) bind(c) result(code)
-      import
-      type(microslip_exact_options), intent(in) :: options
-      type(c_ptr), intent(out) :: solver
+      integer(c_int), value :: kind
+      type(c_ptr), intent(out) :: problem
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
 
-    subroutine microslip_exact_destroy(solver) bind(c)
+    !> `text` and `name` end with c_null_char.
+    function microslip_problem_read(text, name, problem, error) bind(c) result(code)
       import
-      type(c_ptr), value :: solver
+      character(kind=c_char), intent(in) :: text(*), name(*)
+      type(c_ptr), intent(out) :: problem
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_problem_destroy(problem) bind(c)
+      import
+      type(c_ptr), value :: problem
     end subroutine
 
-    function microslip_exact_solve(solver, contact, motion, result, error) bind(c) result(code)
+    !> microslip_text makes a Fortran text of `text`.
+    function microslip_problem_text(problem, text, error) bind(c) result(code)
       import
-      type(c_ptr), value :: solver
-      type(microslip_contact), intent(in) :: contact
-      type(microslip_exact_motion), intent(in) :: motion
-      type(microslip_exact_result), intent(inout) :: result
+      type(c_ptr), value :: problem
+      type(c_ptr), intent(out) :: text
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
 
-    function microslip_exact_differentiate(solver, contact, count, jacobian, result, error) bind(c) result(code)
+    function microslip_set_progress(problem, progress, data, error) bind(c) result(code)
       import
-      type(c_ptr), value :: solver
-      type(microslip_contact), intent(in) :: contact
+      type(c_ptr), value :: problem
+      type(c_funptr), value :: progress
+      type(c_ptr), value :: data
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    function microslip_solve(problem, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: problem
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    !> Element (k, n) of jacobian(3, 3) is the derivative of force n by creepage k; count is 9.
+    function microslip_differentiate(problem, count, jacobian, error) bind(c) result(code)
+      import
+      type(c_ptr), value :: problem
       integer(c_size_t), value :: count
-      real(c_double), intent(out) :: jacobian(*)
-      type(microslip_exact_result), intent(inout) :: result
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
-    end function
-
-    function microslip_exact_get(solver, field, count, values, error) bind(c) result(code)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int), value :: field
-      integer(c_size_t), value :: count
-      real(c_double), intent(out) :: values(*)
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
-    end function
-
-    !> `name` ends with c_null_char: 'fx' // c_null_char.
-    function microslip_exact_quantity(solver, name, value, error) bind(c) result(code)
-      import
-      type(c_ptr), value :: solver
-      character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(out) :: value
-      type(microslip_error), intent(inout) :: error
-      integer(c_int) :: code
-    end function
-
-    function microslip_exact_field(solver, name, count, values, error) bind(c) result(code)
-      import
-      type(c_ptr), value :: solver
-      character(kind=c_char), intent(in) :: name(*)
-      integer(c_size_t), value :: count
-      real(c_double), intent(out) :: values(*)
+      real(c_double), intent(inout) :: jacobian(*)
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
     end function
@@ -376,10 +296,9 @@ module microslip
       integer(c_int) :: code
     end function
 
-    !> `text` and `name` end with c_null_char.
-    function microslip_wheel_rail_create(text, name, wheel_rail, error) bind(c) result(code)
+    function microslip_wheel_rail_create(problem, wheel_rail, error) bind(c) result(code)
       import
-      character(kind=c_char), intent(in) :: text(*), name(*)
+      type(c_ptr), value :: problem
       type(c_ptr), intent(out) :: wheel_rail
       type(microslip_error), intent(inout) :: error
       integer(c_int) :: code
@@ -463,19 +382,28 @@ module microslip
     end function
   end interface
 
+  !> Sets an input by its path: a number, a text, an array.
+  interface microslip_set
+    module procedure set_number, set_text, set_array
+  end interface
+  !> Gets it; texts and arrays are allocated.
+  interface microslip_get
+    module procedure get_number, get_text, get_array
+  end interface
+
   public :: microslip_contact_check, microslip_polach_friction, microslip_hertz_from_load
   public :: microslip_hertz_warnings, microslip_free_text
   public :: microslip_count, microslip_index, microslip_describe
   public :: microslip_fastsim2_options_init, microslip_fastsim2_create, microslip_fastsim2_destroy
   public :: microslip_fastsim2_solve, microslip_fastsim2_differentiate
-  public :: microslip_fastsim2_solve_fields, microslip_fastsim2_get
+  public :: microslip_fastsim2_solve_fields
   public :: microslip_creep_table_read, microslip_creep_table_destroy
   public :: microslip_creep_table_solve, microslip_creep_table_differentiate
   public :: microslip_fastsim2_quantity, microslip_fastsim2_field
-  public :: microslip_exact_options_init, microslip_exact_motion_init
-  public :: microslip_exact_create, microslip_exact_destroy
-  public :: microslip_exact_solve, microslip_exact_differentiate, microslip_exact_get
-  public :: microslip_exact_quantity, microslip_exact_field, microslip_solve_case
+  public :: microslip_problem_create, microslip_problem_read, microslip_problem_destroy, microslip_problem_text
+  public :: microslip_set, microslip_unset, microslip_get, microslip_set_progress
+  public :: microslip_solve, microslip_differentiate, microslip_number, microslip_field
+  public :: microslip_solve_case
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
   public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate, microslip_wheel_rail_patches
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
@@ -483,6 +411,203 @@ module microslip
   public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
 
 contains
+
+  function set_number(problem, path, value, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), intent(in) :: value
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_set(problem, path, value, error) bind(c, name='microslip_set') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        real(c_double), value :: value
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_set(problem, trim(path) // c_null_char, value, error)
+  end function
+
+  function set_text(problem, path, value, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path, value
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_set_text(problem, path, value, error) bind(c, name='microslip_set_text') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*), value(*)
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_set_text(problem, trim(path) // c_null_char, trim(value) // c_null_char, error)
+  end function
+
+  function set_array(problem, path, values, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), intent(in) :: values(:)
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_set_array(problem, path, count, values, error) bind(c, name='microslip_set_array') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        integer(c_size_t), value :: count
+        real(c_double), intent(in) :: values(*)
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_set_array(problem, trim(path) // c_null_char, size(values, kind=c_size_t), values, error)
+  end function
+
+  !> Goes back to the default.
+  function microslip_unset(problem, path, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_unset(problem, path, error) bind(c, name='microslip_unset') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_unset(problem, trim(path) // c_null_char, error)
+  end function
+
+  function get_number(problem, path, value, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), intent(inout) :: value
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_get(problem, path, value, error) bind(c, name='microslip_get') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        real(c_double), intent(inout) :: value
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_get(problem, trim(path) // c_null_char, value, error)
+  end function
+
+  function get_text(problem, path, value, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    character(:), allocatable, intent(inout) :: value
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    type(c_ptr) :: text
+    interface
+      function c_get_text(problem, path, value, error) bind(c, name='microslip_get_text') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        type(c_ptr), intent(inout) :: value
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    text = c_null_ptr
+    code = c_get_text(problem, trim(path) // c_null_char, text, error)
+    if (code == microslip_ok) value = microslip_text(text)
+    call microslip_free_text(text)
+  end function
+
+  function get_array(problem, path, values, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), allocatable, target, intent(inout) :: values(:)
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    integer(c_size_t) :: count
+    interface
+      function c_get_array(problem, path, capacity, values, count, error) bind(c, name='microslip_get_array') &
+          result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: path(*)
+        integer(c_size_t), value :: capacity
+        type(c_ptr), value :: values
+        integer(c_size_t), intent(inout) :: count
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_get_array(problem, trim(path) // c_null_char, 0_c_size_t, c_null_ptr, count, error)
+    if (code /= microslip_ok) return
+    if (allocated(values)) deallocate (values)
+    allocate (values(count))
+    code = c_get_array(problem, trim(path) // c_null_char, count, c_loc(values), count, error)
+  end function
+
+  !> A number of the result by its name.
+  function microslip_number(problem, name, value, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: name
+    real(c_double), intent(inout) :: value
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    interface
+      function c_number(problem, name, value, error) bind(c, name='microslip_number') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: name(*)
+        real(c_double), intent(inout) :: value
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_number(problem, trim(name) // c_null_char, value, error)
+  end function
+
+  !> A field of the result by its name, allocated as values(columns, rows).
+  function microslip_field(problem, name, values, error) result(code)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: name
+    real(c_double), allocatable, intent(inout) :: values(:, :)
+    type(microslip_error), intent(inout) :: error
+    integer(c_int) :: code
+    integer(c_size_t) :: columns, rows
+    interface
+      function c_field_size(problem, name, columns, rows, error) bind(c, name='microslip_field_size') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: name(*)
+        integer(c_size_t), intent(inout) :: columns, rows
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+      function c_field(problem, name, count, values, error) bind(c, name='microslip_field') result(code)
+        import
+        type(c_ptr), value :: problem
+        character(kind=c_char), intent(in) :: name(*)
+        integer(c_size_t), value :: count
+        real(c_double), intent(inout) :: values(*)
+        type(microslip_error), intent(inout) :: error
+        integer(c_int) :: code
+      end function
+    end interface
+    code = c_field_size(problem, trim(name) // c_null_char, columns, rows, error)
+    if (code /= microslip_ok) return
+    if (allocated(values)) deallocate (values)
+    allocate (values(columns, rows))
+    code = c_field(problem, trim(name) // c_null_char, columns * rows, values, error)
+  end function
 
   !> Version of the library that is running, e.g. "1.0.0-rc1".
   function microslip_version() result(text)

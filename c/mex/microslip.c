@@ -1,17 +1,28 @@
 /*
  * microslip for MATLAB and Octave, one function over the C interface:
  *
- *   text   = microslip('version')
- *   hertz  = microslip('hertz', bodies, normal_force)
- *   forces = microslip('fastsim2', contact)           the simplified theory, 10 x 10 cells
- *   forces = microslip('fastsim2', contact, mx, my)
- *   forces = microslip('exact', contact)              the exact theory
- *   forces = microslip('exact', contact, mx, my)
- *   text   = microslip('solve', case)                 a case file's text; the result as JSON, for jsondecode
+ *   text    = microslip('version')
+ *   hertz   = microslip('hertz', bodies, normal_force)
+ *   forces  = microslip('fastsim2', contact)          the simplified theory, 10 x 10 cells
+ *   forces  = microslip('fastsim2', contact, mx, my)
+ *   text    = microslip('solve_case', case)           a case file's text; the result as JSON, for jsondecode
+ *
+ *   problem = microslip('create', kind)               'bodies', 'wheel' or 'wheelset'
+ *   problem = microslip('read', case)                 with the inputs of a case file's text
+ *             microslip('set', problem, path, value, ...)
+ *   value   = microslip('get', problem, path)
+ *             microslip('unset', problem, path)
+ *   status  = microslip('solve', problem)
+ *   value   = microslip('number', problem, name)
+ *   values  = microslip('field', problem, name)       x changes along columns, y along rows
+ *   slopes  = microslip('differentiate', problem)     rows fx, fy, mz, columns xi, eta, phi
+ *             microslip('destroy', problem)
  *
  * bodies, contact, hertz and forces are structs with the fields of microslip_bodies, microslip_contact, microslip_hertz
  * and microslip_forces in microslip.h, in SI units. A field of contact is one number or an array; arrays have the same
- * size, and then the fields of forces have it too. Fields that contact does not have are 0, rolling_speed is 1.
+ * size, and then the fields of forces have it too. Fields that contact does not have are 0, rolling_speed is 1. Paths,
+ * names and status are those of microslip_set, microslip_number and microslip_code there; a value is a number, a text
+ * or an array.
  */
 #include <mex.h>
 #include <microslip.h>
@@ -163,35 +174,12 @@ static void solve_simplified(int mx, int my, size_t count, const microslip_conta
   microslip_fastsim2_destroy(solver);
 }
 
-static void solve_exact(int mx, int my, size_t count, const microslip_contact* contacts, microslip_forces* forces) {
-  microslip_exact_options options;
-  microslip_exact_result result;
-  microslip_exact* solver;
-  microslip_error error;
-  size_t k;
-  microslip_exact_options_init(&options, sizeof options);
-  options.mx = mx;
-  options.my = my;
-  check(microslip_exact_create(&options, &solver, &error), &error);
-  for (k = 0; k < count; ++k) {
-    microslip_code code;
-    result.struct_size = sizeof result;
-    code = microslip_exact_solve(solver, &contacts[k], NULL, &result, &error);
-    if (code >= MICROSLIP_NULL_POINTER) {
-      microslip_exact_destroy(solver);
-      fail(error.text);
-    }
-    forces[k] = result.forces;
-  }
-  microslip_exact_destroy(solver);
-}
-
 /* An array of the shape of another. */
 static mxArray* array_like(const mxArray* shape) {
   return mxCreateNumericArray(mxGetNumberOfDimensions(shape), mxGetDimensions(shape), mxDOUBLE_CLASS, mxREAL);
 }
 
-static mxArray* solve_contacts(int count, const mxArray* arguments[], int is_exact) {
+static mxArray* solve_contacts(int count, const mxArray* arguments[]) {
   const char* names[COUNT(force_fields) + 1];
   const mxArray* shape;
   microslip_contact* contacts;
@@ -204,9 +192,7 @@ static mxArray* solve_contacts(int count, const mxArray* arguments[], int is_exa
   contact_count = mxGetNumberOfElements(shape);
   check_contacts(contact_count, contacts);
   forces = mxCalloc(contact_count ? contact_count : 1, sizeof *forces);
-  (is_exact ? solve_exact : solve_simplified)(whole(count, arguments, 2, is_exact ? 24 : 10),
-                                              whole(count, arguments, 3, is_exact ? 24 : 10), contact_count, contacts,
-                                              forces);
+  solve_simplified(whole(count, arguments, 2, 10), whole(count, arguments, 3, 10), contact_count, contacts, forces);
   for (j = 0; j < COUNT(force_fields); ++j) names[j] = force_fields[j].name;
   names[COUNT(force_fields)] = "status";
   result = mxCreateStructMatrix(1, 1, (int)COUNT(names), names);
@@ -225,7 +211,8 @@ static mxArray* solve_case(int count, const mxArray* arguments[]) {
   microslip_error error;
   mxArray* result;
   char *text, *json;
-  if (count != 2 || !mxIsChar(arguments[1])) fail("microslip('solve', case): case must be the text of a case file");
+  if (count != 2 || !mxIsChar(arguments[1]))
+    fail("microslip('solve_case', case): case must be the text of a case file");
   text = mxArrayToString(arguments[1]);
   check(microslip_solve_case(text, "case", &json, &error), &error);
   result = mxCreateString(json ? json : "");
@@ -233,21 +220,191 @@ static mxArray* solve_case(int count, const mxArray* arguments[]) {
   return result;
 }
 
+/* The problems there are, by their numbers less 1; a number is what the host keeps. */
+static microslip_problem* problems[256];
+
+static void destroy_all(void) {
+  size_t k;
+  for (k = 0; k < COUNT(problems); ++k) {
+    microslip_problem_destroy(problems[k]);
+    problems[k] = NULL;
+  }
+}
+
+/* The place of an argument's problem. */
+static size_t place_of(int count, const mxArray* arguments[]) {
+  double number;
+  if (count < 2 || mxGetNumberOfElements(arguments[1]) != 1) fail("the second argument must be a problem");
+  number = *numbers(arguments[1], "a problem");
+  if (!(number >= 1 && number <= (double)COUNT(problems)) || !problems[(size_t)number - 1])
+    fail("the second argument is no problem, or one that was destroyed");
+  return (size_t)number - 1;
+}
+
+static char* text_of(int count, const mxArray* arguments[], int at, const char* what) {
+  if (count <= at || !mxIsChar(arguments[at])) fail(what);
+  return mxArrayToString(arguments[at]);
+}
+
+static mxArray* keep(microslip_problem* problem) {
+  size_t k = 0;
+  while (k < COUNT(problems) && problems[k]) ++k;
+  if (k == COUNT(problems)) {
+    microslip_problem_destroy(problem);
+    fail("there are 256 problems already: destroy some");
+  }
+  problems[k] = problem;
+  mexAtExit(destroy_all);
+  return mxCreateDoubleScalar((double)k + 1);
+}
+
+static mxArray* create(int count, const mxArray* arguments[]) {
+  static const char* const kinds[] = {"bodies", "wheel", "wheelset"};
+  const char* kind = text_of(count, arguments, 1, "microslip('create', kind): kind must be a text");
+  microslip_problem* problem;
+  microslip_error error;
+  int k = 0;
+  while (k < (int)COUNT(kinds) && strcmp(kinds[k], kind) != 0) ++k;
+  if (k == (int)COUNT(kinds)) fail("a problem is of kind 'bodies', 'wheel' or 'wheelset'");
+  check(microslip_problem_create(k, &problem, &error), &error);
+  return keep(problem);
+}
+
+static mxArray* read_case(int count, const mxArray* arguments[]) {
+  microslip_problem* problem;
+  microslip_error error;
+  const char* text = text_of(count, arguments, 1, "microslip('read', case): case must be the text of a case file");
+  check(microslip_problem_read(text, "case", &problem, &error), &error);
+  return keep(problem);
+}
+
+static void set_one(microslip_problem* problem, const char* path, const mxArray* value) {
+  microslip_error error;
+  if (mxIsChar(value))
+    check(microslip_set_text(problem, path, mxArrayToString(value), &error), &error);
+  else if (mxGetNumberOfElements(value) == 1)
+    check(microslip_set(problem, path, *numbers(value, path), &error), &error);
+  else
+    check(microslip_set_array(problem, path, mxGetNumberOfElements(value), numbers(value, path), &error), &error);
+}
+
+static void set(int count, const mxArray* arguments[]) {
+  microslip_problem* problem = problems[place_of(count, arguments)];
+  int at;
+  if (count < 4 || count % 2 != 0) fail("microslip('set', problem, path, value, ...): each path needs a value");
+  for (at = 2; at < count; at += 2)
+    set_one(problem, text_of(count, arguments, at, "a path must be a text"), arguments[at + 1]);
+}
+
+static void unset(int count, const mxArray* arguments[]) {
+  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_error error;
+  check(microslip_unset(problem, text_of(count, arguments, 2, "a path must be a text"), &error), &error);
+}
+
+/* A number, a text or an array, whatever stands under the path. */
+static mxArray* get(int count, const mxArray* arguments[]) {
+  microslip_problem* problem = problems[place_of(count, arguments)];
+  const char* path = text_of(count, arguments, 2, "a path must be a text");
+  microslip_error error, other;
+  double value;
+  size_t length;
+  char* text = NULL;
+  mxArray* result;
+  const microslip_code code = microslip_get(problem, path, &value, &error);
+  if (code == MICROSLIP_OK) return mxCreateDoubleScalar(value);
+  if (microslip_get_text(problem, path, &text, &other) == MICROSLIP_OK) {
+    result = mxCreateString(text);
+    microslip_free_text(text);
+    return result;
+  }
+  if (microslip_get_array(problem, path, 0, NULL, &length, &other) != MICROSLIP_OK) check(code, &error);
+  result = mxCreateDoubleMatrix(1, length, mxREAL);
+  check(microslip_get_array(problem, path, length, (double*)mxGetData(result), &length, &error), &error);
+  return result;
+}
+
+static mxArray* solve(int count, const mxArray* arguments[]) {
+  microslip_error error;
+  const microslip_code code = microslip_solve(problems[place_of(count, arguments)], &error);
+  check(code, &error);
+  return mxCreateDoubleScalar(code);
+}
+
+static mxArray* number(int count, const mxArray* arguments[]) {
+  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_error error;
+  double value = 0;
+  check(microslip_number(problem, text_of(count, arguments, 2, "a name must be a text"), &value, &error), &error);
+  return mxCreateDoubleScalar(value);
+}
+
+static mxArray* field_of(int count, const mxArray* arguments[]) {
+  microslip_problem* problem = problems[place_of(count, arguments)];
+  const char* name = text_of(count, arguments, 2, "a name must be a text");
+  microslip_error error;
+  size_t columns = 0, rows = 0;
+  mxArray* values;
+  check(microslip_field_size(problem, name, &columns, &rows, &error), &error);
+  values = mxCreateDoubleMatrix(columns, rows, mxREAL);
+  check(microslip_field(problem, name, columns * rows, (double*)mxGetData(values), &error), &error);
+  return values;
+}
+
+static mxArray* differentiate(int count, const mxArray* arguments[]) {
+  microslip_error error;
+  double rows[9];
+  mxArray* result = mxCreateDoubleMatrix(3, 3, mxREAL);
+  int k;
+  check(microslip_differentiate(problems[place_of(count, arguments)], 9, rows, &error), &error);
+  for (k = 0; k < 9; ++k) ((double*)mxGetData(result))[k % 3 * 3 + k / 3] = rows[k];
+  return result;
+}
+
+static mxArray* version(int count, const mxArray* arguments[]) {
+  (void)count, (void)arguments;
+  return mxCreateString(microslip_version());
+}
+
+static void destroy(int count, const mxArray* arguments[]) {
+  const size_t place = place_of(count, arguments);
+  microslip_problem_destroy(problems[place]);
+  problems[place] = NULL;
+}
+
+typedef struct command {
+  const char* name;
+  mxArray* (*value)(int count, const mxArray* arguments[]); /* or, without a result: */
+  void (*action)(int count, const mxArray* arguments[]);
+} command;
+
+static const command commands[] = {{"version", version, NULL},
+                                   {"hertz", hertz, NULL},
+                                   {"fastsim2", solve_contacts, NULL},
+                                   {"solve_case", solve_case, NULL},
+                                   {"create", create, NULL},
+                                   {"read", read_case, NULL},
+                                   {"set", NULL, set},
+                                   {"get", get, NULL},
+                                   {"unset", NULL, unset},
+                                   {"solve", solve, NULL},
+                                   {"number", number, NULL},
+                                   {"field", field_of, NULL},
+                                   {"differentiate", differentiate, NULL},
+                                   {"destroy", NULL, destroy}};
+
 void mexFunction(int result_count, mxArray* results[], int count, const mxArray* arguments[]) {
-  const char* command = count > 0 && mxIsChar(arguments[0]) ? mxArrayToString(arguments[0]) : "";
+  const char* name = count > 0 && mxIsChar(arguments[0]) ? mxArrayToString(arguments[0]) : "";
+  size_t k = 0;
   (void)result_count;
   if (microslip_abi() != MICROSLIP_ABI)
     fail("the library has another binary interface than this file was compiled for");
-  if (strcmp(command, "version") == 0)
-    results[0] = mxCreateString(microslip_version());
-  else if (strcmp(command, "hertz") == 0)
-    results[0] = hertz(count, arguments);
-  else if (strcmp(command, "fastsim2") == 0)
-    results[0] = solve_contacts(count, arguments, 0);
-  else if (strcmp(command, "exact") == 0)
-    results[0] = solve_contacts(count, arguments, 1);
-  else if (strcmp(command, "solve") == 0)
-    results[0] = solve_case(count, arguments);
+  while (k < COUNT(commands) && strcmp(commands[k].name, name) != 0) ++k;
+  if (k == COUNT(commands))
+    fail("the first argument must be 'version', 'hertz', 'fastsim2', 'solve_case', 'create', 'read', 'set', 'get', "
+         "'unset', 'solve', 'number', 'field', 'differentiate' or 'destroy'");
+  if (commands[k].value)
+    results[0] = commands[k].value(count, arguments);
   else
-    fail("the first argument must be 'version', 'hertz', 'fastsim2', 'exact' or 'solve'");
+    commands[k].action(count, arguments);
 }

@@ -2,6 +2,7 @@
 // so to the others.
 
 #include "c/tests/c_cases.hpp"
+#include "c/tests/c_problem.hpp"
 #include "c/tests/c_wheel_rows.hpp"
 #include "tests/support/case_text.hpp"
 
@@ -16,6 +17,9 @@
 namespace microslip {
 namespace {
 
+const std::string exact_text =
+    two_bodies_text + "creepage_longitudinal = 0.0012\n[solution]\ntheory = \"exact\"\ngrid = 6\n";
+
 /// Everything that a thread may call, ten times; returns the sum of all forces.
 double everything(int thread) {
   double sum = 0;
@@ -23,10 +27,9 @@ double everything(int thread) {
     microslip_contact contact = some_contact();
     contact.spin += 0.01 * (thread % 2);
     microslip_fastsim2* fast = nullptr;
-    microslip_exact* exact = nullptr;
-    microslip_exact_options options;
-    microslip_exact_options_init(&options, sizeof options);
-    options.mx = options.my = 6 + k % 3;
+    CProblem exact(exact_text);
+    exact.set("solution.grid", 6 + k % 3);
+    exact.set("motion.spin", 0.4 + 0.01 * (thread % 2));
     microslip_error error;
     microslip_fastsim2_options wrong;
     microslip_fastsim2_options_init(&wrong, sizeof wrong);
@@ -35,15 +38,12 @@ double everything(int thread) {
     if (microslip_fastsim2_create(&wrong, &none, &error) != MICROSLIP_INVALID_OPTION) return 0;
     if (std::string(error.text).find("mx = " + std::to_string(-thread)) == std::string::npos) return 0;
     if (microslip_fastsim2_create(nullptr, &fast, &error) != MICROSLIP_OK) return 0;
-    if (microslip_exact_create(&options, &exact, &error) != MICROSLIP_OK) return 0;
+    if (exact.set("motion.spim", thread) != MICROSLIP_INVALID_OPTION) return 0;
     microslip_derivatives derivatives;
     microslip_fastsim2_differentiate(fast, 1, &contact, &derivatives);
-    microslip_exact_result result;
-    result.struct_size = sizeof result;
-    microslip_exact_solve(exact, &contact, nullptr, &result, &error);
-    sum += derivatives.forces.fx + derivatives.jacobian[1][1] + result.forces.fy;
+    exact.solve();
+    sum += derivatives.forces.fx + derivatives.jacobian[1][1] + exact.number("fy");
     microslip_fastsim2_destroy(fast);
-    microslip_exact_destroy(exact);
   }
   return sum;
 }
@@ -99,34 +99,26 @@ TEST(CThreads, OneHandleOfFastsim2) {
   microslip_fastsim2_destroy(solver);
 }
 
-TEST(CThreads, OneHandleOfTheExactTheory) {
-  microslip_exact_options options;
-  microslip_exact_options_init(&options, sizeof options);
-  options.mx = options.my = 6;
-  microslip_exact* solver = nullptr;
-  ASSERT_EQ(microslip_exact_create(&options, &solver, nullptr), MICROSLIP_OK);
-  const microslip_contact contact = some_contact();
-  microslip_exact_result expected;
-  expected.struct_size = sizeof expected;
-  ASSERT_EQ(microslip_exact_solve(solver, &contact, nullptr, &expected, nullptr), MICROSLIP_OK);
+TEST(CThreads, OneProblem) {
+  CProblem problem(exact_text);
+  ASSERT_EQ(problem.solve(), MICROSLIP_OK);
+  const double fx = problem.number("fx"), wanted = problem.number("frictional_power");
   on_one_handle([&](bool& is_right) {
-    microslip_exact_result found;
-    found.struct_size = sizeof found;
     microslip_error error;
-    const int code = microslip_exact_solve(solver, &contact, nullptr, &found, &error);
-    if (code == MICROSLIP_OK) is_right = same(found.forces.fx, expected.forces.fx);
-    if (code == MICROSLIP_IN_USE) is_right = std::string(error.text) == "solver is in use by another thread";
+    const int code = microslip_set(problem.pointer, "motion.creepage_longitudinal", 0.0012, &error);
+    if (code == MICROSLIP_IN_USE) is_right = std::string(error.text) == "problem is in use by another thread";
+    if (code != MICROSLIP_OK) return code;
+    const int solved = microslip_solve(problem.pointer, nullptr);
     double power = 0;
-    const int got = microslip_exact_quantity(solver, "frictional_power", &power, &error);
-    if (got == MICROSLIP_OK) is_right &= same(power, expected.frictional_power);
-    return code == MICROSLIP_OK ? got : code;
+    const int got = microslip_number(problem.pointer, "frictional_power", &power, &error);
+    if (got == MICROSLIP_OK) is_right = same(power, wanted);
+    return static_cast<int>(solved == MICROSLIP_OK ? got : solved);
   });
-  microslip_exact_destroy(solver);
+  EXPECT_TRUE(same(problem.number("fx"), fx));
 }
 
 TEST(CThreads, OneHandleOfAWheelOnARail) {
   const CWheelRailCase pair;
-  if (pair.code == MICROSLIP_NO_RESULT) GTEST_SKIP() << "built without case files";
   ASSERT_EQ(pair.code, MICROSLIP_OK);
   Rows state = first_states(pair.pointer);
   SolvedRows expected(1);
@@ -146,28 +138,22 @@ TEST(CThreads, OneHandleOfAWheelOnARail) {
 /// A handle that a progress function calls from within its call is in use as well.
 TEST(CThreads, AHandleIsInUseWithinItsOwnProgressFunction) {
   struct Inner {
-    microslip_exact* solver = nullptr;
+    microslip_problem* problem = nullptr;
     int code = MICROSLIP_OK;
   } inner;
-  microslip_exact_options options;
-  microslip_exact_options_init(&options, sizeof options);
-  options.mx = options.my = 40;
-  options.progress_data = &inner;
-  options.progress = [](double, void* data) {
+  CProblem problem(exact_text);
+  problem.set("solution.grid", 40);
+  inner.problem = problem.pointer;
+  const auto call_again = [](double, void* data) {
     auto* const within = static_cast<Inner*>(data);
     double value = 0;
-    within->code = microslip_exact_quantity(within->solver, "fx", &value, nullptr);
+    within->code = microslip_number(within->problem, "fx", &value, nullptr);
     return 0;
   };
-  ASSERT_EQ(microslip_exact_create(&options, &inner.solver, nullptr), MICROSLIP_OK);
-  const microslip_contact contact = some_contact();
-  microslip_exact_result result;
-  result.struct_size = sizeof result;
-  EXPECT_EQ(microslip_exact_solve(inner.solver, &contact, nullptr, &result, nullptr), MICROSLIP_OK);
+  ASSERT_EQ(microslip_set_progress(problem.pointer, call_again, &inner, nullptr), MICROSLIP_OK);
+  EXPECT_EQ(problem.solve(), MICROSLIP_OK);
   EXPECT_EQ(inner.code, MICROSLIP_IN_USE);
-  double value = 0;
-  EXPECT_EQ(microslip_exact_quantity(inner.solver, "fx", &value, nullptr), MICROSLIP_OK);
-  microslip_exact_destroy(inner.solver);
+  EXPECT_LT(problem.number("fx"), 0);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // A wheel on a rail through C: the library's numbers for the same case, state by state.
 
+#include "c/tests/c_problem.hpp"
 #include "c/tests/c_wheel_rows.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/railway/conicity.hpp"
@@ -268,7 +269,10 @@ TEST(CWheelRail, RefusesWhatMakesNoSense) {
   EXPECT_EQ(std::string(wrong.error.text), "w.toml:3: track.gage: unknown key; did you mean gauge?");
   EXPECT_EQ(wrong.pointer, nullptr);
   microslip_error error;
-  EXPECT_EQ(microslip_wheel_rail_create(wheel_rail_text.c_str(), "w.toml", nullptr, &error), MICROSLIP_NULL_POINTER);
+  const CProblem problem(wheel_rail_text);
+  microslip_wheel_rail* made = nullptr;
+  EXPECT_EQ(microslip_wheel_rail_create(problem.pointer, nullptr, &error), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_wheel_rail_create(nullptr, &made, &error), MICROSLIP_NULL_POINTER);
   const CWheelRailCase handle;
   double numbers[31] = {};
   EXPECT_EQ(microslip_wheel_rail_solve(nullptr, 1, 31, numbers, 0, nullptr, nullptr), MICROSLIP_NULL_POINTER);

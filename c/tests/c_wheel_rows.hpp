@@ -18,8 +18,12 @@ struct CWheelRailCase {
   microslip_error error = {};
   microslip_code code;
 
-  explicit CWheelRailCase(const std::string& text = wheel_rail_text)
-      : code(microslip_wheel_rail_create(text.c_str(), "w.toml", &pointer, &error)) {}
+  explicit CWheelRailCase(const std::string& text = wheel_rail_text) {
+    microslip_problem* problem = nullptr;
+    code = microslip_problem_read(text.c_str(), "w.toml", &problem, &error);
+    if (code == MICROSLIP_OK) code = microslip_wheel_rail_create(problem, &pointer, &error);
+    microslip_problem_destroy(problem);
+  }
   ~CWheelRailCase() { microslip_wheel_rail_destroy(pointer); }
   CWheelRailCase(const CWheelRailCase&) = delete;
   CWheelRailCase& operator=(const CWheelRailCase&) = delete;

@@ -56,19 +56,55 @@ contains
     call get_command_argument(number, text)
   end function
 
+  subroutine set(problem, path, value)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), intent(in) :: value
+    call require(microslip_set(problem, path, value, error) == microslip_ok, microslip_error_text(error))
+  end subroutine
+
   subroutine make()
-    character(*), parameter :: line = new_line('a')
-    character(:), allocatable :: text
-    text = '[track]' // line // 'gauge = 1.435' // line // 'cant = 0.05' // line // &
-      '[rail]' // line // 'profile = "' // argument(1) // '"' // line // &
-      '[wheelset]' // line // 'profile = "' // argument(2) // '"' // line // 'nominal_radius = 0.46' // line // &
-      'flange_back_distance = 1.36' // line // &
-      '[wheel]' // line // 'lateral = 0.00604' // line // 'vertical_force = 80e3' // line // &
-      'forward_velocity = 30.0' // line // &
-      '[material]' // line // 'young_modulus = 210e9' // line // 'poisson_ratio = 0.28' // line // &
-      '[friction]' // line // 'coefficient = 0.3' // line
-    call require(microslip_wheel_rail_create(text // c_null_char, 'case.toml' // c_null_char, wheel_rail, error) == &
-      microslip_ok, microslip_error_text(error))
+    type(c_ptr) :: problem
+    call require(microslip_problem_create(microslip_wheel_problem, problem, error) == microslip_ok, 'problem_create')
+    call set(problem, 'track.gauge', 1.435_c_double)
+    call set(problem, 'track.cant', 0.05_c_double)
+    call require(microslip_set(problem, 'rail.profile', argument(1), error) == microslip_ok, 'the rail')
+    call require(microslip_set(problem, 'wheelset.profile', argument(2), error) == microslip_ok, 'the wheel')
+    call set(problem, 'wheelset.nominal_radius', 0.46_c_double)
+    call set(problem, 'wheelset.flange_back_distance', 1.36_c_double)
+    call set(problem, 'wheel.lateral', 0.00604_c_double)
+    call set(problem, 'wheel.vertical_force', 80e3_c_double)
+    call set(problem, 'wheel.forward_velocity', 30.0_c_double)
+    call set(problem, 'material.young_modulus', 210e9_c_double)
+    call set(problem, 'material.poisson_ratio', 0.28_c_double)
+    call set(problem, 'friction.coefficient', 0.3_c_double)
+    call look_at_inputs(problem)
+    call require(microslip_wheel_rail_create(problem, wheel_rail, error) == microslip_ok, microslip_error_text(error))
+    call microslip_problem_destroy(problem)
+  end subroutine
+
+  !> What was set is read back, defaults too; a misspelt path is refused with the nearest; the problem has a result.
+  subroutine look_at_inputs(problem)
+    type(c_ptr), intent(in) :: problem
+    real(c_double) :: value, force
+    real(c_double), allocatable :: values(:), field(:, :)
+    character(:), allocatable :: word
+    call require(microslip_get(problem, 'wheel.lateral', value, error) == microslip_ok, 'get')
+    call require(abs(value - 0.00604_c_double) < 1e-12, 'the lateral displacement')
+    call require(microslip_get(problem, 'wheel.side', word, error) == microslip_ok, 'get of a word')
+    call require(word == 'left', 'its default')
+    call require(microslip_set(problem, 'rail.trim', [-0.03_c_double, 0.03_c_double], error) == microslip_ok, 'trim')
+    call require(microslip_get(problem, 'rail.trim', values, error) == microslip_ok, 'get of an array')
+    call require(size(values) == 2 .and. values(2) > 0, 'its numbers')
+    call require(microslip_unset(problem, 'rail.trim', error) == microslip_ok, 'unset')
+    call require(microslip_get(problem, 'rail.trim', values, error) == microslip_no_result, 'nothing is left')
+    call require(microslip_set(problem, 'track.gage', 1.0_c_double, error) == microslip_invalid_option, 'a wrong path')
+    call require(index(microslip_error_text(error), 'did you mean track.gauge?') > 0, microslip_error_text(error))
+    call require(microslip_solve(problem, error) == microslip_ok, microslip_error_text(error))
+    call require(microslip_number(problem, 'force_z', force, error) == microslip_ok, microslip_error_text(error))
+    call require(abs(force - 80e3_c_double) < 1, 'the force is carried')
+    call require(microslip_field(problem, 'normal_force', field, error) == microslip_ok, microslip_error_text(error))
+    call require(size(field, 2) == 1 .and. all(field > 0), 'the patches')
   end subroutine
 
   subroutine look_at_derivatives()

@@ -6,10 +6,10 @@ root = arguments{2};
 % The example runs, and its curve has the shape of one.
 run(fullfile(root, 'examples', 'matlab', 'creep_curve.m'));
 limit = contact.friction * contact.normal_force;
-assert(all(diff(exact.fx) < 0) && all(abs(exact.fx) <= limit * (1 + 1e-12)));
-assert(exact.fx(1), 0, 1e-6 * limit);
-assert(simplified.fx, exact.fx, 0.05 * limit);
-assert(exact.status, zeros(size(exact.fx)));
+assert(all(diff(exact) < 0) && all(abs(exact) <= limit * (1 + 1e-12)));
+assert(exact(1), 0, 1e-6 * limit);
+assert(simplified.fx, exact, 0.05 * limit);
+assert(simplified.status, zeros(size(exact)));
 
 % Hertz's closed form for a sphere on a flat: a^3 = 3 Fn R / (4 E*).
 sphere = struct('rolling_radius', [0.1 Inf], 'transverse_radius', [0.1 Inf], ...
@@ -27,9 +27,26 @@ assert(microslip('fastsim2', many, 20, 20).fx, found.fx(2, 2));
 
 % Case files give JSON with the numbers of the file.
 text = fileread(fullfile(root, 'examples', 'hertzian_contact.toml'));
-result = jsondecode(microslip('solve', text));
+result = jsondecode(microslip('solve_case', text));
 assert(result.exact.status, 'ok');
 assert(result.hertz.a, hertz.a, 1e-12);
+
+% Problems by path have these numbers, too, whether they are read or set.
+problem = microslip('read', text);
+assert(microslip('solve', problem), 0);
+assert(microslip('number', problem, 'fx'), result.exact.fx);
+pressure = microslip('field', problem, 'pressure');
+assert(sum(sum(pressure .* microslip('field', problem, 'area'))), 80e3, 1e-6 * 80e3);
+assert(microslip('get', problem, 'load.normal_force'), 80e3);
+assert(microslip('get', problem, 'solution.theory'), 'exact');
+assert(numel(microslip('get', problem, 'solution.grid')), 2);
+xi = microslip('get', problem, 'motion.creepage_longitudinal');
+slopes = microslip('differentiate', problem);
+microslip('set', problem, 'motion.creepage_longitudinal', xi + 1e-6);
+microslip('solve', problem);
+assert(slopes(1, 1), (microslip('number', problem, 'fx') - result.exact.fx) / 1e-6, 0.02 * abs(slopes(1, 1)));
+microslip('unset', problem, 'motion.creepage_longitudinal');
+assert(microslip('get', problem, 'motion.creepage_longitudinal'), 0);
 
 % Mistakes are errors with the field, and end nothing else.
 function refused(words, varargin)
@@ -43,7 +60,7 @@ function refused(words, varargin)
 end
 wrong = contact;
 wrong.normal_force = -1;
-refused('normal_force = -1', 'exact', wrong);
+refused('normal_force = -1', 'fastsim2', wrong);
 wrong = contact;
 wrong.creep = 1;
 refused('contact.creep: unknown', 'fastsim2', wrong);
@@ -51,7 +68,17 @@ refused('bodies.rolling_radius must be two numbers', 'hertz', struct('rolling_ra
 refused('must be', 'hertz', setfield(sphere, 'young_modulus', [0 210e9]), 1000);
 wrong = contact;
 wrong.spin = [1 2 3];
-refused('another size', 'exact', wrong);
+refused('another size', 'fastsim2', wrong);
 refused('the first argument must be', 'fastsim');
 refused('mx', 'fastsim2', contact, 0, 10);
+refused('did you mean load.normal_force?', 'set', problem, 'load.normal_forse', 1);
+refused('friction.coefficient = -1', 'set', problem, 'friction.coefficient', -1);
+refused('is not set', 'get', problem, 'load.approach');
+refused('each path needs a value', 'set', problem, 'motion.spin');
+refused('a path must be a text', 'set', problem, 1, 2);
+refused('"colour"', 'number', problem, 'colour');
+refused('of kind', 'create', 'train');
+microslip('destroy', problem);
+refused('no problem', 'solve', problem);
+refused('no problem', 'solve', 0.5);
 disp('mex: all is as it should be');

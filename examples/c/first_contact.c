@@ -1,4 +1,4 @@
-/* A wheel on a rail in C: Hertz, FASTSIM2 with derivatives, the exact theory, and a field.
+/* A wheel on a rail in C: Hertz, FASTSIM2 with derivatives, the exact theory by paths of inputs, and a field.
  *
  *   cc first_contact.c $(pkg-config --cflags --libs microslip_c) -o first_contact
  */
@@ -30,36 +30,68 @@ static int simplified_theory(const microslip_contact* contact) {
   return 0;
 }
 
-/* The largest traction among the cells of the contact last solved [Pa]. */
-static int largest_traction(const microslip_exact* solver, size_t count, double* largest, microslip_error* error) {
-  double* tractions = malloc(2 * count * sizeof(double));
+/* An input by its path, as case files have it; what is left out has its default. */
+typedef struct input {
+  const char* path;
+  double value;
+} input;
+
+static const input inputs[] = {{"body1.rolling_radius", 0.46},
+                               {"body1.transverse_radius", INFINITY},
+                               {"body1.young_modulus", 210e9},
+                               {"body1.poisson_ratio", 0.28},
+                               {"body2.rolling_radius", INFINITY},
+                               {"body2.transverse_radius", 0.3},
+                               {"body2.young_modulus", 210e9},
+                               {"body2.poisson_ratio", 0.28},
+                               {"load.normal_force", 80e3},
+                               {"friction.coefficient", 0.3},
+                               {"motion.rolling_speed", 30},
+                               {"motion.creepage_longitudinal", 0.0018},
+                               {"motion.creepage_lateral", 0.0006},
+                               {"motion.spin", 0.4},
+                               {"solution.grid", 24}};
+
+static int set_inputs(microslip_problem* problem, microslip_error* error) {
   size_t k;
-  *largest = 0;
-  if (!tractions) return 1;
-  if (microslip_exact_get(solver, MICROSLIP_FIELD_PX, count, tractions, error) == MICROSLIP_OK &&
-      microslip_exact_get(solver, MICROSLIP_FIELD_PY, count, tractions + count, error) == MICROSLIP_OK)
-    for (k = 0; k < count; ++k) *largest = fmax(*largest, hypot(tractions[k], tractions[count + k]));
-  free(tractions);
-  return failed("get", error);
+  for (k = 0; k < sizeof inputs / sizeof *inputs; ++k)
+    if (microslip_set(problem, inputs[k].path, inputs[k].value, error) != MICROSLIP_OK) return 1;
+  return microslip_set_text(problem, "solution.theory", "exact", error) != MICROSLIP_OK;
 }
 
-static int exact_theory(const microslip_contact* contact) {
-  microslip_exact* solver = NULL;
-  microslip_exact_result result;
+/* The largest traction among the elements [Pa]. */
+static int largest_traction(microslip_problem* problem, double* largest, microslip_error* error) {
+  size_t columns = 0, rows = 0, count, k;
+  double* tractions;
+  *largest = 0;
+  microslip_field_size(problem, "px", &columns, &rows, error);
+  count = columns * rows;
+  tractions = malloc(2 * count * sizeof(double));
+  if (!tractions) return 1;
+  if (microslip_field(problem, "px", count, tractions, error) == MICROSLIP_OK &&
+      microslip_field(problem, "py", count, tractions + count, error) == MICROSLIP_OK)
+    for (k = 0; k < count; ++k) *largest = fmax(*largest, hypot(tractions[k], tractions[count + k]));
+  free(tractions);
+  return failed("field", error);
+}
+
+static int exact_theory(void) {
+  microslip_problem* problem = NULL;
   microslip_error error;
-  double largest = 0;
-  result.struct_size = sizeof result;
-  microslip_exact_create(NULL, &solver, &error);
+  double fx, fy, mz, largest;
+  int bad;
+  microslip_problem_create(MICROSLIP_BODIES, &problem, &error);
   if (failed("create", &error)) return 1;
-  microslip_exact_solve(solver, contact, NULL, &result, &error);
-  if (failed("exact theory", &error) ||
-      largest_traction(solver, (size_t)result.mx * (size_t)result.my, &largest, &error)) {
-    microslip_exact_destroy(solver);
+  bad = set_inputs(problem, &error) || microslip_solve(problem, &error) != MICROSLIP_OK ||
+        microslip_number(problem, "fx", &fx, &error) != MICROSLIP_OK ||
+        microslip_number(problem, "fy", &fy, &error) != MICROSLIP_OK ||
+        microslip_number(problem, "mz", &mz, &error) != MICROSLIP_OK || largest_traction(problem, &largest, &error);
+  microslip_problem_destroy(problem);
+  if (bad) {
+    failed("exact theory", &error);
     return 1;
   }
-  microslip_exact_destroy(solver);
-  printf("exact    fx %.9g fy %.9g N mz %.9g N m largest traction %.9g Pa\n", result.forces.fx, result.forces.fy,
-         result.forces.mz, largest);
+  printf("exact    fx %.9g fy %.9g N mz %.9g N m largest traction %.9g Pa\n", fx, fy, mz, largest);
   return 0;
 }
 
@@ -82,5 +114,5 @@ int main(void) {
   contact.creepage_longitudinal = 0.0018;
   contact.creepage_lateral = 0.0006;
   contact.spin = 0.4;
-  return simplified_theory(&contact) || exact_theory(&contact);
+  return simplified_theory(&contact) || exact_theory();
 }

@@ -1,4 +1,4 @@
-! A wheel on a rail in Fortran: Hertz, FASTSIM2 with derivatives, the exact theory, and a field.
+! A wheel on a rail in Fortran: Hertz, FASTSIM2 with derivatives, the exact theory by paths of inputs, and a field.
 !
 !   gfortran microslip.f90 first_contact.f90 $(pkg-config --libs microslip_c) -o first_contact
 program first_contact
@@ -53,24 +53,51 @@ contains
     end do
   end subroutine
 
+  !> Sets an input by its path, as case files have it; what is left out has its default.
+  subroutine set(problem, path, value)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: path
+    real(c_double), intent(in) :: value
+    call demand(microslip_set(problem, path, value, error))
+  end subroutine
+
+  subroutine set_bodies(problem)
+    type(c_ptr), intent(in) :: problem
+    call set(problem, 'body1.rolling_radius', 0.46_c_double)
+    call set(problem, 'body1.transverse_radius', flat)
+    call set(problem, 'body1.young_modulus', 210e9_c_double)
+    call set(problem, 'body1.poisson_ratio', 0.28_c_double)
+    call set(problem, 'body2.rolling_radius', flat)
+    call set(problem, 'body2.transverse_radius', 0.3_c_double)
+    call set(problem, 'body2.young_modulus', 210e9_c_double)
+    call set(problem, 'body2.poisson_ratio', 0.28_c_double)
+  end subroutine
+
+  function number(problem, name) result(value)
+    type(c_ptr), intent(in) :: problem
+    character(*), intent(in) :: name
+    real(c_double) :: value
+    call demand(microslip_number(problem, name, value, error))
+  end function
+
   subroutine exact_theory()
-    type(c_ptr) :: solver
-    type(microslip_exact_options) :: options
-    type(microslip_exact_motion) :: motion
-    type(microslip_exact_result) :: result
-    real(c_double), allocatable :: px(:), py(:)
-    integer(c_size_t) :: count
-    call demand(microslip_exact_options_init(options, c_sizeof(options)))
-    call demand(microslip_exact_motion_init(motion, c_sizeof(motion)))
-    result%struct_size = c_sizeof(result)
-    call demand(microslip_exact_create(options, solver, error))
-    call demand(microslip_exact_solve(solver, contact, motion, result, error))
-    count = int(result%mx, c_size_t) * result%my
-    allocate (px(count), py(count))
-    call demand(microslip_exact_get(solver, microslip_field_px, count, px, error))
-    call demand(microslip_exact_get(solver, microslip_field_py, count, py, error))
-    call microslip_exact_destroy(solver)
-    print '(a, es16.8, a, es16.8, a, es16.8, a, es16.8, a)', 'exact    fx', result%forces%fx, ' fy', &
-      result%forces%fy, ' N mz', result%forces%mz, ' N m largest traction', maxval(hypot(px, py)), ' Pa'
+    type(c_ptr) :: problem
+    real(c_double), allocatable :: px(:, :), py(:, :)
+    call demand(microslip_problem_create(microslip_bodies_problem, problem, error))
+    call set_bodies(problem)
+    call set(problem, 'load.normal_force', 80e3_c_double)
+    call set(problem, 'friction.coefficient', 0.3_c_double)
+    call set(problem, 'motion.rolling_speed', 30.0_c_double)
+    call set(problem, 'motion.creepage_longitudinal', 0.0018_c_double)
+    call set(problem, 'motion.creepage_lateral', 0.0006_c_double)
+    call set(problem, 'motion.spin', 0.4_c_double)
+    call demand(microslip_set(problem, 'solution.theory', 'exact', error))
+    call demand(microslip_set(problem, 'solution.grid', [24.0_c_double, 24.0_c_double], error))
+    call demand(microslip_solve(problem, error))
+    call demand(microslip_field(problem, 'px', px, error))
+    call demand(microslip_field(problem, 'py', py, error))
+    print '(a, es16.8, a, es16.8, a, es16.8, a, es16.8, a)', 'exact    fx', number(problem, 'fx'), ' fy', &
+      number(problem, 'fy'), ' N mz', number(problem, 'mz'), ' N m largest traction', maxval(hypot(px, py)), ' Pa'
+    call microslip_problem_destroy(problem)
   end subroutine
 end program

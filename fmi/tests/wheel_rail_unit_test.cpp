@@ -2,6 +2,7 @@
 
 #include "fmi/tests/importer.hpp"
 #include "io/profile_file.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -54,13 +55,15 @@ public:
   }
   void expect(const WheelRailSolution& wanted) {
     EXPECT_EQ(get_integer("status"), static_cast<int>(wanted.status));
-    EXPECT_EQ(get_integer("at_profile_end"), wanted.warnings.has(Warning::profile_end));
-    EXPECT_EQ(get_integer("warning_code"), static_cast<int>(wanted.warnings.code));
-    for (const WheelQuantity& q : wheel_quantities())
-      expect_same(get("wheel." + std::string(q.name)), q.value(wanted), q.name);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const PatchQuantity& q : patch_quantities())
-        expect_same(get("patch[" + std::to_string(k + 1) + "]." + std::string(q.name)),
+    EXPECT_EQ(get_integer("wheel.at_profile_end"), wanted.warnings.has(Warning::profile_end));
+    EXPECT_EQ(get_integer("wheel.warning_code"), static_cast<int>(wanted.warnings.code));
+    EXPECT_EQ(get("wheel.patch_count"), static_cast<double>(wanted.patches.size()));
+    const auto got = [&](const std::string& name, bool is_code) { return is_code ? get_integer(name) : get(name); };
+    for (const WheelQuantity& q : wheel_results())
+      expect_same(got("wheel." + std::string(q.name), q.is_code), q.value(wanted), q.name);
+    for (std::size_t k = 0; k < 8; ++k)
+      for (const PatchQuantity& q : patch_results())
+        expect_same(got("patch[" + std::to_string(k + 1) + "]." + std::string(q.name), q.is_code),
                     k < wanted.patches.size() ? q.value(wanted.patches[k]) : 0, q.name);
   }
   std::string failed_initialization() {
@@ -94,6 +97,24 @@ TEST(WheelRailUnit, HasAsOutputsWhatHasDerivatives) {
   const std::vector<std::string> wanted = {"wheel.force_x",  "wheel.force_y",  "wheel.force_z", "wheel.moment_x",
                                            "wheel.moment_y", "wheel.moment_z", "wheel.vertical"};
   EXPECT_EQ(outputs, wanted);
+}
+
+/// What the table of inputs says stands in the description.
+TEST(WheelRailUnit, ParametersAreInputsOfCaseFiles) {
+  std::size_t count = 0;
+  for (const description::NamedInput& named : description::wheel_inputs().named()) {
+    const auto start = fmi::description().starts.find(named.path);
+    if (start == fmi::description().starts.end() || named.input->is_state) continue;
+    ++count;
+    EXPECT_EQ(fmi::description().causalities.at(named.path), "parameter");
+    if (named.input->missing) {
+      EXPECT_EQ(std::stod(start->second), *named.input->missing) << named.path;
+    }
+    if (!named.input->missing_word.empty()) {
+      EXPECT_EQ(start->second, named.input->missing_word) << named.path;
+    }
+  }
+  EXPECT_GE(count, 30U);
 }
 
 TEST(WheelRailUnit, StepsAsTheLibraryDoes) {
@@ -222,7 +243,7 @@ TEST(WheelRailUnit, SaysWhatTheReadersOfProfilesSay) {
   ASSERT_NE(wanted, "");
   WheelInstance instance;
   EXPECT_EQ(instance.set_text("wheelset.profile", broken.string()), fmi2OK);
-  EXPECT_EQ(instance.failed_initialization(), wanted);
+  EXPECT_EQ(instance.failed_initialization(), (resources / "parameters").string() + ": wheelset.profile: " + wanted);
   EXPECT_EQ(instance.messages.category, "logStatusError");
   // Reset, it is as new.
   EXPECT_EQ(FMI(fmi2Reset)(instance.unit), fmi2OK);
@@ -261,8 +282,10 @@ TEST(WheelRailUnit, NamesWhatMakesNoSense) {
   EXPECT_TRUE(contains(refused([](auto& i) { return i.set_text("wheel.side", "lefft"); }), "wheel.side"));
   EXPECT_TRUE(contains(refused([](auto& i) { return i.set_text("rail.unit", "km"); }), "rail.unit"));
   EXPECT_TRUE(contains(refused([](auto& i) { return i.set("track.gauge", -1); }), "gauge = -1 [m]"));
-  EXPECT_TRUE(contains(refused([](auto& i) { return i.set("friction.coefficient", -1); }), "friction = -1"));
-  EXPECT_TRUE(contains(refused([](auto& i) { return i.set_integer("solution.grid", 0); }), "elements = 0"));
+  EXPECT_TRUE(contains(refused([](auto& i) { return i.set("friction.coefficient", -1); }),
+                       "friction.coefficient = -1 [-]: must be in [0, 10]"));
+  EXPECT_TRUE(contains(refused([](auto& i) { return i.set_integer("solution.grid", 0); }),
+                       "solution.grid = 0 [-]: must be in [6, 1000]"));
   EXPECT_TRUE(
       contains(refused([](auto& i) { return i.set("state.vertical_force", -5); }), "state.vertical_force = -5"));
   EXPECT_TRUE(contains(refused([](auto& i) { return i.set("state.yaw", std::numeric_limits<double>::quiet_NaN()); }),

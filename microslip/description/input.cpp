@@ -4,8 +4,22 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace microslip::description {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string range_of(const Input& input) {
+  if (input.words.empty()) return input.bounds.text();
+  std::string words;
+  for (const std::string_view word : input.words)
+    words.append(words.empty() ? "" : word == input.words.back() ? " or " : ", ").append(word);
+  return words;
+}
+
+} // namespace
 
 void Bounds::require(std::string_view field, double value, std::string_view unit) const {
   switch (kind) {
@@ -40,6 +54,27 @@ std::string Bounds::text() const {
     return "positive; inf: rigid";
   }
   return "";
+}
+
+double Bounds::least() const {
+  if (kind == Kind::between) return low;
+  return kind == Kind::positive || kind == Kind::modulus ? 0 : -infinity;
+}
+
+double Bounds::largest() const {
+  return kind == Kind::between ? high : infinity;
+}
+
+InputTable::InputTable(std::vector<Input> inputs, std::vector<Shared> shared)
+    : inputs_(std::move(inputs)), shared_(std::move(shared)) {
+  for (auto first = inputs_.begin(); first != inputs_.end();) {
+    const auto end = std::find_if(first, inputs_.end(), [&](const Input& i) { return i.section != first->section; });
+    for (const std::string_view name : names(first->section))
+      for (auto input = first; input != end; ++input)
+        named_.push_back(
+            {std::string(name).append(name.empty() ? "" : ".").append(input->key), &*input, range_of(*input)});
+    first = end;
+  }
 }
 
 bool InputTable::has(const Input& input, std::string_view section) const {

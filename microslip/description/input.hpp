@@ -26,6 +26,9 @@ struct Bounds {
   void require(std::string_view field, double value, std::string_view unit) const;
   /// In words: "in [0, 10]", "positive"; empty for any finite number.
   std::string text() const;
+  /// The least and the largest number between which all lie that are allowed; infinite where there is none.
+  double least() const;
+  double largest() const;
 };
 inline constexpr Bounds any_number{};
 inline constexpr Bounds positive{Bounds::Kind::positive};
@@ -57,8 +60,16 @@ struct Input {
   std::string_view missing_word = ""; ///< the same of a word
   bool is_needed = false;             ///< a case without it is refused; of alternatives one is needed
   bool is_state = false;              ///< of a wheel's state or load, which a sweep may vary
+  bool may_be_list = false;           ///< a list of numbers may stand for the number
   std::span<const std::string_view> words = {};
   std::string_view text = ""; ///< what it is, with the sign's meaning
+};
+
+/// An input under one of the names that its section has in files.
+struct NamedInput {
+  std::string path; ///< "body1.rolling_radius"
+  const Input* input;
+  std::string range; ///< what it may be, in words: "in [0, 10]", "forward or backward"; empty for all of its kind
 };
 
 /// The inputs of a kind of case, in the order in which they are shown.
@@ -68,10 +79,12 @@ public:
   struct Shared {
     std::string_view in_files, in_table;
   };
-  InputTable(std::vector<Input> inputs, std::vector<Shared> shared)
-      : inputs_(std::move(inputs)), shared_(std::move(shared)) {}
+  InputTable(std::vector<Input> inputs, std::vector<Shared> shared);
+  InputTable(InputTable&&) = default;
 
   std::span<const Input> inputs() const { return inputs_; }
+  /// Each under all of its names.
+  std::span<const NamedInput> named() const { return named_; }
   /// The keys of a section of a file, "" for those of the file itself.
   std::vector<std::string_view> keys(std::string_view section) const;
   /// The names that a section of the table has in files.
@@ -84,6 +97,7 @@ private:
 
   std::vector<Input> inputs_;
   std::vector<Shared> shared_;
+  std::vector<NamedInput> named_;
 };
 
 /// Of two bodies in rolling contact; of a wheel on a rail, and of a wheelset, which has more.

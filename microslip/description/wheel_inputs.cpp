@@ -167,6 +167,7 @@ const Input all_inputs[] = {
      .unit = "-",
      .bounds = between(0, FrictionLaw::largest_coefficient),
      .is_needed = true,
+     .may_be_list = true,
      .text = "coefficient of friction, or a list of them, one for each angle"},
     {.section = "friction",
      .key = "angle",

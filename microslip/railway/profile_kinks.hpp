@@ -14,6 +14,8 @@ struct KinkRule {
   double angle = std::numbers::pi / 6;   ///< a kink turns by more than this [rad]
   double around = std::numbers::pi / 30; ///< and every other point near it by less than this [rad]
   double width = 2e-3;                   ///< near: within this length [m] of polygon on either side
+
+  friend bool operator==(const KinkRule&, const KinkRule&) = default;
 };
 
 /// The angle [rad] by which the polygon turns at point k, in (-pi, pi], positive to the left; 0 at both ends.

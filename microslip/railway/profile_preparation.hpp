@@ -21,6 +21,8 @@ struct ProfileTreatment {
   double y_min = -std::numeric_limits<double>::infinity(), y_max = std::numeric_limits<double>::infinity();
   double smoothing_length = 0; ///< wavelength L of `smoothed`; 0: none
   KinkRule kinks = {};
+
+  friend bool operator==(const ProfileTreatment&, const ProfileTreatment&) = default;
 };
 
 /// A profile and how it came about.

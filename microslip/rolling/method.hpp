@@ -35,6 +35,8 @@ struct Method {
   Precision precision = Precision::full; ///< of the forces of many contacts
   // Of the theory `table`:
   std::shared_ptr<const CreepForceTable> table = {}; ///< for the direction of rolling
+
+  friend bool operator==(const Method&, const Method&) = default;
 };
 
 /// All incompatibilities of a problem and a method, in the order of the table that every interface reads: empty if the

@@ -145,6 +145,7 @@ struct Solver::Kept {
   std::optional<EllipticContactSolver> exact;
   std::optional<ExactOptions> accurate_of;
   std::optional<AccurateContactSolver> accurate;
+  int finest = 1; ///< elements across of what that found last
   std::optional<KeptPatch> patch;
   TransformPlans plans; ///< of patches
   ContactSequence sequence;
@@ -157,10 +158,23 @@ struct Solver::Kept {
     if (method.accuracy) {
       if (!accurate || accurate_of != options) accurate.emplace(*method.accuracy, options);
       accurate_of = options;
-      return with_limit(accurate->solve(contact, exact_motion(problem.motion), progress));
+      AccurateContact found = accurate->solve(contact, exact_motion(problem.motion), progress);
+      finest = found.elements;
+      return with_limit(std::move(found));
     }
+    return with_options(options).solve(contact, exact_motion(problem.motion), progress);
+  }
+
+  EllipticContactSolver& with_options(const ExactOptions& options) {
     if (!exact || !(exact->options() == options)) exact.emplace(options);
-    return exact->solve(contact, exact_motion(problem.motion), progress);
+    return *exact;
+  }
+
+  /// Refuses what only ellipses by the exact theory have.
+  void require_exact_ellipse(const RollingProblem& problem, const char* what) const {
+    require_compatible(problem, method);
+    if (method.theory != Theory::exact || !is_hertzian(problem))
+      throw Error(std::string(what) + ": of an ellipse by solution.theory = \"exact\" only");
   }
 
   ContactSolution solve_simplified(const EllipticContact& contact, RollingDirection direction) const {
@@ -231,6 +245,24 @@ ContactSolution Solver::solve(const RollingProblem& problem, const Progress& pro
       is_hertzian(problem) ? kept_->solve_ellipse(problem, progress) : kept_->solve_on_grid(problem, progress);
   conclude(out, kept_->method.tolerance);
   return out;
+}
+
+ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Progress& progress) {
+  kept_->require_exact_ellipse(problem, "derivatives");
+  if (kept_->method.accuracy) throw Error("solution.accuracy: there are no derivatives of extrapolated forces");
+  const Motion& motion = problem.motion;
+  if (motion.kind != ContactMotion::steady || motion.force_x || motion.force_y)
+    throw Error("derivatives: of steady rolling with creepages given only");
+  const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
+  return kept_->with_options(exact_options(problem, kept_->method)).differentiate(contact, progress);
+}
+
+DeformedGap Solver::deformed_gap(const RollingProblem& problem, const Progress& progress) {
+  kept_->require_exact_ellipse(problem, "gap");
+  ExactOptions options = exact_options(problem, kept_->method);
+  if (kept_->method.accuracy) options.mx = options.my = kept_->finest;
+  const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
+  return kept_->with_options(options).deformed_gap(contact, exact_motion(problem.motion), progress);
 }
 
 } // namespace microslip

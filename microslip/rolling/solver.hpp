@@ -35,6 +35,16 @@ public:
   /// O(N log N), some ms at 24 x 24; of the simplified theory O(N).
   ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});
 
+  /// Steady rolling over an ellipse by the exact theory at second order, creepages given: the solution, and the
+  /// derivatives of its forces by the creepages. Throws Error for another method; what no derivatives are known of has
+  /// status invalid_input.
+  ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress = {});
+
+  /// Deformed distance of the bodies [m] at the elements of an ellipse's solution by the exact theory, zero in contact.
+  /// With an accuracy, those of the problem last solved. Throws Error for another method and for what `solve` refuses,
+  /// Stopped if `progress` returns false.
+  DeformedGap deformed_gap(const RollingProblem& problem, const Progress& progress = {});
+
 private:
   struct Kept;
   std::unique_ptr<Kept> kept_;

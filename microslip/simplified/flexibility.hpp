@@ -25,6 +25,8 @@ struct SlopeReduction {
   double initial = 1;     ///< k0, in (0, 1]
   double at_infinity = 1; ///< alpha, in [0, 1]; 1 gives k = k0
   double decay = 0;       ///< beta, >= 0
+
+  friend bool operator==(const SlopeReduction&, const SlopeReduction&) = default;
 };
 
 /// Motion and load of a contact.

@@ -3,10 +3,14 @@
 
 /*
  * microslip from C, and from all that can call C: frictional rolling contact by the simplified theory (FASTSIM2) and by
- * the exact theory of elastic half-spaces.
+ * the exact theory of elastic half-spaces, of two bodies, a wheel on a rail, and a wheelset.
  *
  * Units are SI. Forces, moments and tractions act on body 1, the wheel; positive creepage gives a negative force. Frame
  * and signs: docs/conventions.md.
+ *
+ * There are two ways in. A problem (microslip_problem) is set input by input, by the paths that case files have,
+ * solved, and asked for numbers by name: it has all that microslip can do. For inner loops contacts of FASTSIM2,
+ * creep-force tables and wheels on rails are solved from plain arrays.
  *
  * Solvers stand behind handles: create, solve, get, destroy. Distinct handles may be used from distinct threads at the
  * same time, one handle by one thread at a time: a call with a handle that another thread is using is refused with
@@ -38,7 +42,7 @@
 
 /* Of this binary interface: layouts, functions and meanings. Raised together with the soname, when programs built with
  * an older header no longer run with the library. */
-#define MICROSLIP_ABI 1
+#define MICROSLIP_ABI 2
 
 #if defined(_WIN32) && defined(MICROSLIP_BUILDING_LIBRARY)
 #define MICROSLIP_API __declspec(dllexport)
@@ -173,7 +177,7 @@ typedef struct microslip_hertz {
   double stiffness;     /* dFn/d(approach) [N/m] */
   double shear_modulus; /* combined G [Pa] */
   double poisson_ratio; /* combined nu [-] */
-  double dissimilarity; /* K [-], 0 for equal bodies; to be set in the options of the exact theory */
+  double dissimilarity; /* K [-], 0 for equal bodies */
 } microslip_hertz;
 
 /* Hertz's contact under a normal force [N], > 0. Cost: about a microsecond. Any thread. */
@@ -201,38 +205,6 @@ typedef enum microslip_flexibility {
 typedef enum microslip_coefficients { MICROSLIP_KALKER = 0, MICROSLIP_COMPUTED = 1 } microslip_coefficients;
 typedef enum microslip_precision { MICROSLIP_DOUBLE = 0, MICROSLIP_SINGLE = 1 } microslip_precision;
 typedef enum microslip_direction { MICROSLIP_FORWARD = 0, MICROSLIP_BACKWARD = 1 } microslip_direction;
-typedef enum microslip_discretisation { MICROSLIP_SECOND_ORDER = 0, MICROSLIP_CLASSICAL = 1 } microslip_discretisation;
-typedef enum microslip_elements { MICROSLIP_CONSTANT = 0, MICROSLIP_BILINEAR = 1 } microslip_elements;
-typedef enum microslip_coupling {
-  MICROSLIP_NEWTON = 0,     /* normal and tangential problem at once, by Newton's method */
-  MICROSLIP_ALTERNATING = 1 /* in turn until neither changes; elastic bodies */
-} microslip_coupling;
-typedef enum microslip_slip_start {
-  MICROSLIP_BELOW = 0, /* from rest: friction is static everywhere */
-  MICROSLIP_ABOVE = 1  /* from full sliding at the rolling speed */
-} microslip_slip_start;
-typedef enum microslip_motion {
-  MICROSLIP_STEADY = 0,
-  MICROSLIP_TRANSIENT = 1, /* rolling from no tractions on */
-  MICROSLIP_SHIFT = 2      /* the creepages are a rigid shift [m] and a rotation [rad] */
-} microslip_motion;
-
-/* Fields over the elements of a grid: my rows, y ascending, of mx elements, x ascending whatever the rolling direction;
- * element i of row j has the index j mx + i. For the _get functions; these are no places in a microslip_list. */
-typedef enum microslip_field {
-  MICROSLIP_FIELD_X = 0,        /* cell centres [m] */
-  MICROSLIP_FIELD_Y = 1,        /* [m] */
-  MICROSLIP_FIELD_AREA = 2,     /* weights [m^2]: sum of area times px is fx */
-  MICROSLIP_FIELD_BOUND = 3,    /* traction bound g [Pa] */
-  MICROSLIP_FIELD_PX = 4,       /* tractions on body 1 [Pa] */
-  MICROSLIP_FIELD_PY = 5,       /* [Pa] */
-  MICROSLIP_FIELD_SX = 6,       /* relative slip of body 1 over body 2 [-] */
-  MICROSLIP_FIELD_SY = 7,       /* [-] */
-  MICROSLIP_FIELD_STATE = 8,    /* 0 exterior, 1 adhesion, 2 slip */
-  MICROSLIP_FIELD_PRESSURE = 9, /* exact theory only [Pa] */
-  MICROSLIP_FIELD_UX = 10,      /* exact theory only: displacement difference [m] */
-  MICROSLIP_FIELD_UY = 11       /* [m] */
-} microslip_field;
 
 /* ------------------------------------------------------------------------------------------------------- lists ----
  */
@@ -245,8 +217,24 @@ typedef enum microslip_list {
   MICROSLIP_WHEEL_RESULT = 3,     /* what it bears: "force_y", "patch_count" */
   MICROSLIP_WHEEL_DERIVATIVE = 4, /* those of its results that have derivatives: "force_y", "vertical" */
   MICROSLIP_WHEEL_PATCH = 5,      /* of a patch of it: "normal_force", "status" */
-  MICROSLIP_WHEELSET_CONTACT = 6  /* where a rigid wheelset touches: "left_contact_angle" */
+  MICROSLIP_WHEELSET_CONTACT = 6, /* where a rigid wheelset touches: "left_contact_angle" */
+  MICROSLIP_WHEELSET_RESULT = 7,  /* what a wheelset bears: "moment_z", "roll" */
+  /* Paths of the inputs of each microslip_kind: "load.normal_force". They stand in the order in which they are shown;
+   * new ones may come between them, so that their paths last, and not their indices. */
+  MICROSLIP_BODIES_INPUT = 8,
+  MICROSLIP_WHEEL_INPUT = 9,
+  MICROSLIP_WHEELSET_INPUT = 10
 } microslip_list;
+
+/* What an input may be set to. */
+typedef enum microslip_input_kind {
+  MICROSLIP_NUMBER = 0,
+  MICROSLIP_NUMBERS = 1, /* a list of at least one */
+  MICROSLIP_WHOLE = 2,   /* a whole number */
+  MICROSLIP_WHOLES = 3,  /* a list of two of them, or one for both */
+  MICROSLIP_TEXT = 4,
+  MICROSLIP_WORD = 5 /* one of a few */
+} microslip_input_kind;
 
 /* What a list tells of a number. Texts live as long as the library is loaded. */
 typedef struct microslip_quantity {
@@ -256,6 +244,12 @@ typedef struct microslip_quantity {
   const char* unit;       /* SI; "-" without one */
   const char* shift_unit; /* for a shift, whose creepages are lengths and whose power is work */
   const char* description;
+  /* Of inputs; of results nothing is said here. */
+  const char* range;        /* "in [0, 10]", "forward or backward"; may be empty */
+  double least, largest;    /* between which it lies, infinite where nothing is */
+  double missing;           /* what it is where it is not set; NaN: no number stands for it */
+  const char* missing_word; /* the same of a word; empty: none */
+  int kind;                 /* a microslip_input_kind */
 } microslip_quantity;
 
 /* How many numbers a microslip_list has, which is the longest row; 0 if there is no such list. Any thread. */
@@ -301,16 +295,15 @@ MICROSLIP_API microslip_code microslip_fastsim2_solve(microslip_fastsim2* solver
 MICROSLIP_API microslip_code microslip_fastsim2_differentiate(microslip_fastsim2* solver, size_t count,
                                                               const microslip_contact* contacts,
                                                               microslip_derivatives* derivatives);
-/* Solves one contact and keeps its fields, mx my cells, for microslip_fastsim2_get. Allocates. `forces` may be NULL. */
+/* Solves one contact and keeps its fields, mx my cells, for the two calls below. Allocates. `forces` may be
+ * NULL. */
 MICROSLIP_API microslip_code microslip_fastsim2_solve_fields(microslip_fastsim2* solver,
                                                              const microslip_contact* contact, microslip_forces* forces,
                                                              microslip_error* error);
-/* Copies a field, a microslip_field, of the contact last solved by microslip_fastsim2_solve_fields; `count` must be
- * mx my. */
-MICROSLIP_API microslip_code microslip_fastsim2_get(const microslip_fastsim2* solver, int field, size_t count,
-                                                    double* values, microslip_error* error);
-/* The same by names, those of MICROSLIP_CONTACT_QUANTITY and MICROSLIP_CONTACT_FIELD, and "state". MICROSLIP_NO_RESULT
- * for one that the simplified theory does not have. */
+/* A number of the contact last solved by microslip_fastsim2_solve_fields, or a field of it, by the names of
+ * MICROSLIP_CONTACT_QUANTITY and MICROSLIP_CONTACT_FIELD, and "state": 0 exterior, 1 adhesion, 2 slip. Fields have my
+ * rows, y ascending, of mx cells, x ascending whatever the rolling direction; `count` must be mx my.
+ * MICROSLIP_NO_RESULT for one that the simplified theory does not have. */
 MICROSLIP_API microslip_code microslip_fastsim2_quantity(const microslip_fastsim2* solver, const char* name,
                                                          double* value, microslip_error* error);
 MICROSLIP_API microslip_code microslip_fastsim2_field(const microslip_fastsim2* solver, const char* name, size_t count,
@@ -335,130 +328,86 @@ MICROSLIP_API microslip_code microslip_creep_table_differentiate(const microslip
                                                                  const microslip_contact* contacts,
                                                                  microslip_derivatives* derivatives);
 
-/* ------------------------------------------------------------------------------------------------- exact theory ----
+/* ----------------------------------------------------------------------------------------------------- problems ----
  */
 
-typedef struct microslip_exact microslip_exact;
+/* Which problems there are, as kinds of case files. */
+typedef enum microslip_kind {
+  MICROSLIP_BODIES = 0,  /* two bodies that touch in an ellipse */
+  MICROSLIP_WHEEL = 1,   /* a wheel on a rail by their profiles */
+  MICROSLIP_WHEELSET = 2 /* both wheels of a wheelset */
+} microslip_kind;
 
-/* One of the two bodies. Zero stands for what is not given. */
-typedef struct microslip_exact_body {
-  double shear_modulus;    /* G [Pa], > 0, of quick loads; given for both bodies or for neither: viscoelastic ones */
-  double poisson_ratio;    /* nu [-], in [0, 0.5] */
-  double creep_ratio;      /* share by which deformation grows with time [-], in [0, 1e6]; 0: elastic */
-  double creep_time;       /* in which it grows [s] */
-  double bulk_temperature; /* before the contact [deg C]; temperatures are found if heat data of both are given */
-  double conductivity;     /* [W/(m K)], > 0 */
-  double density;          /* [kg/m^3], > 0 */
-  double heat_capacity;    /* [J/(kg K)], > 0 */
-} microslip_exact_body;
+/* A problem: its inputs, a solver that keeps what does not change from one solve to the next, and what was solved last.
+ * Inputs have paths, section and key of a case file, "load.normal_force"; the lists MICROSLIP_BODIES_INPUT and so on
+ * tell them all with units, ranges and defaults. A library that was built without case files makes no problem:
+ * MICROSLIP_NO_RESULT. */
+typedef struct microslip_problem microslip_problem;
 
-/* A thin layer between the bodies, sheared in series with them. */
-typedef struct microslip_layer {
-  double flexibility;  /* thickness over shear modulus [m/Pa], >= 0; 0: no layer */
-  double yield_stress; /* [Pa], > 0; 0: it stays elastic */
-  double hardening;    /* what plastic deformation adds to that [Pa/m]; negative: it gets softer */
-} microslip_layer;
-
-/* How friction that depends on the slip follows its change. */
-typedef struct microslip_friction_memory {
-  double distance; /* [m], >= 0; 0: no memory */
-  double speed;    /* the least of forgetting [m/s], >= 0 */
-} microslip_friction_memory;
-
-/* What heat adds to the coefficient of friction. */
-typedef struct microslip_temperature_effect {
-  double change; /* [-]; 0: nothing */
-  double begin;  /* temperature from which on it does [deg C] */
-  double range;  /* over which the change comes [K], > 0 */
-} microslip_temperature_effect;
-
-typedef struct microslip_exact_options {
-  size_t struct_size;
-  int mx, my;         /* elements across the ellipse, 1 to 4,000; 24 and 24 */
-  int discretisation; /* a microslip_discretisation of steady rolling; second order where that is possible */
-  int direction;      /* a microslip_direction; forward */
-  double tolerance;   /* of the residual, in [1e-14, 0.1]; 1e-6 */
-  /* If not 0: steady rolling to this accuracy, a fraction of mu Fn in [1e-5, 0.1]. Grids are chosen, mx and my not
-   * used, and forces and creepages are extrapolated to the limit. */
-  double accuracy;
-  /* If not NULL: called often by long solves with the fraction done, 0 to 1; another return than 0 ends the solve with
-   * MICROSLIP_NOT_CONVERGED, and NaN where there is no result yet. It must not call the same handle. */
-  int (*progress)(double fraction, void* progress_data);
-  void* progress_data;
-  int elements;   /* a microslip_elements, of the classical discretisation, which bilinear ones need; constant */
-  int coupling;   /* a microslip_coupling, of dissimilar bodies; Newton's method */
-  int slip_start; /* a microslip_slip_start, of friction that depends on the slip; below */
-  /* K of the contacts [-], in [-0.5, 0.5], as microslip_hertz has it; 0. Materials of body1 and body2 have a K of their
-   * own. These materials, combined, must be those of each contact. */
-  double dissimilarity;
-  microslip_exact_body body1, body2;
-  microslip_layer layer;
-  microslip_friction_memory friction_memory;
-  microslip_temperature_effect temperature_effect;
-} microslip_exact_options;
-
-/* How the bodies move over each other, beyond the creepages of the contact. */
-typedef struct microslip_exact_motion {
-  size_t struct_size;
-  int kind;          /* a microslip_motion; steady */
-  int force_x_given; /* 1: force_x is given and xi is found; 0 */
-  int force_y_given; /* 1: force_y is given and eta is found; 0 */
-  int steps;         /* of transient rolling, 1 to 1,000,000; 1 */
-  double force_x;    /* [N] on body 1 */
-  double force_y;    /* [N] on body 1 */
-  double step;       /* the distance rolled in a step [m]; 0: an element's length */
-} microslip_exact_motion;
-
-typedef struct microslip_exact_result {
-  size_t struct_size;           /* set by the caller */
-  microslip_forces forces;      /* with an accuracy given: the limit */
-  double creepage_longitudinal; /* xi as given, or as found where a force is given */
-  double creepage_lateral;      /* eta, likewise */
-  double spin;                  /* phi [1/m] */
-  double approach;              /* [m] */
-  double peak_pressure;         /* [Pa] */
-  double peak_traction;         /* [Pa] */
-  double frictional_power;      /* [W]; more accurate than a sum of -V p.s area over fields; for a shift the work [J] */
-  double power_by_creepage;     /* -V (xi fx + eta fy + phi mz) [W] */
-  double elastic_energy;        /* of the tangential tractions [J] */
-  double residual;              /* relative, of the last Newton step */
-  double error;                 /* estimated, fraction of mu Fn; 0 unless an accuracy was given */
-  int mx, my;                   /* shape of the fields, margins outside the contact included */
-  int newton_steps;
-  long long products; /* with the matrix: what the solve cost */
-} microslip_exact_result;
-
-/* Write the defaults, and `struct_size`, into the first `size` bytes: pass sizeof *options or *motion. */
-MICROSLIP_API microslip_code microslip_exact_options_init(microslip_exact_options* options, size_t size);
-MICROSLIP_API microslip_code microslip_exact_motion_init(microslip_exact_motion* motion, size_t size);
-/* Makes a solver; options NULL means the defaults. Influence numbers are kept from one contact to the next if ellipse
- * and material stay the same. */
-MICROSLIP_API microslip_code microslip_exact_create(const microslip_exact_options* options, microslip_exact** solver,
+/* Makes one of a microslip_kind, in which nothing is set. Files of profiles and tables start at the working folder. */
+MICROSLIP_API microslip_code microslip_problem_create(int kind, microslip_problem** problem, microslip_error* error);
+/* Makes one with the inputs that the text of a case file has; `name` is the file's name for messages, and files of
+ * profiles and tables start at its folder. */
+MICROSLIP_API microslip_code microslip_problem_read(const char* text, const char* name, microslip_problem** problem,
                                                     microslip_error* error);
 /* NULL is allowed. */
-MICROSLIP_API void microslip_exact_destroy(microslip_exact* solver);
-/* Solves one contact and keeps its fields. motion NULL means steady rolling with the contact's creepages. Returns the
- * contact's status, or why it was refused; with a status other than MICROSLIP_OK the result is filled in as well. */
-MICROSLIP_API microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_contact* contact,
-                                                   const microslip_exact_motion* motion, microslip_exact_result* result,
-                                                   microslip_error* error);
-/* Steady rolling at second order with derivatives: `jacobian` holds count = 9 numbers, row by row fx, fy, mz, by xi,
- * eta, phi. Some four to six times the cost of a solve. Not with an accuracy given. `result` may be NULL. */
-MICROSLIP_API microslip_code microslip_exact_differentiate(microslip_exact* solver, const microslip_contact* contact,
-                                                           size_t count, double* jacobian,
-                                                           microslip_exact_result* result, microslip_error* error);
-/* Copies a field, a microslip_field, of the contact last solved; `count` must be mx my of its result. */
-MICROSLIP_API microslip_code microslip_exact_get(const microslip_exact* solver, int field, size_t count, double* values,
-                                                 microslip_error* error);
-/* A number of the contact last solved by its name, one of MICROSLIP_CONTACT_QUANTITY. With an accuracy given it is that
- * of the finest grid, like the fields. MICROSLIP_NO_RESULT for one that this contact does not have, such as
- * temperatures without heat data. */
-MICROSLIP_API microslip_code microslip_exact_quantity(const microslip_exact* solver, const char* name, double* value,
-                                                      microslip_error* error);
-/* A field by its name, one of MICROSLIP_CONTACT_FIELD, or "state". The first call for "gap" may solve a normal problem.
- */
-MICROSLIP_API microslip_code microslip_exact_field(microslip_exact* solver, const char* name, size_t count,
-                                                   double* values, microslip_error* error);
+MICROSLIP_API void microslip_problem_destroy(microslip_problem* problem);
+/* The text of the case file that has these inputs, for `microslip solve` and microslip_solve_case; to be released by
+ * microslip_free_text. */
+MICROSLIP_API microslip_code microslip_problem_text(const microslip_problem* problem, char** text,
+                                                    microslip_error* error);
+
+/* Set an input: a number in SI units, whole ones too; a word, a file, or a number with its unit, "80 kN"; a list of
+ * numbers, such as the two of "solution.grid". MICROSLIP_INVALID_OPTION for what the path cannot be, with path, value,
+ * unit and range in the error, and for an unknown path, with the nearest one. What does not go together is refused when
+ * it is solved. */
+MICROSLIP_API microslip_code microslip_set(microslip_problem* problem, const char* path, double value,
+                                           microslip_error* error);
+MICROSLIP_API microslip_code microslip_set_text(microslip_problem* problem, const char* path, const char* value,
+                                                microslip_error* error);
+MICROSLIP_API microslip_code microslip_set_array(microslip_problem* problem, const char* path, size_t count,
+                                                 const double* values, microslip_error* error);
+/* Goes back to the default, as for "load.normal_force" before "load.approach" is set. */
+MICROSLIP_API microslip_code microslip_unset(microslip_problem* problem, const char* path, microslip_error* error);
+/* An input as it was set, in SI units, or its default. MICROSLIP_NO_RESULT if it has neither. A text is to be released
+ * by microslip_free_text. Of a list `count` becomes its length; MICROSLIP_WRONG_SIZE if that is above `capacity`; with
+ * `values` NULL it is only counted. */
+MICROSLIP_API microslip_code microslip_get(const microslip_problem* problem, const char* path, double* value,
+                                           microslip_error* error);
+MICROSLIP_API microslip_code microslip_get_text(const microslip_problem* problem, const char* path, char** value,
+                                                microslip_error* error);
+MICROSLIP_API microslip_code microslip_get_array(const microslip_problem* problem, const char* path, size_t capacity,
+                                                 double* values, size_t* count, microslip_error* error);
+
+/* If not NULL: `progress` is called often by long solves with the fraction done, 0 to 1; another return than 0 ends the
+ * solve with MICROSLIP_NOT_CONVERGED, and what there is by then. It must not call the same handle. */
+MICROSLIP_API microslip_code microslip_set_progress(microslip_problem* problem,
+                                                    int (*progress)(double fraction, void* data), void* data,
+                                                    microslip_error* error);
+/* Solves the problem by its solution.theory, and keeps the result. Returns its status, with the reason in the error, or
+ * why it was refused; then the result before is kept. A profile is read again only where something of its file
+ * was set. A sweep, points inside the bodies and creep curves are for microslip_solve_case. */
+MICROSLIP_API microslip_code microslip_solve(microslip_problem* problem, microslip_error* error);
+/* Solves steady rolling of two bodies by the exact theory at second order with derivatives: `jacobian` holds count = 9
+ * numbers, row by row fx, fy, mz, by xi, eta, phi; NaN where there is no result. Some four to six times the cost of a
+ * solve. Not with an accuracy or a force given. */
+MICROSLIP_API microslip_code microslip_differentiate(microslip_problem* problem, size_t count, double* jacobian,
+                                                     microslip_error* error);
+/* A number of the result by its name: of two bodies one of MICROSLIP_CONTACT_QUANTITY, with solution.accuracy the
+ * extrapolated ones; of a wheel of MICROSLIP_WHEEL_RESULT; of a wheelset of MICROSLIP_WHEELSET_RESULT, or of one of its
+ * wheels, "left.force_y". MICROSLIP_NO_RESULT for one that two bodies do not have, such as temperatures without heat
+ * data; NaN for what a wheel does not have, as Y/Q without a vertical force. */
+MICROSLIP_API microslip_code microslip_number(const microslip_problem* problem, const char* name, double* value,
+                                              microslip_error* error);
+/* A field of the result by its name, and its size. Of two bodies one of MICROSLIP_CONTACT_FIELD, or "state": 0
+ * exterior, 1 adhesion, 2 slip; rows of elements, y ascending, in each of which x ascends whatever the rolling
+ * direction, margins outside the contact included; the first call for "gap" may solve a normal problem. Of a wheel one
+ * of MICROSLIP_WHEEL_PATCH, a row with a value for each patch; of a wheelset "left.normal_force" and so on. `count`
+ * must be columns times rows. MICROSLIP_NO_RESULT for one that this result does not have. */
+MICROSLIP_API microslip_code microslip_field_size(const microslip_problem* problem, const char* name, size_t* columns,
+                                                  size_t* rows, microslip_error* error);
+MICROSLIP_API microslip_code microslip_field(microslip_problem* problem, const char* name, size_t count, double* values,
+                                             microslip_error* error);
 
 /* --------------------------------------------------------------------------------------------------- case files ----
  */
@@ -478,14 +427,12 @@ MICROSLIP_API microslip_code microslip_solve_case(const char* text, const char* 
 /* A wheel on a rail by their profiles; see docs/wheel-on-rail.md for axes and signs: x forward, y to the left, z up. */
 typedef struct microslip_wheel_rail microslip_wheel_rail;
 
-/* Makes one from the text of a case file, whose sections [track], [rail], [wheelset], [wheel] (its side), [material],
- * [friction] and [solution] say all but the states; `name` is the file's name for messages, and profiles are read from
- * paths that start at its folder. Refused as by microslip_solve_case. */
-MICROSLIP_API microslip_code microslip_wheel_rail_create(const char* text, const char* name,
+/* Makes one of a problem of kind MICROSLIP_WHEEL as its inputs are now; it does not depend on the problem then. */
+MICROSLIP_API microslip_code microslip_wheel_rail_create(const microslip_problem* problem,
                                                          microslip_wheel_rail** wheel_rail, microslip_error* error);
 /* NULL is allowed. */
 MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail);
-/* The first state of the case file: the first `width` numbers of MICROSLIP_WHEEL_STATE. */
+/* The state that the problem has, of a sweep the first one: the first `width` numbers of MICROSLIP_WHEEL_STATE. */
 MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, size_t width,
                                                         double* state);
 /* What a wheel bears in `count` states, one after another. `states` has a row of state_width numbers for each state,
