@@ -20,12 +20,10 @@ using namespace microslip::c;
 
 struct microslip_exact {
   microslip_exact_options options;
-  std::variant<EllipticContactSolver, AccurateContactSolver> solver;
-  ExactOptions made_with; ///< the solver
-  bool stopped = false;   ///< by the caller's function
+  std::variant<Solver, AccurateContactSolver> solver;
+  bool stopped = false; ///< by the caller's function
   // Last solved:
-  EllipticContact contact = {};
-  ExactMotion motion = {};
+  RollingProblem problem = {};
   int finest = 0; ///< with an accuracy given: elements across
   std::optional<ContactSolution> solution = {};
   mutable InUse in_use = false;
@@ -55,53 +53,28 @@ Progress progress_of(microslip_exact& handle) {
   };
 }
 
-std::variant<EllipticContactSolver, AccurateContactSolver> solver_for(const ExactOptions& options, double accuracy) {
-  if (accuracy != 0) return AccurateContactSolver(accuracy, options);
-  return EllipticContactSolver(options);
-}
-
-/// The options of a solver for contacts like this one. Where they are the contact's alone, the solver serves any.
-ExactOptions solver_options(const microslip_exact_options& o, const RollingProblem& problem) {
-  const Method method = method_of(o);
-  ExactOptions options = exact_options(problem, method);
-  options.discretisation = options.elements == ElementShape::constant
-                               ? method.discretisation.value_or(Discretisation::second_order)
-                               : Discretisation::classical;
-  if (!has_bodies(o)) options.bodies.reset();
-  return options;
+std::variant<Solver, AccurateContactSolver> solver_for(const Method& method) {
+  if (method.accuracy) return AccurateContactSolver(method);
+  return Solver(method);
 }
 
 microslip_exact* make_solver(const microslip_exact_options& o) {
   check(o);
-  microslip_exact_options any = o; // for contacts that are not known yet
-  for (microslip_exact_body* body : {&any.body1, &any.body2})
-    body->shear_modulus = body->poisson_ratio = body->creep_ratio = body->creep_time = 0;
-  any.layer = {};
-  RollingProblem problem = problem_of(any, {}, {});
-  if (!problem.thermal) problem.friction.temperature_effect.reset();
-  const ExactOptions options = solver_options(any, problem);
-  return new microslip_exact{.options = o, .solver = solver_for(options, o.accuracy), .made_with = options};
+  return new microslip_exact{.options = o, .solver = solver_for(method_of(o))};
 }
 
 /// Makes the handle ready for a contact. Throws Error if options, contact and motion do not go together.
-void prepare(microslip_exact& handle, const EllipticContact& contact, const ExactMotion& motion) {
-  const microslip_exact_options& o = handle.options;
-  const RollingProblem problem = problem_of(o, contact, motion);
-  require_compatible(problem, method_of(o));
-  ExactOptions options = solver_options(o, problem);
+void prepare(microslip_exact& handle, const EllipticContact& contact, const Motion& motion) {
+  RollingProblem problem = problem_of(handle.options, contact, motion);
+  require_compatible(problem, method_of(handle.options));
   handle.solution.reset();
-  if (!(options == handle.made_with)) {
-    handle.solver = solver_for(options, o.accuracy);
-    handle.made_with = std::move(options);
-  }
-  handle.contact = contact;
-  handle.motion = motion;
+  handle.problem = std::move(problem);
 }
 
-ExactMotion motion_of(const microslip_exact_motion& m) {
+Motion motion_of(const microslip_exact_motion& m) {
   require_between("step", m.step, "m", 0, std::numeric_limits<double>::max());
   require_count("steps", m.steps, 1, most_steps);
-  ExactMotion out{
+  Motion out{
       .kind = motions[static_cast<std::size_t>(require_count("kind", m.kind, 0, 2))], .step = m.step, .steps = m.steps};
   if (require_count("force_x_given", m.force_x_given, 0, 1)) out.force_x = require_finite("force_x", m.force_x, "N");
   if (require_count("force_y_given", m.force_y_given, 0, 1)) out.force_y = require_finite("force_y", m.force_y, "N");
@@ -129,13 +102,13 @@ microslip_exact_result result_of(const ContactSolution& found) {
 }
 
 /// Solves, keeps the fields, and returns what there is to tell.
-microslip_exact_result solve_with(EllipticContactSolver& solver, microslip_exact& handle) {
-  handle.solution = solver.solve(handle.contact, handle.motion, progress_of(handle));
+microslip_exact_result solve_with(Solver& solver, microslip_exact& handle) {
+  handle.solution = solver.solve(handle.problem, progress_of(handle));
   return result_of(*handle.solution);
 }
 
 microslip_exact_result solve_with(AccurateContactSolver& solver, microslip_exact& handle) {
-  AccurateContact found = solver.solve(handle.contact, handle.motion, progress_of(handle));
+  AccurateContact found = solver.solve(handle.problem, progress_of(handle));
   microslip_exact_result out = result_of(found.finest);
   out.forces = forces_of(found.forces);
   out.creepage_longitudinal = found.creepage.longitudinal;
@@ -189,13 +162,14 @@ const ContactSolution& solution_of(const microslip_exact& solver) {
 void find_gap(microslip_exact& handle) {
   if (!handle.solution || handle.solution->elements.size() == 0 || !handle.solution->fields.gap.empty()) return;
   std::vector<double>& gap = handle.solution->fields.gap;
-  if (auto* const solver = std::get_if<EllipticContactSolver>(&handle.solver)) {
-    gap = solver->deformed_gap(handle.contact, handle.motion).gap;
+  if (auto* const solver = std::get_if<Solver>(&handle.solver)) {
+    gap = solver->deformed_gap(handle.problem).gap;
     return;
   }
-  ExactOptions finest = handle.made_with;
+  Method finest = method_of(handle.options);
+  finest.accuracy.reset();
   finest.mx = finest.my = handle.finest;
-  gap = EllipticContactSolver(finest).deformed_gap(handle.contact).gap;
+  gap = Solver(finest).deformed_gap(handle.problem).gap;
 }
 
 } // namespace
@@ -227,7 +201,7 @@ microslip_code microslip_exact_solve(microslip_exact* solver, const microslip_co
     require_pointer("contact", contact);
     const std::size_t size = require_pointer("result", result)->struct_size;
     require_struct_size("result", size, sizeof *result);
-    const ExactMotion move = motion_of(motion ? read_growing("motion", motion) : default_motion());
+    const Motion move = motion_of(motion ? read_growing("motion", motion) : default_motion());
     const auto known = read_contact(*solver, *contact);
     if (known) prepare(*solver, *known, move);
     auto found = known ? std::visit([&](auto& theory) { return solve_with(theory, *solver); }, solver->solver)
@@ -246,12 +220,12 @@ microslip_code microslip_exact_differentiate(microslip_exact* solver, const micr
     require_size("count", count, 9);
     const std::size_t size = result ? result->struct_size : sizeof *result;
     require_struct_size("result", size, sizeof *result);
-    if (!std::holds_alternative<EllipticContactSolver>(solver->solver))
+    if (!std::holds_alternative<Solver>(solver->solver))
       throw Refusal(MICROSLIP_INVALID_OPTION, "accuracy: there are no derivatives of extrapolated forces");
     ExactDerivatives found;
     if (const auto known = read_contact(*solver, *contact)) {
       prepare(*solver, *known, {});
-      found = std::get<EllipticContactSolver>(solver->solver).differentiate(*known, progress_of(*solver));
+      found = std::get<Solver>(solver->solver).differentiate(solver->problem, progress_of(*solver));
       solver->solution = std::move(found.solution);
     }
     const microslip_exact_result totals = result_of(*solver->solution);

@@ -88,6 +88,7 @@ static_assert(MICROSLIP_SECOND_ORDER == 0 && MICROSLIP_FORWARD == 0 && MICROSLIP
               MICROSLIP_NEWTON == 0 && MICROSLIP_BELOW == 0);
 
 void check(const microslip_exact_options& o) {
+  choice<RollingDirection>("direction", o.direction, 2);
   require_between("dissimilarity", o.dissimilarity, "-", -largest_dissimilarity, largest_dissimilarity);
   for (const auto& [name, body] : {std::pair("body1.", o.body1), {"body2.", o.body2}}) {
     require_between(std::string(name) + "creep_ratio", body.creep_ratio, "-", 0, 1e6);
@@ -121,28 +122,14 @@ static_assert(static_cast<int>(ElementShape::bilinear) == MICROSLIP_BILINEAR);
 static_assert(static_cast<int>(Coupling::alternating) == MICROSLIP_ALTERNATING);
 static_assert(static_cast<int>(SlipStart::above) == MICROSLIP_ABOVE);
 
-RollingProblem problem_of(const microslip_exact_options& o, const EllipticContact& contact, const ExactMotion& motion) {
-  RollingProblem problem;
-  problem.geometry = Ellipse{contact.a, contact.b};
+RollingProblem problem_of(const microslip_exact_options& o, const EllipticContact& contact, const Motion& motion) {
+  RollingProblem problem = rolling_problem(contact, motion);
+  problem.motion.direction = choice<RollingDirection>("direction", o.direction, 2);
   problem.bodies = bodies_of(o, contact);
-  problem.load = {NormalLoad::Given::force, contact.normal_force};
-  problem.friction = {.law = contact.friction,
-                      .memory = {o.friction_memory.distance, o.friction_memory.speed},
-                      .temperature_effect = temperature_effect_of(o)};
-  problem.motion = {.kind = motion.kind,
-                    .creepage = contact.creepage,
-                    .force_x = motion.force_x,
-                    .force_y = motion.force_y,
-                    .rolling_speed = contact.rolling_speed,
-                    .direction = choice<RollingDirection>("direction", o.direction, 2),
-                    .step = motion.step,
-                    .steps = motion.steps};
+  problem.friction.memory = {o.friction_memory.distance, o.friction_memory.speed};
+  problem.friction.temperature_effect = temperature_effect_of(o);
   problem.thermal = thermal_of(o);
   return problem;
-}
-
-bool has_bodies(const microslip_exact_options& o) {
-  return has_materials(o) || has_layer(o);
 }
 
 } // namespace microslip::c

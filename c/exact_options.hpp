@@ -14,10 +14,6 @@ void check(const microslip_exact_options& options);
 Method method_of(const microslip_exact_options& options);
 
 /// Problem given by the options and a contact with its motion. Throws Error if they contradict each other.
-RollingProblem problem_of(const microslip_exact_options& options, const EllipticContact& contact,
-                          const ExactMotion& motion);
-
-/// Returns whether the bodies are more than the contact's constants: materials of both, or a layer.
-bool has_bodies(const microslip_exact_options& options);
+RollingProblem problem_of(const microslip_exact_options& options, const EllipticContact& contact, const Motion& motion);
 
 } // namespace microslip::c

@@ -83,12 +83,11 @@ TEST(CExact, MotionsAndOptionsReachTheSolver) {
       options.discretisation = discretisation;
       options.direction = direction;
       options.tolerance = 1e-8;
-      EllipticContactSolver wanted({.mx = 10,
-                                    .my = 8,
-                                    .discretisation = static_cast<Discretisation>(discretisation),
-                                    .direction = static_cast<RollingDirection>(direction),
-                                    .tolerance = 1e-8});
-      expect_same(solve(make(options), contact), wanted.solve(cpp_form(contact)));
+      microslip::Solver wanted(
+          {.mx = 10, .my = 8, .discretisation = static_cast<Discretisation>(discretisation), .tolerance = 1e-8});
+      expect_same(
+          solve(make(options), contact),
+          wanted.solve(rolling_problem(cpp_form(contact), {.direction = static_cast<RollingDirection>(direction)})));
     }
 }
 
@@ -97,28 +96,31 @@ TEST(CExact, MotionsReachTheSolver) {
   microslip_exact_motion transient = motion_of_kind(MICROSLIP_TRANSIENT);
   transient.steps = 3;
   transient.step = 1e-3;
-  EllipticContactSolver wanted({.mx = 10, .my = 10});
-  expect_same(solve(make(small_grid()), contact, &transient),
-              wanted.solve(cpp_form(contact), {.kind = ContactMotion::transient, .step = 1e-3, .steps = 3}));
+  microslip::Solver wanted({.mx = 10, .my = 10});
+  expect_same(
+      solve(make(small_grid()), contact, &transient),
+      wanted.solve(rolling_problem(cpp_form(contact), {.kind = ContactMotion::transient, .step = 1e-3, .steps = 3})));
   microslip_exact_motion given = motion_of_kind(MICROSLIP_STEADY);
   given.force_x_given = given.force_y_given = 1;
   given.force_x = -9e3;
   given.force_y = 4e3;
   const microslip_exact_result found = solve(make(small_grid()), contact, &given);
-  expect_same(found,
-              EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.force_x = -9e3, .force_y = 4e3}));
+  expect_same(found, microslip::Solver({.mx = 10, .my = 10})
+                         .solve(rolling_problem(cpp_form(contact), {.force_x = -9e3, .force_y = 4e3})));
   EXPECT_NEAR(found.forces.fx, -9e3, 1);
   contact.creepage_longitudinal = 4e-6, contact.creepage_lateral = contact.spin = 0;
   const microslip_exact_motion shift = motion_of_kind(MICROSLIP_SHIFT);
   expect_same(solve(make(small_grid()), contact, &shift),
-              EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(contact), {.kind = ContactMotion::shift}));
+              microslip::Solver({.mx = 10, .my = 10})
+                  .solve(rolling_problem(cpp_form(contact), {.kind = ContactMotion::shift})));
 }
 
 TEST(CExact, AccuracyPicksTheGridAndExtrapolates) {
   microslip_exact_options options = small_grid();
   options.accuracy = 1e-2;
   const microslip_exact_result found = solve(make(options), some_contact());
-  const AccurateContact wanted = AccurateContactSolver(1e-2).solve(cpp_form(some_contact()));
+  const AccurateContact wanted =
+      AccurateContactSolver({.accuracy = 1e-2}).solve(rolling_problem(cpp_form(some_contact())));
   EXPECT_TRUE(same(found.forces, wanted.forces));
   EXPECT_TRUE(same(found.error, wanted.error));
   EXPECT_EQ(found.products, wanted.products);
@@ -130,7 +132,8 @@ TEST(CExact, AccuracyPicksTheGridAndExtrapolates) {
 TEST(CExact, FieldsAreThoseOfTheLibrary) {
   const Solver solver = make(small_grid());
   const microslip_exact_result result = solve(solver, some_contact());
-  const ContactSolution wanted = EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(some_contact()));
+  const ContactSolution wanted =
+      microslip::Solver({.mx = 10, .my = 10}).solve(rolling_problem(cpp_form(some_contact())));
   const auto count = static_cast<std::size_t>(result.mx) * result.my;
   ASSERT_EQ(count, wanted.fields.pressure.size());
   const Elements& e = wanted.elements;
@@ -157,7 +160,8 @@ TEST(CExact, DerivativesAreThoseOfTheLibrary) {
   const microslip_contact contact = some_contact();
   double jacobian[9];
   ASSERT_EQ(microslip_exact_differentiate(solver.get(), &contact, 9, jacobian, &result, nullptr), MICROSLIP_OK);
-  const ExactDerivatives wanted = EllipticContactSolver({.mx = 10, .my = 10}).differentiate(cpp_form(contact));
+  const ExactDerivatives wanted =
+      microslip::Solver({.mx = 10, .my = 10}).differentiate(rolling_problem(cpp_form(contact)));
   expect_same(result, wanted.solution);
   EXPECT_EQ(std::memcmp(jacobian, wanted.jacobian, sizeof jacobian), 0);
   microslip_error error;
@@ -219,8 +223,10 @@ struct TwoBodies {
     contact.shear_modulus = pair.shear_modulus;
     contact.poisson_ratio = pair.poisson_ratio;
   }
-  ExactOptions cpp(const MaterialCreep& creep1 = {}, double speed = 30) const {
-    return {.mx = 10, .my = 10, .bodies = viscoelastic({82e9, 0.28}, creep1, {26e9, 0.33}, {}, speed)};
+  RollingProblem cpp(const MaterialCreep& creep1 = {}, double speed = 30) const {
+    RollingProblem problem = rolling_problem(cpp_form(contact));
+    problem.bodies = viscoelastic({82e9, 0.28}, creep1, {26e9, 0.33}, {}, speed);
+    return problem;
   }
 };
 
@@ -229,11 +235,11 @@ TEST(CExact, DissimilarityReachesTheSolver) {
   options.dissimilarity = 0.12;
   options.coupling = MICROSLIP_ALTERNATING;
   EllipticContact contact = cpp_form(some_contact());
-  const double fx_without = EllipticContactSolver({.mx = 10, .my = 10}).solve(contact).totals.fx;
+  const double fx_without = microslip::Solver({.mx = 10, .my = 10}).solve(rolling_problem(contact)).totals.fx;
   contact.dissimilarity = 0.12;
-  EllipticContactSolver wanted({.mx = 10, .my = 10, .coupling = Coupling::alternating});
+  microslip::Solver wanted({.mx = 10, .my = 10, .coupling = Coupling::alternating});
   const microslip_exact_result found = solve(make(options), some_contact());
-  expect_same(found, wanted.solve(contact));
+  expect_same(found, wanted.solve(rolling_problem(contact)));
   EXPECT_NE(found.forces.fx, fx_without);
 }
 
@@ -241,13 +247,13 @@ TEST(CExact, MaterialsCreepAndSpeedReachTheSolver) {
   TwoBodies pair;
   microslip_exact_options options = small_grid();
   options.body1 = pair.body1, options.body2 = pair.body2;
-  expect_same(solve(make(options), pair.contact), EllipticContactSolver(pair.cpp()).solve(cpp_form(pair.contact)));
+  expect_same(solve(make(options), pair.contact), microslip::Solver({.mx = 10, .my = 10}).solve(pair.cpp()));
   options.body1.creep_ratio = 0.5, options.body1.creep_time = 1e-4;
   const Solver solver = make(options); // one handle for contacts that roll at different speeds
   for (const double speed : {30.0, 5.0}) {
     pair.contact.rolling_speed = speed;
-    EllipticContactSolver wanted(pair.cpp({0.5, 1e-4}, speed));
-    expect_same(solve(solver, pair.contact), wanted.solve(cpp_form(pair.contact)));
+    microslip::Solver wanted({.mx = 10, .my = 10});
+    expect_same(solve(solver, pair.contact), wanted.solve(pair.cpp({0.5, 1e-4}, speed)));
   }
 }
 
@@ -255,14 +261,12 @@ TEST(CExact, LayerReachesTheSolver) {
   microslip_exact_options options = small_grid();
   options.layer = {1e-14, 200e6, 1e12};
   const EllipticContact contact = cpp_form(some_contact());
-  Bodies bodies(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0});
-  bodies.layer = {1e-14, 200e6, 1e12};
-  expect_same(solve(make(options), some_contact()),
-              EllipticContactSolver({.mx = 10, .my = 10, .bodies = bodies}).solve(contact));
+  RollingProblem layered = rolling_problem(contact);
+  layered.bodies.layer = {1e-14, 200e6, 1e12};
+  expect_same(solve(make(options), some_contact()), microslip::Solver({.mx = 10, .my = 10}).solve(layered));
   options.layer.yield_stress = 0; // stays elastic
-  bodies.layer.yield_stress = infinite;
-  expect_same(solve(make(options), some_contact()),
-              EllipticContactSolver({.mx = 10, .my = 10, .bodies = bodies}).solve(contact));
+  layered.bodies.layer.yield_stress = infinite;
+  expect_same(solve(make(options), some_contact()), microslip::Solver({.mx = 10, .my = 10}).solve(layered));
 }
 
 TEST(CExact, ElementsFrictionMemoryAndSlipStartReachTheSolver) {
@@ -276,13 +280,14 @@ TEST(CExact, ElementsFrictionMemoryAndSlipStartReachTheSolver) {
   ASSERT_EQ(microslip_polach_friction(0.4, 0.4, 0.6, &falling, &error), MICROSLIP_OK) << error.text;
   EllipticContact contact = cpp_form(some_contact());
   contact.friction = FrictionLaw::polach(0.4, 0.4, 0.6);
-  EllipticContactSolver wanted({.mx = 10,
-                                .my = 10,
-                                .discretisation = Discretisation::classical,
-                                .elements = ElementShape::bilinear,
-                                .friction_memory = {1e-4, 0.01},
-                                .slip_start = SlipStart::above});
-  expect_same(solve(make(options), falling), wanted.solve(contact));
+  microslip::Solver wanted({.mx = 10,
+                            .my = 10,
+                            .discretisation = Discretisation::classical,
+                            .elements = ElementShape::bilinear,
+                            .slip_start = SlipStart::above});
+  RollingProblem problem = rolling_problem(contact);
+  problem.friction.memory = {1e-4, 0.01};
+  expect_same(solve(make(options), falling), wanted.solve(problem));
 }
 
 TEST(CExact, HeatReachesTheSolverAndItsTemperaturesComeBack) {
@@ -291,11 +296,10 @@ TEST(CExact, HeatReachesTheSolverAndItsTemperaturesComeBack) {
     body->bulk_temperature = 20, body->conductivity = 50, body->density = 7850, body->heat_capacity = 450;
   options.temperature_effect = {-0.1, 20, 400};
   const ThermalBody steel{20, 50, 7850, 450};
-  EllipticContactSolver wanted({.mx = 10,
-                                .my = 10,
-                                .thermal = ThermalBodies{steel, steel},
-                                .temperature_effect = TemperatureEffect{-0.1, 20, 400}});
-  const ContactSolution warm = wanted.solve(cpp_form(some_contact()));
+  RollingProblem problem = rolling_problem(cpp_form(some_contact()));
+  problem.thermal = ThermalBodies{steel, steel};
+  problem.friction.temperature_effect = TemperatureEffect{-0.1, 20, 400};
+  const ContactSolution warm = microslip::Solver({.mx = 10, .my = 10}).solve(problem);
   const Solver solver = make(options);
   expect_same(solve(solver, some_contact()), warm);
   double highest = 0;
@@ -308,9 +312,9 @@ TEST(CExact, EveryQuantityAndFieldIsReachedByItsName) {
   const Solver solver = make(small_grid());
   const microslip_exact_result result = solve(solver, some_contact());
   const EllipticContact contact = cpp_form(some_contact());
-  EllipticContactSolver theory({.mx = 10, .my = 10});
-  ContactSolution wanted = theory.solve(contact);
-  wanted.fields.gap = theory.deformed_gap(contact).gap;
+  microslip::Solver theory({.mx = 10, .my = 10});
+  ContactSolution wanted = theory.solve(rolling_problem(contact));
+  wanted.fields.gap = theory.deformed_gap(rolling_problem(contact)).gap;
   microslip_error error;
   ASSERT_EQ(microslip_count(MICROSLIP_CONTACT_QUANTITY), quantities().size());
   for (std::size_t i = 0; i < quantities().size(); ++i) {
@@ -358,8 +362,11 @@ TEST(CExact, TheGapOfAnExtrapolatedContactIsThatOfItsFinestGrid) {
   std::vector<double> gap(static_cast<std::size_t>(result.mx) * result.my);
   microslip_error error;
   ASSERT_EQ(microslip_exact_field(solver.get(), "gap", gap.size(), gap.data(), &error), MICROSLIP_OK) << error.text;
-  const int elements = AccurateContactSolver(1e-2).solve(cpp_form(some_contact())).elements;
-  EXPECT_EQ(gap, EllipticContactSolver({.mx = elements, .my = elements}).deformed_gap(cpp_form(some_contact())).gap);
+  const int elements =
+      AccurateContactSolver({.accuracy = 1e-2}).solve(rolling_problem(cpp_form(some_contact()))).elements;
+  EXPECT_EQ(
+      gap,
+      microslip::Solver({.mx = elements, .my = elements}).deformed_gap(rolling_problem(cpp_form(some_contact()))).gap);
 }
 
 /// Incompatible options are refused with the message that all interfaces have.
@@ -401,7 +408,7 @@ TEST(CExact, CallersWithTheOldOptionsAreServed) {
   EXPECT_EQ(options.elements, 77);
   options.mx = options.my = 10;
   expect_same(solve(make(options), some_contact()),
-              EllipticContactSolver({.mx = 10, .my = 10}).solve(cpp_form(some_contact())));
+              microslip::Solver({.mx = 10, .my = 10}).solve(rolling_problem(cpp_form(some_contact()))));
 }
 
 int stop_at_once(double fraction, void* data) {

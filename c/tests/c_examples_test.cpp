@@ -1,7 +1,7 @@
 // The examples in C and Fortran print the figures that the library finds when it is called from C++.
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/version.hpp"
 
@@ -74,7 +74,7 @@ void expect_figures(const std::string& text) {
   const EllipticContact contact = wheel_on_rail();
   expect_near(numbers_after(text, "Hertz"), {contact.a, contact.b});
   expect_fastsim2(numbers_after(text, "FASTSIM2"), contact);
-  const ContactSolution exact = EllipticContactSolver({}).solve(contact);
+  const ContactSolution exact = Solver({}).solve(rolling_problem(contact));
   const ContactForces forces = exact.forces();
   expect_near(numbers_after(text, "exact"), {forces.fx, forces.fy, forces.mz, exact.totals.peak_traction});
 }
