@@ -14,8 +14,8 @@
 #include "microslip/batch/batch.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
 #include "microslip/rolling/method.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastrip.hpp"
 
 #include <algorithm>
@@ -271,8 +271,9 @@ private:
 /// Contacts cost much: the threads share them one by one.
 class ExactTableSolver : public TableSolver {
 public:
-  ExactTableSolver(int threads, const ExactOptions& options) : threads_(threads), options_(options) {
-    EllipticContactSolver checked(options);
+  ExactTableSolver(int threads, const Method& method, const Motion& motion)
+      : threads_(threads), method_(method), motion_(motion) {
+    const Solver checked(method);
   }
   bool is_exact() const override { return true; }
 
@@ -287,9 +288,8 @@ public:
     std::vector<io::Iteration> iterations(rows.size());
     const BatchOptions batch = {.threads = threads_, .progress = progress, .keep_errors = true};
     const auto report = run_batch(rows.size(), batch, [&]() -> BatchWorker {
-      return [&, own = std::make_shared<EllipticContactSolver>(options_)](std::size_t i, std::size_t,
-                                                                          const Progress& of_row) {
-        const ContactSolution result = own->solve(*rows[i], {}, of_row);
+      return [&, own = std::make_shared<Solver>(method_)](std::size_t i, std::size_t, const Progress& of_row) {
+        const ContactSolution result = own->solve(rolling_problem(*rows[i], motion_), of_row);
         forces[i] = result.forces();
         iterations[i] = {result.report.residual, result.report.newton_steps};
       };
@@ -313,7 +313,8 @@ private:
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
   int threads_;
-  ExactOptions options_;
+  Method method_;
+  Motion motion_;
 };
 
 /// Like every row of the table, but for what its columns say.
@@ -352,11 +353,7 @@ std::unique_ptr<TableSolver> make_solver(const BatchArguments& arguments) {
                                                                     CreepForceTable(source, any.motion.direction));
   }
   const Method method = method_of(arguments);
-  if (method.theory == Theory::exact) {
-    ExactOptions options = exact_options(any, method);
-    options.bodies.reset(); // each row's
-    return std::make_unique<ExactTableSolver>(threads, options);
-  }
+  if (method.theory == Theory::exact) return std::make_unique<ExactTableSolver>(threads, method, any.motion);
   const auto options = simplified_options(method, any.motion.direction);
   if (method.theory == Theory::fastrip)
     return std::make_unique<SimplifiedTableSolver<Fastrip>>(threads, Fastrip(options));

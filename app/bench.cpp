@@ -7,7 +7,7 @@
 #include "io/creep_table_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "microslip/version.hpp"
@@ -95,13 +95,13 @@ void add_forces(std::vector<BenchRow>& rows, std::shared_ptr<Solver> solver, std
 
 /// The exact theory on n x n elements, with all memory there already.
 BenchRow exact_row(std::string_view name, int n, int count, std::string_view over) {
-  const auto solver = std::make_shared<EllipticContactSolver>(ExactOptions{.mx = n, .my = n});
+  const auto solver = std::make_shared<Solver>(Method{.mx = n, .my = n});
   std::vector<EllipticContact> contacts = sample(count);
   for (auto& contact : contacts) contact.a = contact.b = 6e-3; // the same ellipse: set-up has a separate row
   return {name,
           [=] {
             for (const auto& contact : contacts) {
-              const ContactSolution s = solver->solve(contact);
+              const ContactSolution s = solver->solve(rolling_problem(contact));
               if (s.report.status != Status::ok) throw Error("bench: a contact was not solved: " + s.report.reason);
             }
             return contacts.size();
@@ -113,9 +113,9 @@ BenchRow exact_row(std::string_view name, int n, int count, std::string_view ove
 BenchRow new_ellipse_row(std::string_view name, std::string_view over) {
   return {name,
           [contacts = sample(12)] {
-            EllipticContactSolver solver(ExactOptions{});
+            Solver solver;
             for (const auto& contact : contacts) {
-              const ContactSolution s = solver.solve(contact);
+              const ContactSolution s = solver.solve(rolling_problem(contact));
               if (s.report.status != Status::ok) throw Error("bench: a contact was not solved: " + s.report.reason);
             }
             return contacts.size();

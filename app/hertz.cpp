@@ -57,7 +57,7 @@ void require_options(const HertzArguments& arguments) {
 
 HertzResult solve_case(const std::filesystem::path& path) {
   const auto input = io::parse_case(io::read_case_text(path), path.string());
-  return {input.body1, input.body2, io::hertz_contact(input)};
+  return {input.body1, input.body2, hertz_contact(input.problem)};
 }
 
 io::BodyInput body(const HertzArguments& arguments, std::size_t number) {

@@ -68,18 +68,19 @@ void round_to_zero(QuantityTable& table, const cases::RollingContactResult& resu
 }
 
 std::string describe_simplified(const io::RollingCase& input) {
-  const auto& options = input.options;
+  const SimplifiedOptions options = simplified_options(input.method, input.problem.motion.direction);
   return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", cases::simplified_name(input), options.mx,
                      options.my, io::to_word(options.bound), io::to_word(options.flexibility));
 }
 
 std::string describe_exact(const io::RollingCase& input, int mx, int my) {
-  const auto& [kind, force_x, force_y, step, steps] = input.motion;
-  const auto motion = kind == ContactMotion::shift ? std::string("shift")
-                      : kind == ContactMotion::transient
-                          ? fmt::format("transient rolling, {} steps", steps)
-                          : fmt::format("steady rolling, {}", io::to_word(input.discretisation));
-  return fmt::format("exact theory, {} x {} elements, {}", mx, my, motion);
+  const Motion& motion = input.problem.motion;
+  const auto text =
+      motion.kind == ContactMotion::shift ? std::string("shift")
+      : motion.kind == ContactMotion::transient
+          ? fmt::format("transient rolling, {} steps", motion.steps)
+          : fmt::format("steady rolling, {}", io::to_word(discretisation_of(input.problem, input.method)));
+  return fmt::format("exact theory, {} x {} elements, {}", mx, my, text);
 }
 
 void print_simplified(const io::RollingCase& input, const cases::RollingContactResult& result) {
@@ -205,8 +206,8 @@ void add_limit(QuantityTable& table, const AccurateContact& limit, const io::Rol
   table.add("limit of fx", limit.forces.fx, "N");
   table.add("limit of fy", limit.forces.fy, "N");
   table.add("limit of mz", limit.forces.mz, "N m");
-  if (input.motion.force_x) table.add("limit of the longitudinal creepage", limit.creepage.longitudinal, "-");
-  if (input.motion.force_y) table.add("limit of the lateral creepage", limit.creepage.lateral, "-");
+  if (input.problem.motion.force_x) table.add("limit of the longitudinal creepage", limit.creepage.longitudinal, "-");
+  if (input.problem.motion.force_y) table.add("limit of the lateral creepage", limit.creepage.lateral, "-");
   table.add("estimated error of the limits", limit.error, "mu Fn");
 }
 
@@ -215,7 +216,7 @@ void print_exact(const io::RollingCase& input, const cases::RollingContactResult
   const auto columns = theory_columns(input, result);
   const auto& limit = result.exact->limit;
   const auto [mx, my] =
-      limit ? std::pair(limit->elements, limit->elements) : std::pair(input.options.mx, input.options.my);
+      limit ? std::pair(limit->elements, limit->elements) : std::pair(input.method.mx, input.method.my);
   QuantityTable table(describe_exact(input, mx, my), names_of(columns));
   round_to_zero(table, result);
   TheoryRows rows(table, columns);
@@ -225,15 +226,16 @@ void print_exact(const io::RollingCase& input, const cases::RollingContactResult
     const Quantity& q = quantity(name);
     table.add(label_of(q, contact) + ", found", q.value(contact), std::string(q.unit_of(contact)));
   };
-  if (input.motion.force_x) add_found("creepage_longitudinal");
-  if (input.motion.force_y) add_found("creepage_lateral");
+  if (input.problem.motion.force_x) add_found("creepage_longitudinal");
+  if (input.problem.motion.force_y) add_found("creepage_lateral");
   table.add_quantity("power_by_creepage", contact);
   table.add_quantity("elastic_energy", contact);
-  if (!io::bodies_of(input).are_elastic()) table.add_quantity("my", contact);
+  if (!input.problem.bodies.are_elastic()) table.add_quantity("my", contact);
   table.add_quantity("peak_pressure", contact);
   table.add_quantity("peak_traction", contact);
   if (!contact.fields.temperature1.empty()) table.add_quantity("highest_temperature", contact);
-  const char* slip_start = input.slip_start == SlipStart::above ? ", slip from full sliding" : ", slip from rest";
+  const char* slip_start =
+      input.method.slip_start == SlipStart::above ? ", slip from full sliding" : ", slip from rest";
   table.add_quantity("residual", contact,
                      fmt::format("{} Newton steps, {} products{}", contact.report.newton_steps, contact.report.products,
                                  contact.fields.friction.empty() ? "" : slip_start));

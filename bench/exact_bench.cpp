@@ -5,7 +5,7 @@
 //   exact_bench [elements across, largest grid; default 401]
 
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void growing_grids(int largest) {
     if (size > largest) break;
     const double product = product_time(contact, size), before = peak_megabytes();
     const auto start = processor_time();
-    const ContactSolution result = EllipticContactSolver({.mx = size, .my = size}).solve(contact);
+    const ContactSolution result = Solver({.mx = size, .my = size}).solve(rolling_problem(contact));
     time = (processor_time() - start);
     n = size;
     if (size == 101) first = time;
@@ -88,13 +88,13 @@ void growing_grids(int largest) {
 }
 
 void test_set(int n, double wanted) {
-  EllipticContactSolver solver({.mx = n, .my = n});
+  Solver solver({.mx = n, .my = n});
   const auto contacts = validation::test_set_contacts();
   int unsolved = 0;
   long products = 0;
   const auto start = processor_time();
   for (const EllipticContact& contact : contacts) {
-    const ContactSolution result = solver.solve(contact);
+    const ContactSolution result = solver.solve(rolling_problem(contact));
     unsolved += result.report.status != Status::ok;
     products += result.report.products;
   }
@@ -107,13 +107,13 @@ void test_set(int n, double wanted) {
 /// derivative's column, of some cases: the median and nine tenths. Single cases have an element near a kink.
 void derivative_errors(int n) {
   constexpr std::array members = {&Creepage::longitudinal, &Creepage::lateral, &Creepage::spin};
-  EllipticContactSolver solver({.mx = n, .my = n}), precise({.mx = n, .my = n, .tolerance = 1e-11});
+  Solver solver({.mx = n, .my = n}), precise({.mx = n, .my = n, .tolerance = 1e-11});
   const auto contacts = validation::test_set_contacts();
   std::vector<double> errors;
   for (std::size_t i = 0; i < contacts.size(); i += 63) {
     const EllipticContact& contact = contacts[i];
     const double length = std::sqrt(contact.a * contact.b);
-    const ExactDerivatives d = solver.differentiate(contact);
+    const ExactDerivatives d = solver.differentiate(rolling_problem(contact));
     const double limit = contact.friction.static_coefficient() * contact.normal_force;
     const double size = std::hypot(d.solution.totals.fx, d.solution.totals.fy);
     if (size < 1e-3 * limit || size > 0.99 * limit) continue;
@@ -123,7 +123,7 @@ void derivative_errors(int n) {
       const auto moved = [&](double by) {
         EllipticContact near = contact;
         near.creepage.*members[k] += by;
-        return precise.differentiate(near).solution.forces();
+        return precise.differentiate(rolling_problem(near)).solution.forces();
       };
       const ContactForces plus = moved(step), minus = moved(-step);
       const double x = (plus.fx - minus.fx) / (2 * step) - d.jacobian[0][k];
@@ -142,7 +142,7 @@ void derivative_errors(int n) {
 
 /// Every so many-th case that adheres and slides: forces given for creepages given, derivatives for forces.
 void forces_and_derivatives(int n, std::size_t stride) {
-  EllipticContactSolver solver({.mx = n, .my = n});
+  Solver solver({.mx = n, .my = n});
   const auto contacts = validation::test_set_contacts();
   double by_creepage = 0, by_force = 0, derivatives = 0;
   long products = 0, more_products = 0;
@@ -151,17 +151,17 @@ void forces_and_derivatives(int n, std::size_t stride) {
     const EllipticContact& contact = contacts[i];
     const double limit = contact.friction.static_coefficient() * contact.normal_force;
     auto start = processor_time();
-    const ContactSolution solution = solver.solve(contact);
+    const ContactSolution solution = solver.solve(rolling_problem(contact));
     const ContactForces forces = solution.forces();
     const double time = (processor_time() - start), size = std::hypot(forces.fx, forces.fy);
     if (size < 1e-3 * limit || size > 0.99 * limit) continue;
     by_creepage += time;
     products += solution.report.products;
     start = processor_time();
-    solver.solve(contact, {.force_x = forces.fx, .force_y = forces.fy});
+    solver.solve(rolling_problem(contact, {.force_x = forces.fx, .force_y = forces.fy}));
     by_force += (processor_time() - start);
     start = processor_time();
-    more_products += solver.differentiate(contact).products;
+    more_products += solver.differentiate(rolling_problem(contact)).products;
     derivatives += (processor_time() - start);
     ++count;
   }

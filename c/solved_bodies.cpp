@@ -42,15 +42,14 @@ public:
 private:
   /// The problem. The solver is kept while its method stays the same; what another one has solved is forgotten.
   RollingProblem read(const io::CaseInputs& inputs) {
-    const auto input = io::read_case(inputs.root(), tables_);
-    const Method method = io::solver_method(input);
-    RollingProblem problem = io::rolling_problem(input);
-    require_compatible(problem, method);
+    const io::RollingCase input = io::read_case(inputs.root(), tables_);
+    const Method& method = input.method;
+    require_compatible(input.problem, method);
     if (!solver_ || !(solver_->method() == method)) {
       solver_ = Solver(method);
       solution_.reset();
     }
-    return problem;
+    return input.problem;
   }
 
   Ending keep(const RollingProblem& problem, ContactSolution found) {

@@ -72,9 +72,8 @@ public:
   /// others.
   static Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool, const Progress& progress) {
     const io::RollingCase input = io::read_case(root, tables);
-    const HertzContact hertz = io::hertz_contact(input);
-    return {hertz, Solver(io::solver_method(input)).solve(io::rolling_problem(input), progress),
-            cases::case_warnings(input, hertz).all};
+    const HertzContact hertz = hertz_contact(input.problem);
+    return {hertz, Solver(input.method).solve(input.problem, progress), cases::case_warnings(input, hertz).all};
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
 };

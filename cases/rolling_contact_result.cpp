@@ -55,73 +55,80 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
 /// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
 SimplifiedResult solve_simplified(const io::RollingCase& input, const EllipticContact& given) {
   const EllipticContact contact = similar(given);
-  const auto& options = input.options;
+  const SimplifiedOptions options = simplified_options(input.method, input.problem.motion.direction);
   auto finer = options;
   finer.mx *= 2;
   finer.my *= 2;
-  if (input.theory == Theory::fastrip) return solve_simplified(contact, Fastrip(options), Fastrip(finer));
-  const auto scheme = marching_scheme(input.theory);
+  if (input.method.theory == Theory::fastrip) return solve_simplified(contact, Fastrip(options), Fastrip(finer));
+  const auto scheme = marching_scheme(input.method.theory);
   return solve_simplified(contact, RowSolver(scheme, options), RowSolver(scheme, finer));
 }
 
 TableResult look_up(const io::RollingCase& input, const EllipticContact& contact) {
-  RollingProblem problem = io::rolling_problem(input);
+  RollingProblem problem = input.problem;
   problem.bodies.material.dissimilarity = 0;
+  const CreepForceTable& table = *input.method.table;
   TableResult result;
-  result.solution = Solver({.theory = Theory::table, .table = input.table}).solve(problem);
+  result.solution = Solver(input.method).solve(problem);
   result.curve = creep_curve(similar(contact), simplified_curve_points,
-                             [&](const EllipticContact& moved) { return input.table->solve(moved); });
+                             [&](const EllipticContact& moved) { return table.solve(moved); });
   return result;
 }
 
 /// In the case's steps, with creepages instead of prescribed forces.
-CreepCurve exact_curve(const ExactOptions& of_case, const EllipticContact& contact, ExactMotion motion,
+CreepCurve exact_curve(RollingProblem problem, const EllipticContact& contact, Method method,
                        const Progress& progress) {
-  motion.force_x = motion.force_y = std::nullopt;
-  auto options = of_case;
-  options.mx = std::min(options.mx, largest_curve_grid);
-  options.my = std::min(options.my, largest_curve_grid);
-  EllipticContactSolver solver(options);
-  return creep_curve(contact, exact_curve_points,
-                     [&](const auto& moved) { return solver.solve(moved, motion, progress).forces(); });
+  problem.motion.force_x = problem.motion.force_y = std::nullopt;
+  method.mx = std::min(method.mx, largest_curve_grid);
+  method.my = std::min(method.my, largest_curve_grid);
+  Solver solver(method);
+  return creep_curve(contact, exact_curve_points, [&](const EllipticContact& moved) {
+    problem.motion.creepage = moved.creepage;
+    return solver.solve(problem, progress).forces();
+  });
 }
 
 /// dq: as given, or the elements' length.
 double step_of(const io::RollingCase& input, const EllipticContact& contact) {
-  return input.motion.step > 0 ? input.motion.step : 2 * contact.a / input.options.mx;
+  return input.problem.motion.step > 0 ? input.problem.motion.step : 2 * contact.a / input.method.mx;
 }
 
 /// On the grid that the case gives.
 ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress,
                           ExactExtent extent) {
-  const auto options = io::exact_options(input);
-  auto coarser = options;
-  coarser.mx = (options.mx + 1) / 2;
-  coarser.my = (options.my + 1) / 2;
-  auto motion = input.motion;
-  if (motion.kind == ContactMotion::transient) motion.step = step_of(input, contact); // the same on both grids
-  EllipticContactSolver solver(options);
+  const Method& method = input.method;
+  Method coarser = method;
+  coarser.mx = (method.mx + 1) / 2;
+  coarser.my = (method.my + 1) / 2;
+  RollingProblem problem = input.problem;
+  if (problem.motion.kind == ContactMotion::transient) problem.motion.step = step_of(input, contact); // on both grids
+  Solver solver(method);
   ExactResult result;
-  result.contact = solver.solve(contact, motion, part(progress, 0, 0.7));
+  result.contact = solver.solve(problem, part(progress, 0, 0.7));
   result.discretisation_error = {nan, nan, nan, nan};
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
-  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(contact, motion, rest).gap;
-  if (coarser.mx == options.mx && coarser.my == options.my) return result;
-  const auto coarse = EllipticContactSolver(coarser).solve(contact, motion, rest);
-  result.discretisation_error = difference(contact, result.contact, coarse);
+  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, rest).gap;
+  if (coarser.mx == method.mx && coarser.my == method.my) return result;
+  result.discretisation_error = difference(contact, result.contact, Solver(coarser).solve(problem, rest));
   return result;
+}
+
+/// On the finest grid of those that an accuracy asks for, if any: else on the case's.
+Method on_finest(const io::RollingCase& input, const std::optional<AccurateContact>& limit) {
+  Method method = input.method;
+  method.accuracy.reset();
+  if (limit) method.mx = method.my = limit->elements;
+  return method;
 }
 
 /// On grids that the accuracy asks for.
 ExactResult solve_to_accuracy(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress) {
-  auto options = io::exact_options(input);
   ExactResult result;
-  result.limit = AccurateContactSolver(*input.accuracy, options).solve(contact, input.motion, part(progress, 0, 0.8));
+  result.limit = AccurateContactSolver(input.method).solve(input.problem, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
-  options.mx = options.my = result.limit->elements;
   result.contact.fields.gap =
-      EllipticContactSolver(options).deformed_gap(contact, {}, essential_part(progress, 0.8, 0.9)).gap;
+      Solver(on_finest(input, result.limit)).deformed_gap(input.problem, essential_part(progress, 0.8, 0.9)).gap;
   result.discretisation_error =
       difference(contact, result.contact.totals, result.limit->coarser, result.limit->coarser_power);
   return result;
@@ -129,18 +136,16 @@ ExactResult solve_to_accuracy(const io::RollingCase& input, const EllipticContac
 
 ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, const Progress& progress,
                         ExactExtent extent) {
-  auto result =
-      input.accuracy ? solve_to_accuracy(input, contact, progress) : solve_on_grid(input, contact, progress, extent);
+  auto result = input.method.accuracy ? solve_to_accuracy(input, contact, progress)
+                                      : solve_on_grid(input, contact, progress, extent);
   contact.creepage = result.contact.creepage;
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(io::interior_body(input, input.body1), io::interior_body(input, input.body2),
                                       result.contact, input.interior, essential_part(progress, 0.9, 0.9));
   }
   const bool ok = result.contact.report.status == Status::ok;
-  auto options = io::exact_options(input);
-  if (result.limit) options.mx = options.my = result.limit->elements;
-  if (extent == ExactExtent::full && input.motion.kind == ContactMotion::steady && ok)
-    result.curve = exact_curve(options, contact, input.motion, part(progress, 0.9, 1));
+  if (extent == ExactExtent::full && input.problem.motion.kind == ContactMotion::steady && ok)
+    result.curve = exact_curve(input.problem, contact, on_finest(input, result.limit), part(progress, 0.9, 1));
   go_on(progress, 1);
   return result;
 }
@@ -283,12 +288,12 @@ std::vector<StoredNumber> material_quantities(const CombinedMaterial& material) 
 }
 
 std::string simplified_name(const io::RollingCase& input) {
-  if (input.theory == Theory::fastrip) return "fastrip";
-  return marching_scheme(input.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
+  if (input.method.theory == Theory::fastrip) return "fastrip";
+  return marching_scheme(input.method.theory) == MarchingScheme::fastsim2 ? "fastsim2" : "fastsim";
 }
 
 std::string hertz_assumption(const io::RollingCase& input) {
-  const Bodies bodies = io::bodies_of(input);
+  const Bodies& bodies = input.problem.bodies;
   return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
 }
 
@@ -297,11 +302,11 @@ std::string simplified_assumption(const io::RollingCase& input) {
   const auto add = [&](bool is_needed, const char* assumption) {
     if (is_needed) all.append(all.empty() ? "" : ", ").append(assumption);
   };
-  const Bodies bodies = io::bodies_of(input);
+  const Bodies& bodies = input.problem.bodies;
   add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
   add(bodies.layer.flexibility > 0, "no layer");
-  add(input.temperature_effect.has_value(), "friction without heat");
-  add(input.friction_memory.distance > 0, "friction without memory");
+  add(input.problem.friction.temperature_effect.has_value(), "friction without heat");
+  add(input.problem.friction.memory.distance > 0, "friction without memory");
   return all;
 }
 
@@ -312,13 +317,13 @@ ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& 
 
 RollingContactResult solve_case(const io::RollingCase& input, const Progress& progress, ExactExtent extent) {
   RollingContactResult result;
-  result.hertz = io::hertz_contact(input);
+  result.hertz = hertz_contact(input.problem);
   result.warnings = case_warnings(input, result.hertz).texts;
-  result.contact = io::elliptic_contact(input, result.hertz);
-  if (input.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
-  if (input.theory == Theory::table) result.table = look_up(input, result.contact);
+  result.contact = elliptic_contact(input.problem, result.hertz);
+  if (input.method.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
+  if (input.method.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
-  if (input.motion.kind == ContactMotion::steady && result.status == Status::ok)
+  if (input.problem.motion.kind == ContactMotion::steady && result.status == Status::ok)
     result.simplified = solve_simplified(input, result.contact);
   SolverReport report = result.exact   ? report_of(*result.exact)
                         : result.table ? result.table->solution.report
@@ -333,9 +338,9 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
   write_inputs(file, input.inputs, description::rolling_inputs());
   write(file, hertz_quantities(result.hertz));
   write(file, material_quantities(combine(input.body1.material, input.body2.material)));
-  if (input.table) {
-    file.scalar("table/least_ratio", input.table->axes().least_ratio, "-", "least a/b of the creep-force table");
-    file.scalar("table/largest_ratio", input.table->axes().largest_ratio, "-", "largest a/b of it");
+  if (const auto& table = input.method.table) {
+    file.scalar("table/least_ratio", table->axes().least_ratio, "-", "least a/b of the creep-force table");
+    file.scalar("table/largest_ratio", table->axes().largest_ratio, "-", "largest a/b of it");
   }
   write_assumption(file, "hertz", hertz_assumption(input));
   std::string warnings;

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!std::string_view(error.what()).starts_with("name:")) std::abort();
     return 0;
   }
-  const auto contact = io::elliptic_contact(input, io::hertz_contact(input));
+  const auto contact = elliptic_contact(input.problem);
   if (!std::isfinite(contact.a * contact.b) || !(contact.normal_force > 0)) std::abort();
   const auto coefficient = contact.friction.static_coefficient();
   if (!(coefficient >= 0 && coefficient <= FrictionLaw::largest_coefficient)) std::abort();

@@ -39,19 +39,19 @@ BodyInput read_body(const TomlSection& body) {
   return input;
 }
 
-void read_layer(const TomlSection& layer, RollingCase& input) {
+InterfaceLayer read_layer(const TomlSection& layer) {
   layer.allow_described();
   const double modulus = layer.number("shear_modulus");
-  input.layer.flexibility = layer.number("thickness") / modulus;
-  if (const auto yield_stress = layer.optional_number("yield_stress")) input.layer.yield_stress = *yield_stress;
-  input.layer.hardening = layer.number("hardening");
+  InterfaceLayer out{.flexibility = layer.number("thickness") / modulus};
+  if (const auto yield_stress = layer.optional_number("yield_stress")) out.yield_stress = *yield_stress;
+  out.hardening = layer.number("hardening");
+  return out;
 }
 
-void read_load(const TomlSection& load, RollingCase& input) {
+NormalLoad read_load(const TomlSection& load) {
   load.allow_described();
-  load.one_of("normal_force", "approach");
-  input.normal_force = load.optional_number("normal_force");
-  input.approach = load.optional_number("approach");
+  const auto given = load.one_of("normal_force", "approach");
+  return {given == "approach" ? NormalLoad::Given::approach : NormalLoad::Given::force, load.number(given)};
 }
 
 constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
@@ -98,25 +98,26 @@ FrictionLaw read_coulomb(const TomlSection& friction) {
   return FrictionLaw::coulomb(friction.number("coefficient"));
 }
 
-void read_friction(const TomlSection& friction, RollingCase& input) {
+FrictionModel read_friction(const TomlSection& friction) {
+  FrictionModel model;
   const std::string law = friction.word("law");
-  input.friction_law = law;
   const auto kind = std::find(FrictionLaw::names.begin(), FrictionLaw::names.end(), law) - FrictionLaw::names.begin();
-  input.friction = law == "coulomb"  ? read_coulomb(friction)
-                   : law == "polach" ? read_polach(friction)
-                                     : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
+  model.law = law == "coulomb"  ? read_coulomb(friction)
+              : law == "polach" ? read_polach(friction)
+                                : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
   if (has_effect(friction)) {
-    const double cold = input.friction.static_coefficient(), least = input.friction.kinetic_coefficient();
-    input.temperature_effect = {.change = friction.number("thermal_change"),
+    const double cold = model.law.static_coefficient(), least = model.law.kinetic_coefficient();
+    model.temperature_effect = {.change = friction.number("thermal_change"),
                                 .begin = friction.number("thermal_begin"),
                                 .range = friction.number("thermal_range")};
     friction.at("thermal_change", [&] { // which leaves the coefficient in its range
-      require_between("friction.thermal_change", input.temperature_effect->change, "-", -least,
+      require_between("friction.thermal_change", model.temperature_effect->change, "-", -least,
                       FrictionLaw::largest_coefficient - cold);
     });
   }
-  if (friction.has("memory_distance")) input.friction_memory.distance = friction.number("memory_distance");
-  if (friction.has("memory_speed")) input.friction_memory.slowest = friction.number("memory_speed");
+  if (friction.has("memory_distance")) model.memory.distance = friction.number("memory_distance");
+  if (friction.has("memory_speed")) model.memory.slowest = friction.number("memory_speed");
+  return model;
 }
 
 /// Reads a force, if it is there, or else how far the bodies move; both together make no sense.
@@ -128,22 +129,23 @@ double read_component(const TomlSection& motion, std::string_view key, std::stri
   return 0;
 }
 
-void read_motion(const TomlSection& motion, RollingCase& input) {
-  input.motion.kind = motion.option<ContactMotion>("kind");
-  const bool shift = input.motion.kind == ContactMotion::shift;
+Motion read_motion(const TomlSection& given) {
+  Motion motion{.kind = given.option<ContactMotion>("kind")};
+  const bool shift = motion.kind == ContactMotion::shift;
   const std::string_view along = shift ? "shift_longitudinal" : "creepage_longitudinal",
                          across = shift ? "shift_lateral" : "creepage_lateral", turn = shift ? "rotation" : "spin";
   TomlSection::Words known = {"kind", along, "force_longitudinal", across, "force_lateral", turn};
   if (!shift) known.insert(known.end(), {"rolling_speed", "direction", "step"});
-  if (input.motion.kind == ContactMotion::transient) known.push_back("steps");
-  motion.allow(known);
-  input.creepage.longitudinal = read_component(motion, along, "force_longitudinal", input.motion.force_x);
-  input.creepage.lateral = read_component(motion, across, "force_lateral", input.motion.force_y);
-  input.creepage.spin = motion.number(turn);
-  input.rolling_speed = shift ? 1 : motion.number("rolling_speed");
-  input.options.direction = motion.option<RollingDirection>("direction");
-  if (const auto step = motion.optional_number("step")) input.motion.step = *step;
-  input.motion.steps = motion.whole("steps");
+  if (motion.kind == ContactMotion::transient) known.push_back("steps");
+  given.allow(known);
+  motion.creepage.longitudinal = read_component(given, along, "force_longitudinal", motion.force_x);
+  motion.creepage.lateral = read_component(given, across, "force_lateral", motion.force_y);
+  motion.creepage.spin = given.number(turn);
+  motion.rolling_speed = shift ? 1 : given.number("rolling_speed");
+  motion.direction = given.option<RollingDirection>("direction");
+  if (const auto step = given.optional_number("step")) motion.step = *step;
+  motion.steps = given.whole("steps");
+  return motion;
 }
 
 /// Where a key asks for what a case does not have. `what` is the rest of the message.
@@ -160,18 +162,6 @@ void check_thermal(const TomlSection& root, const RollingCase& input) {
        {std::tuple{"body1", "body2", has1 && !has2}, {"body2", "body1", has2 && !has1}})
     refuse_at(root.required_section(name), name, "bulk_temperature", alone,
               "needs the thermal data of " + std::string(other) + ", too");
-}
-
-/// The method with what the text gives only.
-Method given_method(const TomlSection& solution, const RollingCase& input) {
-  Method method = method_of(input);
-  if (!solution.has("discretisation")) method.discretisation.reset();
-  if (!solution.has("elements")) method.elements.reset();
-  if (!solution.has("coupling")) method.coupling.reset();
-  if (!solution.has("slip_start")) method.slip_start.reset();
-  if (!solution.has("bound")) method.bound.reset();
-  if (!solution.has("flexibility")) method.flexibility.reset();
-  return method;
 }
 
 /// Throws an Error for something at the first of the keys `field` names, "motion.kind, motion.step", that the text
@@ -191,39 +181,46 @@ void refuse_where_given(const TomlSection& root, const Incompatibility& found) {
   throw Error(root.file() + ": " + found.message());
 }
 
-void read_solution(const TomlSection& solution, const CreepTables& tables, RollingCase& input) {
+/// The word of a key, none where it is not given.
+template <class Option, class... Default>
+std::optional<Option> given(const TomlSection& solution, std::string_view key, Default... value) {
+  const auto option = solution.option<Option>(key, value...);
+  return solution.has(key) ? std::optional(option) : std::nullopt;
+}
+
+Method read_solution(const TomlSection& solution, const CreepTables& tables, RollingDirection direction) {
   solution.allow_described({"slope_reduction"});
-  input.theory = solution.option<Theory>("theory");
-  std::tie(input.options.mx, input.options.my) = solution.wholes("grid");
-  input.discretisation = solution.option<Discretisation>("discretisation");
-  input.elements = solution.option<ElementShape>("elements");
-  input.accuracy = solution.optional_number("accuracy");
-  input.tolerance = solution.number("tolerance");
-  input.coupling = solution.option<Coupling>("coupling");
-  input.slip_start = solution.option<SlipStart>("slip_start");
-  if (input.theory == Theory::table)
-    input.table = tables.get(solution, std::nullopt, input.options.direction);
+  Method method{.theory = solution.option<Theory>("theory")};
+  std::tie(method.mx, method.my) = solution.wholes("grid");
+  method.discretisation = given<Discretisation>(solution, "discretisation");
+  method.elements = given<ElementShape>(solution, "elements");
+  method.accuracy = solution.optional_number("accuracy");
+  method.tolerance = solution.number("tolerance");
+  method.coupling = given<Coupling>(solution, "coupling");
+  method.slip_start = given<SlipStart>(solution, "slip_start");
+  if (method.theory == Theory::table)
+    method.table = tables.get(solution, std::nullopt, direction);
   else if (solution.has("table"))
     solution.at("table", [] { throw Incompatible(table_without_theory); });
-  set_defaults(input.theory, input.options); // FaStrip has other ones than the table of inputs
-  input.options.bound = solution.option("bound", input.options.bound);
-  input.options.flexibility = solution.option("flexibility", input.options.flexibility);
-  input.options.creepage_table = solution.option<CreepageTable>("coefficients");
+  const SimplifiedOptions by_default = simplified_options(method, direction); // FaStrip has others than the table
+  method.bound = given<TractionBound>(solution, "bound", by_default.bound);
+  method.flexibility = given<FlexibilityModel>(solution, "flexibility", by_default.flexibility);
+  method.coefficients = solution.option<CreepageTable>("coefficients");
 
   const auto reduction = solution.optional_section("slope_reduction");
   reduction.allow_described();
-  input.options.slope_reduction = {.initial = reduction.number("initial"),
-                                   .at_infinity = reduction.number("at_infinity"),
-                                   .decay = reduction.number("decay")};
+  method.slope_reduction = {.initial = reduction.number("initial"),
+                            .at_infinity = reduction.number("at_infinity"),
+                            .decay = reduction.number("decay")};
+  return method;
+}
+
+/// Negative for rolling along -x.
+double rolling_velocity(const Motion& motion) {
+  return motion.direction == RollingDirection::forward ? motion.rolling_speed : -motion.rolling_speed;
 }
 
 } // namespace
-
-bool needs_classical(const RollingCase& input) {
-  RollingProblem problem = rolling_problem(input);
-  problem.motion.kind = ContactMotion::steady; // implied by shifts and transient rolling
-  return needs_classical(problem);
-}
 
 RollingCase parse_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
@@ -248,121 +245,47 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
   input.body2 = read_body(root.required_section("body2"));
-  const bool has_layer = root.has("layer");
-  if (has_layer) read_layer(root.required_section("layer"), input);
-  read_load(root.required_section("load"), input);
-  read_friction(root.required_section("friction"), input);
-  read_motion(root.required_section("motion"), input);
-  read_solution(root.optional_section("solution"), tables, input);
+  const auto &body1 = input.body1, &body2 = input.body2;
+  RollingProblem& problem = input.problem;
+  InterfaceLayer layer;
+  if (root.has("layer")) layer = read_layer(root.required_section("layer"));
+  problem.load = read_load(root.required_section("load"));
+  problem.friction = read_friction(root.required_section("friction"));
+  problem.motion = read_motion(root.required_section("motion"));
+  input.method = read_solution(root.optional_section("solution"), tables, problem.motion.direction);
   if (root.has("interior")) {
     const auto interior = root.required_section("interior");
     input.interior = read_interior(interior);
     interior.at("z", [&] {
-      if (input.theory != Theory::exact) throw Error("[interior]: needs solution.theory = \"exact\"");
+      if (input.method.theory != Theory::exact) throw Error("[interior]: needs solution.theory = \"exact\"");
     });
   }
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
-    hertz_contact(input);
+    problem.geometry = gap_curvatures(principal_radii(body1, body2));
+    problem.bodies =
+        viscoelastic(body1.material, body1.creep, body2.material, body2.creep, rolling_velocity(problem.motion));
+    hertz_contact(problem);
   } catch (const Error& error) {
     throw Error(root.file() + ": [body1], [body2] and [load] together: " + error.what());
   }
+  problem.bodies.layer = layer;
   check_thermal(root, input);
-  const auto found = incompatibilities(rolling_problem(input), given_method(root.optional_section("solution"), input));
+  if (body1.thermal && body2.thermal) problem.thermal = {*body1.thermal, *body2.thermal};
+  const auto found = incompatibilities(problem, input.method);
   if (!found.empty()) refuse_where_given(root, found.front());
-  if (input.theory == Theory::exact && needs_classical(input)) input.discretisation = Discretisation::classical;
+  // The discretisation that a file gives is that of steady rolling.
+  if (input.method.theory == Theory::exact && problem.motion.kind == ContactMotion::transient)
+    input.method.discretisation = Discretisation::classical;
   return input;
 }
 
-namespace {
-
-/// Negative for rolling along -x.
-double rolling_velocity(const RollingCase& input) {
-  return input.options.direction == RollingDirection::forward ? input.rolling_speed : -input.rolling_speed;
-}
-
-} // namespace
-
 InteriorBody interior_body(const RollingCase& input, const BodyInput& body) {
-  return {body.material, retardation_of(body.creep, rolling_velocity(input))};
-}
-
-Bodies bodies_of(const RollingCase& input) {
-  Bodies bodies = viscoelastic(input.body1.material, input.body1.creep, input.body2.material, input.body2.creep,
-                               rolling_velocity(input));
-  bodies.layer = input.layer;
-  return bodies;
+  return {body.material, retardation_of(body.creep, rolling_velocity(input.problem.motion))};
 }
 
 PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2) {
   return {body1.rolling_radius, body2.rolling_radius, body1.transverse_radius, body2.transverse_radius};
-}
-
-HertzContact hertz_contact(const RollingCase& input) {
-  const auto gap = gap_curvatures(principal_radii(input.body1, input.body2));
-  const auto material = combine(input.body1.material, input.body2.material);
-  return input.normal_force ? hertz_from_load(gap, material, *input.normal_force)
-                            : hertz_from_approach(gap, material, *input.approach);
-}
-
-EllipticContact elliptic_contact(const RollingCase& input, const HertzContact& hertz) {
-  return elliptic_contact(rolling_problem(input), hertz);
-}
-
-RollingProblem rolling_problem(const RollingCase& input) {
-  const auto &body1 = input.body1, &body2 = input.body2;
-  RollingProblem problem;
-  problem.geometry = gap_curvatures(principal_radii(body1, body2));
-  problem.bodies = bodies_of(input);
-  problem.load = input.normal_force ? NormalLoad{NormalLoad::Given::force, *input.normal_force}
-                                    : NormalLoad{NormalLoad::Given::approach, *input.approach};
-  problem.friction = {input.friction, input.friction_memory, input.temperature_effect};
-  problem.motion = {.kind = input.motion.kind,
-                    .creepage = input.creepage,
-                    .force_x = input.motion.force_x,
-                    .force_y = input.motion.force_y,
-                    .rolling_speed = input.rolling_speed,
-                    .direction = input.options.direction,
-                    .step = input.motion.step,
-                    .steps = input.motion.steps};
-  if (body1.thermal && body2.thermal) problem.thermal = {*body1.thermal, *body2.thermal};
-  return problem;
-}
-
-Method method_of(const RollingCase& input) {
-  return {.theory = input.theory,
-          .mx = input.options.mx,
-          .my = input.options.my,
-          .discretisation = input.discretisation,
-          .elements = input.elements,
-          .accuracy = input.accuracy,
-          .tolerance = input.tolerance,
-          .coupling = input.coupling,
-          .slip_start = input.slip_start,
-          .bound = input.options.bound,
-          .flexibility = input.options.flexibility,
-          .coefficients = input.options.creepage_table,
-          .slope_reduction = input.options.slope_reduction,
-          .precision = {},
-          .table = input.table};
-}
-
-Method solver_method(const RollingCase& input) {
-  Method method = method_of(input);
-  const bool exact = input.theory == Theory::exact;
-  if (exact || input.theory == Theory::table) {
-    method.bound.reset();
-    method.flexibility.reset();
-  }
-  if (!exact || input.discretisation == Discretisation::second_order) method.discretisation.reset();
-  if (!exact || input.elements == ElementShape::constant) method.elements.reset();
-  if (!exact || input.coupling == Coupling::newton) method.coupling.reset();
-  if (!exact || input.slip_start == SlipStart::below) method.slip_start.reset();
-  return method;
-}
-
-ExactOptions exact_options(const RollingCase& input) {
-  return exact_options(rolling_problem(input), method_of(input));
 }
 
 std::string read_case_text(const std::filesystem::path& path) {

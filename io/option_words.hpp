@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/profile_file.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/method.hpp"
 #include "microslip/rolling/theory.hpp"
 
 #include <span>

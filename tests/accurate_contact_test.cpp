@@ -28,12 +28,12 @@ double error_of(const EllipticContact& contact, const ContactForces& f, const Co
 }
 
 TEST(AccurateContact, EstimateIsNotBelowAThirdOfTheError) {
-  AccurateContactSolver coarse(0.03), good(0.01), reference(2e-3);
+  AccurateContactSolver coarse({.accuracy = 0.03}), good({.accuracy = 0.01}), reference({.accuracy = 2e-3});
   for (const int number : numbers) {
     const EllipticContact contact = test_case(number);
-    const ContactForces exact = reference.solve(contact).forces;
+    const ContactForces exact = reference.solve(rolling_problem(contact)).forces;
     for (auto* solver : {&coarse, &good}) {
-      const AccurateContact result = solver->solve(contact);
+      const AccurateContact result = solver->solve(rolling_problem(contact));
       const double error = error_of(contact, result.forces, exact);
       EXPECT_EQ(result.forces.status, Status::ok);
       EXPECT_LE(result.error, solver == &coarse ? 0.03 : 0.01);
@@ -45,9 +45,9 @@ TEST(AccurateContact, EstimateIsNotBelowAThirdOfTheError) {
 
 TEST(AccurateContact, ForcesGivenHaveALimitOfTheCreepage) {
   const EllipticContact contact = test_case(1501);
-  AccurateContactSolver solver(2e-3);
-  const ContactForces forces = solver.solve(contact).forces;
-  const AccurateContact back = solver.solve(contact, {.force_x = forces.fx, .force_y = forces.fy});
+  AccurateContactSolver solver({.accuracy = 2e-3});
+  const ContactForces forces = solver.solve(rolling_problem(contact)).forces;
+  const AccurateContact back = solver.solve(rolling_problem(contact, {.force_x = forces.fx, .force_y = forces.fy}));
   EXPECT_EQ(back.forces.status, Status::ok);
   const double size = std::hypot(contact.creepage.longitudinal, contact.creepage.lateral);
   EXPECT_NEAR(back.creepage.longitudinal, contact.creepage.longitudinal, 5e-3 * size);
@@ -55,8 +55,8 @@ TEST(AccurateContact, ForcesGivenHaveALimitOfTheCreepage) {
 }
 
 TEST(AccurateContact, ProgressMayEndIt) {
-  AccurateContactSolver solver(1e-5);
-  const AccurateContact result = solver.solve(test_case(2445), {}, [&](double fraction) {
+  AccurateContactSolver solver({.accuracy = 1e-5});
+  const AccurateContact result = solver.solve(rolling_problem(test_case(2445)), [&](double fraction) {
     EXPECT_GE(fraction, 0);
     EXPECT_LE(fraction, 1);
     return fraction == 0; // until there is a first limit
@@ -66,18 +66,20 @@ TEST(AccurateContact, ProgressMayEndIt) {
 }
 
 TEST(AccurateContact, RefusesWhatItCannotDo) {
-  expect_error([] { AccurateContactSolver(0.0); }, "accuracy", "[-]: must be in [1e-05, 0.1]");
-  AccurateContactSolver solver(0.01);
-  EXPECT_THROW(solver.solve(test_case(1), {.kind = ContactMotion::shift}), Error);
-  EXPECT_THROW(solver.solve(test_case(1), {.step = 1e-3}), Error);
+  expect_error([] { AccurateContactSolver({.accuracy = 0.0}); }, "accuracy", "[-]: must be in [1e-05, 0.1]");
+  AccurateContactSolver solver({.accuracy = 0.01});
+  EXPECT_THROW(solver.solve(rolling_problem(test_case(1), {.kind = ContactMotion::shift})), Error);
+  EXPECT_THROW(solver.solve(rolling_problem(test_case(1), {.step = 1e-3})), Error);
   EllipticContact unlike = test_case(1), falling = test_case(1); // classical, and so of first order
   unlike.dissimilarity = 0.2;
   falling.friction = FrictionLaw::polach(0.3, 0.5, 1);
-  for (const EllipticContact& contact : {unlike, falling}) EXPECT_THROW(solver.solve(contact), Error);
-  EXPECT_THROW(AccurateContactSolver(0.01, {.discretisation = Discretisation::classical}).solve(test_case(1)), Error);
+  for (const EllipticContact& contact : {unlike, falling}) EXPECT_THROW(solver.solve(rolling_problem(contact)), Error);
+  EXPECT_THROW(AccurateContactSolver({.discretisation = Discretisation::classical, .accuracy = 0.01})
+                   .solve(rolling_problem(test_case(1))),
+               Error);
   EllipticContact bad = test_case(1);
   bad.a = -1;
-  EXPECT_EQ(solver.solve(bad).forces.status, Status::invalid_input);
+  EXPECT_EQ(solver.solve(rolling_problem(bad)).forces.status, Status::invalid_input);
 }
 
 } // namespace

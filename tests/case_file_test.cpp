@@ -68,15 +68,15 @@ TEST(CaseFile, ReadsTheShortestCase) {
   EXPECT_DOUBLE_EQ(input.body1.material.shear_modulus, 210e9 / 2.56);
   EXPECT_EQ(input.body2.material.shear_modulus, 82e9);
   EXPECT_EQ(input.body2.material.poisson_ratio, 0.3);
-  EXPECT_EQ(input.normal_force, 80e3);
-  EXPECT_FALSE(input.approach);
-  EXPECT_EQ(input.friction_law, "coulomb");
-  EXPECT_EQ(input.friction.coefficient(1.0), 0.3);
-  EXPECT_EQ(input.creepage.longitudinal, 0);
-  EXPECT_EQ(input.rolling_speed, 30);
-  EXPECT_EQ(input.theory, Theory::fastsim2);
-  EXPECT_EQ(input.options.mx, 20);
-  EXPECT_EQ(input.options.direction, RollingDirection::forward);
+  EXPECT_EQ(input.problem.load.value, 80e3);
+  EXPECT_EQ(input.problem.load.given, NormalLoad::Given::force);
+  EXPECT_EQ(input.problem.friction.law.kind(), FrictionLaw::Kind::coulomb);
+  EXPECT_EQ(input.problem.friction.law.coefficient(1.0), 0.3);
+  EXPECT_EQ(input.problem.motion.creepage.longitudinal, 0);
+  EXPECT_EQ(input.problem.motion.rolling_speed, 30);
+  EXPECT_EQ(input.method.theory, Theory::fastsim2);
+  EXPECT_EQ(input.method.mx, 20);
+  EXPECT_EQ(input.problem.motion.direction, RollingDirection::forward);
 }
 
 TEST(CaseFile, ReadsEveryKey) {
@@ -93,34 +93,34 @@ flexibility = "blended"
 coefficients = "computed"
 slope_reduction = {initial = 0.5, at_infinity = 0.25, decay = 2})"),
                                     "w.toml");
-  EXPECT_EQ(input.creepage.longitudinal, 1e-3);
-  EXPECT_EQ(input.creepage.lateral, -2e-3);
-  EXPECT_EQ(input.creepage.spin, 0.5);
-  EXPECT_EQ(input.rolling_speed, 20.5);
-  EXPECT_EQ(input.options.direction, RollingDirection::backward);
-  EXPECT_EQ(input.theory, Theory::fastsim_half_step);
-  EXPECT_EQ(input.options.mx, 1);
-  EXPECT_EQ(input.options.my, 2000);
-  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
-  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
-  EXPECT_EQ(input.options.creepage_table, CreepageTable::computed);
-  EXPECT_EQ(input.options.slope_reduction.initial, 0.5);
-  EXPECT_EQ(input.options.slope_reduction.at_infinity, 0.25);
-  EXPECT_EQ(input.options.slope_reduction.decay, 2);
+  EXPECT_EQ(input.problem.motion.creepage.longitudinal, 1e-3);
+  EXPECT_EQ(input.problem.motion.creepage.lateral, -2e-3);
+  EXPECT_EQ(input.problem.motion.creepage.spin, 0.5);
+  EXPECT_EQ(input.problem.motion.rolling_speed, 20.5);
+  EXPECT_EQ(input.problem.motion.direction, RollingDirection::backward);
+  EXPECT_EQ(input.method.theory, Theory::fastsim_half_step);
+  EXPECT_EQ(input.method.mx, 1);
+  EXPECT_EQ(input.method.my, 2000);
+  EXPECT_EQ(input.method.bound, TractionBound::elliptic);
+  EXPECT_EQ(input.method.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(input.method.coefficients, CreepageTable::computed);
+  EXPECT_EQ(input.method.slope_reduction.initial, 0.5);
+  EXPECT_EQ(input.method.slope_reduction.at_infinity, 0.25);
+  EXPECT_EQ(input.method.slope_reduction.decay, 2);
 }
 
 TEST(CaseFile, LoadAndApproachAreTheSameContact) {
-  const auto by_load = io::hertz_contact(io::parse_case(good, "w.toml"));
+  const auto by_load = hertz_contact(io::parse_case(good, "w.toml").problem);
   char approach[64];
   std::snprintf(approach, sizeof approach, "approach = %.17g", by_load.approach);
-  const auto by_approach = io::hertz_contact(io::parse_case(with("normal_force = 80e3", approach), "w.toml"));
+  const auto by_approach = hertz_contact(io::parse_case(with("normal_force = 80e3", approach), "w.toml").problem);
   EXPECT_NEAR(by_approach.normal_force, 80e3, 80e3 * 1e-12);
   EXPECT_NEAR(by_approach.a, by_load.a, by_load.a * 1e-12);
 }
 
 TEST(CaseFile, ReadsEveryFrictionLaw) {
   const auto law = [](const std::string& keys) {
-    return io::parse_case(with("coefficient = 0.3", keys), "w").friction;
+    return io::parse_case(with("coefficient = 0.3", keys), "w").problem.friction.law;
   };
   const std::string terms = "kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 2\n";
   EXPECT_DOUBLE_EQ(law("law = \"linear\"\n" + terms).coefficient(1.0), 0.2 + 0.1 * 0.75);
@@ -171,15 +171,15 @@ grid = [24, 12]
 discretisation = "classical"
 tolerance = 1e-9)"),
                                     "w.toml");
-  EXPECT_EQ(input.theory, Theory::exact);
-  EXPECT_EQ(input.motion.kind, ContactMotion::transient);
-  EXPECT_EQ(input.motion.force_x, -5e3);
-  EXPECT_FALSE(input.motion.force_y);
-  EXPECT_EQ(input.creepage.longitudinal, 0);
-  EXPECT_EQ(input.creepage.lateral, 1e-3);
-  EXPECT_EQ(input.motion.step, 1e-3);
-  EXPECT_EQ(input.motion.steps, 7);
-  const auto options = io::exact_options(input);
+  EXPECT_EQ(input.method.theory, Theory::exact);
+  EXPECT_EQ(input.problem.motion.kind, ContactMotion::transient);
+  EXPECT_EQ(input.problem.motion.force_x, -5e3);
+  EXPECT_FALSE(input.problem.motion.force_y);
+  EXPECT_EQ(input.problem.motion.creepage.longitudinal, 0);
+  EXPECT_EQ(input.problem.motion.creepage.lateral, 1e-3);
+  EXPECT_EQ(input.problem.motion.step, 1e-3);
+  EXPECT_EQ(input.problem.motion.steps, 7);
+  const Method& options = input.method;
   EXPECT_EQ(options.mx, 24);
   EXPECT_EQ(options.my, 12);
   EXPECT_EQ(options.tolerance, 1e-9);
@@ -191,21 +191,21 @@ rotation = 1e-4
 [solution]
 theory = "exact")"),
                                     "w.toml");
-  EXPECT_EQ(shift.creepage.longitudinal, 1e-5);
-  EXPECT_EQ(shift.creepage.spin, 1e-4);
-  EXPECT_EQ(shift.motion.force_y, 10);
+  EXPECT_EQ(shift.problem.motion.creepage.longitudinal, 1e-5);
+  EXPECT_EQ(shift.problem.motion.creepage.spin, 1e-4);
+  EXPECT_EQ(shift.problem.motion.force_y, 10);
 }
 
 TEST(CaseFile, BilinearElementsNeedTheClassicalDiscretisation) {
   const std::string elements = "[solution]\nelements = \"bilinear\"\n";
   const std::string similar =
       with("shear_modulus = 82e9\npoisson_ratio = 0.3", "young_modulus = 210e9\npoisson_ratio = 0.28");
-  EXPECT_EQ(io::parse_case(good, "w.toml").elements, ElementShape::constant);
+  EXPECT_FALSE(io::parse_case(good, "w.toml").method.elements);
   const auto input =
       io::parse_case(similar + elements + "theory = \"exact\"\ndiscretisation = \"classical\"\n", "w.toml");
-  EXPECT_EQ(io::exact_options(input).elements, ElementShape::bilinear);
+  EXPECT_EQ(input.method.elements, ElementShape::bilinear);
   const auto dissimilar = io::parse_case(good + elements + "theory = \"exact\"\n", "w.toml"); // always classical
-  EXPECT_EQ(io::exact_options(dissimilar).elements, ElementShape::bilinear);
+  EXPECT_EQ(dissimilar.method.elements, ElementShape::bilinear);
   EXPECT_EQ(message_of(similar + elements + "theory = \"exact\"\n"),
             "w.toml:19: solution.elements: bilinear ones need solution.discretisation = \"classical\"");
   EXPECT_EQ(message_of(similar + elements), "w.toml:19: solution.elements: needs solution.theory = \"exact\"");
@@ -237,8 +237,8 @@ TEST(CaseFile, RefusesWhatATheoryCannotDo) {
             "w.toml:18: motion.rolling_speed: unknown key; must be kind, shift_longitudinal, force_longitudinal, "
             "shift_lateral, force_lateral or rotation");
   const auto polach = with("coefficient = 0.3", "law = \"polach\"\nstatic_coefficient = 0.3\nratio = 0.4\ndecay = 0.6");
-  EXPECT_EQ(io::parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml").discretisation,
-            Discretisation::classical);
+  const io::RollingCase falling = io::parse_case(polach + "[solution]\ntheory = \"exact\"", "w.toml");
+  EXPECT_EQ(discretisation_of(falling.problem, falling.method), Discretisation::classical);
   EXPECT_EQ(
       message_of(polach + "[solution]\ntheory = \"exact\"\ndiscretisation = \"second_order\""),
       "w.toml:23: solution.discretisation: must be classical for bodies of different materials, viscoelastic ones, a "
@@ -257,17 +257,17 @@ TEST(CaseFile, BodiesThatFlowAndLayersNeedTheExactTheory) {
                     layer = "\n[layer]\nshear_modulus = 8e9\nthickness = 1e-5\n";
   const io::RollingCase slow = io::parse_case(with("poisson_ratio = 0.28", creep) + exact, "w.toml");
   EXPECT_EQ(slow.body1.creep.ratio, 1.5);
-  EXPECT_EQ(slow.discretisation, Discretisation::classical);
-  ASSERT_EQ(io::bodies_of(slow).retarded.size(), 1u);
-  EXPECT_DOUBLE_EQ(io::bodies_of(slow).retarded[0].retardation.distance, 0.3);
+  EXPECT_EQ(discretisation_of(slow.problem, slow.method), Discretisation::classical);
+  ASSERT_EQ(slow.problem.bodies.retarded.size(), 1u);
+  EXPECT_DOUBLE_EQ(slow.problem.bodies.retarded[0].retardation.distance, 0.3);
   EXPECT_NE(
       message_of(with("poisson_ratio = 0.28", creep)).find("body1.creep_ratio: needs solution.theory = \"exact\""),
       std::string::npos);
   const io::RollingCase layered =
       io::parse_case(with("rolling_speed = 30", "rolling_speed = 30" + layer + exact), "w.toml");
-  EXPECT_DOUBLE_EQ(io::bodies_of(layered).layer.flexibility, 1e-5 / 8e9);
-  EXPECT_FALSE(io::bodies_of(layered).layer.yields());
-  EXPECT_EQ(layered.discretisation, Discretisation::classical);
+  EXPECT_DOUBLE_EQ(layered.problem.bodies.layer.flexibility, 1e-5 / 8e9);
+  EXPECT_FALSE(layered.problem.bodies.layer.yields());
+  EXPECT_EQ(discretisation_of(layered.problem, layered.method), Discretisation::classical);
   EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer)).find("needs solution.theory"),
             std::string::npos);
   EXPECT_NE(message_of(with("rolling_speed = 30", "rolling_speed = 30" + layer + "yield_stress = -1\n" + exact))
@@ -287,15 +287,15 @@ TEST(CaseFile, ReadsTemperatures) {
   const io::RollingCase input = io::parse_case(text(effect + "memory_distance = 1e-6", thermal, thermal), "w.toml");
   EXPECT_EQ(input.body1.thermal->density, 7850);
   EXPECT_EQ(input.body2.thermal->bulk_temperature, 20);
-  EXPECT_EQ(input.temperature_effect->change, -0.2);
-  EXPECT_EQ(input.temperature_effect->begin, 100);
-  EXPECT_EQ(input.temperature_effect->range, 400);
-  EXPECT_EQ(input.friction_memory.distance, 1e-6);
-  EXPECT_EQ(input.discretisation, Discretisation::classical);
-  EXPECT_EQ(io::exact_options(input).thermal->body2.conductivity, 50);
+  EXPECT_EQ(input.problem.friction.temperature_effect->change, -0.2);
+  EXPECT_EQ(input.problem.friction.temperature_effect->begin, 100);
+  EXPECT_EQ(input.problem.friction.temperature_effect->range, 400);
+  EXPECT_EQ(input.problem.friction.memory.distance, 1e-6);
+  EXPECT_EQ(discretisation_of(input.problem, input.method), Discretisation::classical);
+  EXPECT_EQ(input.problem.thermal->body2.conductivity, 50);
   const io::RollingCase only_temperatures = io::parse_case(text("", thermal, thermal), "w.toml");
-  EXPECT_TRUE(io::exact_options(only_temperatures).thermal);
-  EXPECT_FALSE(io::exact_options(only_temperatures).temperature_effect);
+  EXPECT_TRUE(only_temperatures.problem.thermal);
+  EXPECT_FALSE(only_temperatures.problem.friction.temperature_effect);
   const auto expect_refused = [](const std::string& refused, const std::string& why) {
     EXPECT_NE(message_of(refused).find(why), std::string::npos) << message_of(refused);
   };
@@ -320,10 +320,11 @@ TEST(CaseFile, FaStripTakesWhatItNeeds) {
     return with("rolling_speed = 30", "rolling_speed = 30\n[solution]\ntheory = \"fastrip\"\n" + more);
   };
   const io::RollingCase input = io::parse_case(with_fastrip(""), "w.toml");
-  EXPECT_EQ(input.theory, Theory::fastrip);
-  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
-  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
-  EXPECT_EQ(io::parse_case(with_fastrip("flexibility = \"one\""), "w.toml").options.flexibility, FlexibilityModel::one);
+  EXPECT_EQ(input.method.theory, Theory::fastrip);
+  const SimplifiedOptions options = simplified_options(input.method, input.problem.motion.direction);
+  EXPECT_EQ(options.bound, TractionBound::elliptic);
+  EXPECT_EQ(options.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(io::parse_case(with_fastrip("flexibility = \"one\""), "w.toml").method.flexibility, FlexibilityModel::one);
   EXPECT_EQ(message_of(with_fastrip("bound = \"parabolic\"")),
             "w.toml:20: solution.bound: must be elliptic with solution.theory = \"fastrip\"");
   EXPECT_EQ(message_of(with_fastrip("[solution.slope_reduction]\ninitial = 0.5")),
@@ -379,9 +380,9 @@ TEST(CaseFile, TakesTextsWithUnits) {
   EXPECT_EQ(input.body2.rolling_radius, expected.body2.rolling_radius);
   EXPECT_EQ(input.body2.transverse_radius, expected.body2.transverse_radius);
   EXPECT_EQ(input.body2.material.shear_modulus, expected.body2.material.shear_modulus);
-  EXPECT_EQ(input.normal_force, expected.normal_force);
-  EXPECT_EQ(input.friction.static_coefficient(), expected.friction.static_coefficient());
-  EXPECT_DOUBLE_EQ(input.rolling_speed, expected.rolling_speed);
+  EXPECT_EQ(input.problem.load.value, expected.problem.load.value);
+  EXPECT_EQ(input.problem.friction.law.static_coefficient(), expected.problem.friction.law.static_coefficient());
+  EXPECT_DOUBLE_EQ(input.problem.motion.rolling_speed, expected.problem.motion.rolling_speed);
   EXPECT_EQ(message_of(with("80e3", "\"80 mm\"")),
             "w.toml:13: load.normal_force = \"80 mm\" [N]: must be in N, kN, MN, kgf, lbf or kip, e.g. \"80 kN\"");
   EXPECT_EQ(message_of(with("80e3", "\"-80 kN\"")),
@@ -455,7 +456,7 @@ TEST(CaseFile, NamesWrongTypes) {
 
 TEST(CaseFile, OneNumberOfElementsIsForBothDirections) {
   for (const char* grid : {"12", "[12, 12]"}) {
-    const auto options = io::parse_case(good + "[solution]\ngrid = " + grid, "w.toml").options;
+    const auto options = io::parse_case(good + "[solution]\ngrid = " + grid, "w.toml").method;
     EXPECT_EQ(options.mx, 12) << grid;
     EXPECT_EQ(options.my, 12) << grid;
   }
@@ -547,7 +548,7 @@ TEST(CaseFile, ReadsAFileOrSaysWhyNot) {
   std::ofstream(folder / "w.toml", std::ios::binary) << good;
   EXPECT_EQ(io::read_case_text(folder / "w.toml"), good);
   EXPECT_EQ(io::parse_case(io::read_case_text(MICROSLIP_SOURCE_DIR "/examples/hertzian_contact.toml"), "example")
-                .normal_force,
+                .problem.load.value,
             80e3);
 
   std::ofstream(folder / "long.toml") << std::string((1 << 20) + 1, '#');

@@ -1,7 +1,7 @@
 // What the simplified theory does with extreme contacts, and with those that make no sense.
 
 #include "microslip/batch/solve_parallel.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastsim.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 #include "tests/support/expect_error.hpp"
@@ -209,7 +209,7 @@ TEST(ContactInput, SizesThatNoElementHasAreRefusedByBothTheories) {
                                             &EllipticContact::normal_force, &EllipticContact::rolling_speed}) {
       EllipticContact contact = good_contact();
       contact.*member = size;
-      EXPECT_EQ(EllipticContactSolver({.mx = 5, .my = 4}).solve(contact).report.status, Status::invalid_input);
+      EXPECT_EQ(Solver({.mx = 5, .my = 4}).solve(rolling_problem(contact)).report.status, Status::invalid_input);
       EXPECT_EQ(Fastsim2({.mx = 5, .my = 4}).solve(contact).status, Status::invalid_input);
     }
 }

@@ -4,7 +4,7 @@
 
 #include "compat/contact/prescribed_forces.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/contact_input_cases.hpp"
 #include "tests/support/expect_close.hpp"
 #include "tests/support/steel.hpp"
@@ -43,9 +43,9 @@ TEST(ContactRun, TotalsAreInContactsUnits) {
 TEST(ContactRun, RollingIsThatOfTheLibrary) {
   const auto cases = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4"));
   const PrintedTotals& t = cases.at(0).outcome.totals;
-  ExactOptions options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
+  Method options{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
   const EllipticContact contact = steel_contact(1e-3, 0.8e-3, 100, {2e-4, -1e-4, 0.1});
-  const auto expected = EllipticContactSolver(options).solve(contact).forces();
+  const auto expected = Solver(options).solve(rolling_problem(contact)).forces();
   expect_forces(t, {expected.fx, expected.fy, expected.mz * 1e3},
                 2e-5 * 30); // grids that differ by the digits of SCALE
 }

@@ -4,6 +4,7 @@
 
 #include "io/case_file.hpp"
 #include "microslip/error.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/contact_input_cases.hpp"
 #include "tests/support/expect_close.hpp"
 
@@ -25,8 +26,7 @@ void expect_refused(const std::string& text, const std::string& why) {
 
 /// The forces that a case file gives.
 ContactForces forces_of(const io::RollingCase& input) {
-  const EllipticContact contact = io::elliptic_contact(input, io::hertz_contact(input));
-  return EllipticContactSolver(io::exact_options(input)).solve(contact, input.motion).forces();
+  return Solver(input.method).solve(input.problem).forces();
 }
 
 TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
@@ -35,8 +35,8 @@ TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
     const PrintedTotals t = run_cases(text).at(0).outcome.totals;
     const io::RollingCase input = converted(text);
     EXPECT_EQ(input.title, "a case");
-    EXPECT_EQ(input.theory, Theory::exact);
-    EXPECT_EQ(input.options.mx, 12);
+    EXPECT_EQ(input.method.theory, Theory::exact);
+    EXPECT_EQ(input.method.mx, 12);
     const ContactForces f = forces_of(input);
     expect_forces({f.fx, f.fy, f.mz * 1e3}, t, 2e-5 * 30); // SCALE has six digits
   }
@@ -44,13 +44,13 @@ TEST(ContactToml, ACaseFileGivesTheForcesOfTheCase) {
 
 TEST(ContactToml, ForcesAndShifts) {
   const io::RollingCase input = converted(first_shift);
-  EXPECT_EQ(input.motion.kind, ContactMotion::shift);
-  EXPECT_NEAR(*input.motion.force_x, -0.2 * 9.1954, 1e-12);
+  EXPECT_EQ(input.problem.motion.kind, ContactMotion::shift);
+  EXPECT_NEAR(*input.problem.motion.force_x, -0.2 * 9.1954, 1e-12);
   EXPECT_DOUBLE_EQ(input.body1.rolling_radius, 0.05);
   EXPECT_DOUBLE_EQ(input.body2.material.shear_modulus, 200e6);
-  EXPECT_EQ(input.options.mx, 15);
+  EXPECT_EQ(input.method.mx, 15);
   EXPECT_NEAR(forces_of(input).fx, -0.2 * 9.1954, 1e-5);
-  EXPECT_EQ(converted(with(first_shift, "201110", "200100")).friction.static_coefficient(), 0);
+  EXPECT_EQ(converted(with(first_shift, "201110", "200100")).problem.friction.law.static_coefficient(), 0);
 }
 
 TEST(ContactToml, FrictionThatDependsOnTheTemperature) {
@@ -65,8 +65,8 @@ TEST(ContactToml, FrictionThatDependsOnTheTemperature) {
 }
 
 TEST(ContactToml, BilinearElements) {
-  EXPECT_EQ(converted(first_shift).elements, ElementShape::constant);
-  EXPECT_EQ(converted(with(first_shift, "022020", "023020")).elements, ElementShape::bilinear);
+  EXPECT_EQ(converted(first_shift).method.elements.value_or(ElementShape::constant), ElementShape::constant);
+  EXPECT_EQ(converted(with(first_shift, "022020", "023020")).method.elements, ElementShape::bilinear);
 }
 
 TEST(ContactToml, FastsimWithAFallingLaw) {
@@ -74,12 +74,12 @@ TEST(ContactToml, FastsimWithAFallingLaw) {
       steady_rolling("100. 2d-4 0 0", "0 .1 30000.", "233100"),
       {{"022020", "422320"}, {".3 .3", ".2 .1 500. 0 0\n .003 10"}, {"82000. 82000.", "82000. 82000.\n .5 .1 .6"}});
   const io::RollingCase input = converted(text);
-  EXPECT_EQ(input.theory, Theory::fastsim);
-  EXPECT_EQ(input.options.bound, TractionBound::parabolic);
-  EXPECT_EQ(input.options.flexibility, FlexibilityModel::blended);
-  EXPECT_EQ(input.options.slope_reduction.initial, 0.5);
-  EXPECT_EQ(input.friction_law, "exponential");
-  EXPECT_DOUBLE_EQ(input.friction.terms()[0].half_velocity, 0.5);
+  EXPECT_EQ(input.method.theory, Theory::fastsim);
+  EXPECT_EQ(simplified_options(input.method, RollingDirection::forward).bound, TractionBound::parabolic);
+  EXPECT_EQ(input.method.flexibility, FlexibilityModel::blended);
+  EXPECT_EQ(input.method.slope_reduction.initial, 0.5);
+  EXPECT_EQ(input.problem.friction.law.kind(), FrictionLaw::Kind::exponential);
+  EXPECT_DOUBLE_EQ(input.problem.friction.law.terms()[0].half_velocity, 0.5);
 }
 
 TEST(ContactToml, FaStrip) {
@@ -88,8 +88,8 @@ TEST(ContactToml, FaStrip) {
                 {{"022020", "022520"}, {"82000. 82000.", "82000. 82000.\n " + reduction}});
   };
   const io::RollingCase input = converted(text("223100", "1. 1. 1."));
-  EXPECT_EQ(input.theory, Theory::fastrip);
-  EXPECT_EQ(input.options.bound, TractionBound::elliptic);
+  EXPECT_EQ(input.method.theory, Theory::fastrip);
+  EXPECT_EQ(simplified_options(input.method, RollingDirection::forward).bound, TractionBound::elliptic);
   expect_refused(text("233100", "1. 1. 1."), "M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
   expect_refused(text("223100", ".5 1. 1."), "M = 5 (FaStrip) with other than B = 2, L = 0, K0_MF = ALFAMF = 1");
 }

@@ -33,7 +33,7 @@ TEST(CreepTableCase, HasTheTablesForcesAndWhatTheCreepagesDo) {
   for (const auto direction : {RollingDirection::forward, RollingDirection::backward}) {
     const bool forward = direction == RollingDirection::forward;
     const io::RollingCase input = table_case("theory = \"table\"", forward ? "" : "direction = \"backward\"\n");
-    const EllipticContact contact = io::elliptic_contact(input, io::hertz_contact(input));
+    const EllipticContact contact = elliptic_contact(input.problem);
     const ContactForces expected =
         CreepForceTable(io::read_creep_table(io::shipped_creep_table()), direction).solve(contact);
     const ContactSolution found = cases::solve_case(input).table->solution;

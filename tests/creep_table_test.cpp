@@ -220,15 +220,16 @@ TEST(CreepTable, DerivativesAreContinuousAcrossBordersNodesAndThePole) {
 }
 
 TEST(CreepTable, NodesHaveTheLimitOfTheExactTheory) {
-  EllipticContactSolver coarse({.mx = 4, .my = 4}), fine({.mx = 8, .my = 8}), finest({.mx = 16, .my = 16});
+  Solver coarse({.mx = 4, .my = 4}), fine({.mx = 8, .my = 8}), finest({.mx = 16, .my = 16});
   const CreepTableAxes& axes = small_nodes().axes;
   for (const auto& [level, elevation, azimuth] : {std::array{3, 2, 4}, {5, 1, 6}, {6, 5, 1}}) {
     const double t = axes.level(level), r = creep_coordinates::half_way * t / (1 - t);
     const auto [x, y, z] =
         creep_coordinates::direction(axes.ratio(2), axes.elevation(elevation), axes.azimuth(azimuth));
     const auto k = contact_at(r * x, r * y, r * z, axes.ratio(2));
-    const auto from = relative(coarse.solve(k).forces(), k), to = relative(fine.solve(k).forces(), k),
-               last = relative(finest.solve(k).forces(), k);
+    const auto from = relative(coarse.solve(rolling_problem(k)).forces(), k),
+               to = relative(fine.solve(rolling_problem(k)).forces(), k),
+               last = relative(finest.solve(rolling_problem(k)).forces(), k);
     const auto limit = [](const Relative& p, const Relative& q) {
       return Relative{limit_of_second_order(p.fx, q.fx), limit_of_second_order(p.fy, q.fy),
                       limit_of_second_order(p.mz, q.mz)};

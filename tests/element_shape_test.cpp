@@ -7,7 +7,7 @@
 #include "microslip/exact/fitted/fitted_contact.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include <cmath>
 #include <optional>
@@ -229,17 +229,17 @@ TEST(ElementShape, DelayedDeformationOfTents) {
 TEST(ElementShape, HertzianContactsTakeIt) {
   EllipticContact contact = steel_contact(1);
   contact.creepage = scaled_creepage(contact, 0.5, 0.2, 0.1);
-  ExactOptions options{.mx = 24, .my = 24, .discretisation = Discretisation::classical};
-  const ContactForces constant = EllipticContactSolver(options).solve(contact).forces();
+  Method options{.mx = 24, .my = 24, .discretisation = Discretisation::classical};
+  const ContactForces constant = Solver(options).solve(rolling_problem(contact)).forces();
   options.elements = ElementShape::bilinear;
-  const ContactForces tents = EllipticContactSolver(options).solve(contact).forces();
+  const ContactForces tents = Solver(options).solve(rolling_problem(contact)).forces();
   const double mu_fn = 0.3 * contact.normal_force;
   EXPECT_EQ(tents.status, Status::ok);
   EXPECT_NE(tents.fx, constant.fx);
   EXPECT_NEAR(tents.fx, constant.fx, 0.01 * mu_fn);
   EXPECT_NEAR(tents.fy, constant.fy, 0.01 * mu_fn);
   options.discretisation = Discretisation::second_order;
-  EXPECT_THROW(EllipticContactSolver{options}, Error);
+  EXPECT_THROW(Solver(options).solve(rolling_problem(contact)), Error);
 }
 
 TEST(ElementShape, FittedElementsAreConstant) {

@@ -1,4 +1,4 @@
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include "microslip/damage/wear.hpp"
 #include "microslip/elasticity/hertz.hpp"
@@ -24,13 +24,12 @@ EllipticContact mixed() {
   return steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3);
 }
 
-ExactOptions options(int n, Discretisation discretisation = Discretisation::second_order,
-                     RollingDirection direction = RollingDirection::forward) {
-  return {.mx = n, .my = n, .discretisation = discretisation, .direction = direction, .tolerance = 1e-9};
+Method options(int n, std::optional<Discretisation> discretisation = {}) {
+  return {.mx = n, .my = n, .discretisation = discretisation, .tolerance = 1e-9};
 }
 
-ContactSolution solve(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion = {}) {
-  return EllipticContactSolver(options).solve(contact, motion);
+ContactSolution solve(const Method& options, const EllipticContact& contact, const Motion& motion = {}) {
+  return Solver(options).solve(rolling_problem(contact, motion));
 }
 
 void expect_same(const ContactSolution& one, const ContactSolution& other) {
@@ -42,7 +41,10 @@ void expect_same(const ContactSolution& one, const ContactSolution& other) {
 }
 
 TEST(EllipticContact, SecondOrderIsTheDefault) {
-  EXPECT_EQ(ExactOptions{}.discretisation, Discretisation::second_order);
+  EXPECT_EQ(discretisation_of(rolling_problem(mixed()), {}), Discretisation::second_order);
+  for (const RollingDirection direction : both_directions)
+    expect_same(solve(options(9), mixed(), {.direction = direction}),
+                solve(options(9, Discretisation::second_order), mixed(), {.direction = direction}));
 }
 
 /// Forces, areas, load and power are those of the fields.
@@ -50,7 +52,7 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
   for (const Discretisation discretisation : both_discretisations)
     for (const RollingDirection direction : both_directions) {
       const EllipticContact contact = mixed();
-      const ContactSolution s = solve(options(14, discretisation, direction), contact);
+      const ContactSolution s = solve(options(14, discretisation), contact, {.direction = direction});
       const ContactSolution& f = s;
       double fx = 0, fy = 0, mz = 0, bound = 0, load = 0, energy = 0, power = 0, slip = 0, adhesion = 0;
       for (std::size_t k = 0; k < f.elements.x.size(); ++k) {
@@ -85,7 +87,7 @@ TEST(EllipticContact, TotalsAreSumsOverTheFields) {
 TEST(EllipticContact, FieldsAscendInXAndY) {
   for (const Discretisation discretisation : both_discretisations)
     for (const RollingDirection direction : both_directions) {
-      const ContactSolution f = solve(options(9, discretisation, direction), mixed());
+      const ContactSolution f = solve(options(9, discretisation), mixed(), {.direction = direction});
       for (std::size_t k = 0; k < f.elements.size(); ++k) {
         if (k % f.elements.mx() > 0) {
           EXPECT_GT(f.elements.x[k], f.elements.x[k - 1]);
@@ -104,7 +106,7 @@ TEST(EllipticContact, RollingBackwardIsTheMirrorImage) {
     EllipticContact mirrored = mixed();
     mirrored.creepage.longitudinal *= -1;
     mirrored.creepage.spin *= -1;
-    const ContactSolution s = solve(options(13, discretisation, RollingDirection::backward), mirrored);
+    const ContactSolution s = solve(options(13, discretisation), mirrored, {.direction = RollingDirection::backward});
     const double unit = friction_force(mirrored);
     expect_forces(s.totals, {-forward.totals.fx, forward.totals.fy, -forward.totals.mz}, 1e-8 * unit,
                   1e-8 * friction_moment(mirrored));
@@ -129,8 +131,8 @@ TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
     for (const double sign : {1.0, -1.0}) {
       const EllipticContact contact = steel_contact(9e-3, 6e-3, 0.4, -0.5, 0.3 * sign);
       const auto limit = [&](Discretisation discretisation, double order) {
-        const ContactForces coarse = solve(options(20, discretisation, direction), contact).forces();
-        const ContactForces fine = solve(options(40, discretisation, direction), contact).forces();
+        const ContactForces coarse = solve(options(20, discretisation), contact, {.direction = direction}).forces();
+        const ContactForces fine = solve(options(40, discretisation), contact, {.direction = direction}).forces();
         const double more = 1 / (std::exp2(order) - 1);
         return ContactForces{fine.fx + more * (fine.fx - coarse.fx), fine.fy + more * (fine.fy - coarse.fy),
                              fine.mz + more * (fine.mz - coarse.mz)};
@@ -142,13 +144,13 @@ TEST(EllipticContact, BothDiscretisationsHaveTheSameLimit) {
 
 /// Shifts, and rolling with a step that is given, are classical all the same.
 TEST(EllipticContact, OtherMotionsAreClassical) {
-  std::vector<ExactMotion> motions(3);
+  std::vector<Motion> motions(3);
   motions[0].kind = ContactMotion::shift;
   motions[1].kind = ContactMotion::transient;
   motions[1].steps = 3;
   motions[1].step = 1e-3;
   motions[2].step = 1e-3;
-  for (const ExactMotion& motion : motions) {
+  for (const Motion& motion : motions) {
     EllipticContact contact = mixed();
     if (motion.kind == ContactMotion::shift) contact.creepage = {3e-6, 2e-6, 0};
     expect_same(solve(options(10), contact, motion), solve(options(10, Discretisation::classical), contact, motion));
@@ -156,7 +158,7 @@ TEST(EllipticContact, OtherMotionsAreClassical) {
 }
 
 TEST(EllipticContact, TransientRollingKeepsItsSteps) {
-  ExactMotion motion;
+  Motion motion;
   motion.kind = ContactMotion::transient;
   motion.steps = 5;
   const ContactSolution s = solve(options(10), mixed(), motion);
@@ -172,21 +174,21 @@ TEST(EllipticContact, TransientRollingKeepsItsSteps) {
   EXPECT_EQ(s.report.newton_steps, steps);
   EXPECT_LT(std::abs(s.history[0].totals.fx), std::abs(s.history[4].totals.fx));
   const ContactSolution ended =
-      EllipticContactSolver(options(10)).solve(mixed(), motion, [&](double fraction) { return fraction < 0.41; });
+      Solver(options(10)).solve(rolling_problem(mixed(), motion), [&](double fraction) { return fraction < 0.41; });
   EXPECT_EQ(ended.history.size(), 2U);
 }
 
 TEST(EllipticContact, ForcesLeadBackToTheCreepages) {
   for (const RollingDirection direction : both_directions) {
     const EllipticContact contact = mixed();
-    const ContactSolution given = solve(options(12, Discretisation::second_order, direction), contact);
-    ExactMotion motion;
+    const ContactSolution given = solve(options(12), contact, {.direction = direction});
+    Motion motion{.direction = direction};
     motion.force_x = given.totals.fx;
     motion.force_y = given.totals.fy;
     EllipticContact unknown = contact;
     unknown.creepage.longitudinal = 5;
     unknown.creepage.lateral = -7;
-    const ContactSolution s = solve(options(12, Discretisation::second_order, direction), unknown, motion);
+    const ContactSolution s = solve(options(12), unknown, motion);
     const double size = std::hypot(contact.creepage.longitudinal, contact.creepage.lateral);
     EXPECT_EQ(s.report.status, Status::ok);
     EXPECT_NEAR(s.creepage.longitudinal, contact.creepage.longitudinal, 1e-3 * size);
@@ -198,16 +200,16 @@ TEST(EllipticContact, ForcesLeadBackToTheCreepages) {
 
 /// What a solver has done before leaves no trace, whatever it was.
 TEST(EllipticContact, SolversCanBeUsedForOneContactAfterTheOther) {
-  EllipticContactSolver solver(options(9));
-  ExactMotion transient;
+  Solver solver(options(9));
+  Motion transient;
   transient.kind = ContactMotion::transient;
   EllipticContact other = steel_contact(5e-3, 7e-3, 0.2, 0.3, -0.4), rubber = mixed();
   rubber.shear_modulus = 1e6;
   rubber.poisson_ratio = 0.5;
   rubber.normal_force = 10;
   for (const EllipticContact& contact : {mixed(), other, mixed(), rubber, mixed()})
-    for (const ExactMotion& motion : {ExactMotion{}, transient, ExactMotion{}})
-      expect_same(solver.solve(contact, motion), solve(options(9), contact, motion));
+    for (const Motion& motion : {Motion{}, transient, Motion{}})
+      expect_same(solver.solve(rolling_problem(contact, motion)), solve(options(9), contact, motion));
 }
 
 double power_at_centres(const ContactSolution& s) {
@@ -249,9 +251,9 @@ TEST(EllipticContact, ApproachIsHertz) {
 /// Zero where the bodies touch, positive around.
 TEST(EllipticContact, DeformedGap) {
   for (const Discretisation discretisation : both_discretisations) {
-    EllipticContactSolver solver(options(12, discretisation));
+    Solver solver(options(12, discretisation));
     const EllipticContact contact = mixed();
-    const std::vector<double> gap = solver.deformed_gap(contact).gap;
+    const std::vector<double> gap = solver.deformed_gap(rolling_problem(contact)).gap;
     const ContactSolution s = solve(options(12, discretisation), contact);
     ASSERT_EQ(gap.size(), s.fields.pressure.size());
     for (std::size_t k = 0; k < gap.size(); ++k) {
@@ -269,9 +271,9 @@ TEST(EllipticContact, DeformedGap) {
 TEST(EllipticContact, InputOutOfRangeIsAStatus) {
   constexpr double bad[] = {0, -1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
   for (const Discretisation discretisation : both_discretisations) {
-    EllipticContactSolver solver(options(6, discretisation));
-    const auto expect_invalid = [&](const EllipticContact& contact, const ExactMotion& motion = {}) {
-      const ContactSolution s = solver.solve(contact, motion);
+    Solver solver(options(6, discretisation));
+    const auto expect_invalid = [&](const EllipticContact& contact, const Motion& motion = {}) {
+      const ContactSolution s = solver.solve(rolling_problem(contact, motion));
       EXPECT_EQ(s.report.status, Status::invalid_input);
       EXPECT_TRUE(std::isnan(s.totals.fx));
     };
@@ -291,11 +293,11 @@ TEST(EllipticContact, InputOutOfRangeIsAStatus) {
       EllipticContact contact = mixed();
       contact.creepage.spin = value;
       expect_invalid(contact);
-      ExactMotion motion;
+      Motion motion;
       motion.force_x = value;
       expect_invalid(mixed(), motion);
     }
-    EXPECT_EQ(solver.solve(mixed()).report.status, Status::ok);
+    EXPECT_EQ(solver.solve(rolling_problem(mixed())).report.status, Status::ok);
   }
 }
 
@@ -304,43 +306,27 @@ TEST(EllipticContact, RoundingOfTheDissimilarityDoesNotCouple) {
   EllipticContact rounded = mixed();
   rounded.dissimilarity = 1e-9;
   expect_same(solve(options(8), rounded), solve(options(8), mixed()));
-  EXPECT_EQ(EllipticContactSolver(options(8)).differentiate(rounded).solution.report.status, Status::ok);
+  EXPECT_EQ(Solver(options(8)).differentiate(rolling_problem(rounded)).solution.report.status, Status::ok);
 }
 
-/// Bodies of the options and K of the contact must not contradict each other.
-TEST(EllipticContact, RefusesAnotherDissimilarityThanThatOfTheBodies) {
-  EllipticContact contact = mixed();
-  ExactOptions with_bodies = options(6);
-  with_bodies.bodies = CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0.125};
-  EllipticContactSolver solver(with_bodies);
-  const ContactSolution of_bodies = solver.solve(contact);
-  EXPECT_EQ(of_bodies.report.status, Status::ok);
-  contact.dissimilarity = 0.125;
-  expect_same(solver.solve(contact), of_bodies);
-  expect_same(solve(options(6), contact), of_bodies);
-  const std::string wanted = "dissimilarity = 0.25 [-]: must be that of the solver's bodies, 0.125000, or 0";
-  contact.dissimilarity = 0.25;
-  EXPECT_EQ(solver.solve(contact).report.status, Status::invalid_input);
-  EXPECT_EQ(solver.solve(contact).report.reason, wanted);
-  EXPECT_EQ(solver.differentiate(contact).solution.report.reason, wanted);
-  EXPECT_THROW(solver.deformed_gap(contact), Error);
-  with_bodies.bodies = CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0};
-  EXPECT_EQ(solve(with_bodies, contact).report.status, Status::invalid_input);
-}
-
-/// The gap is that of a solution, so it is refused where the solution is.
-TEST(EllipticContact, DeformedGapIsRefusedAsTheSolutionIs) {
-  ExactOptions viscoelastic_bodies = options(6, Discretisation::classical);
-  viscoelastic_bodies.bodies = viscoelastic({1e6, 0.5}, {1, 0.01}, {1e6, 0.5}, {1, 0.01}, 1);
-  EllipticContactSolver solver(viscoelastic_bodies);
-  EXPECT_EQ(solver.solve(mixed(), {.kind = ContactMotion::transient}).report.status, Status::invalid_input);
-  EXPECT_THROW(solver.deformed_gap(mixed(), {.kind = ContactMotion::transient}), Error);
+/// The gap is that of a solution, so it is refused where the solution is; so are derivatives.
+TEST(EllipticContact, IsRefusedForGapAndDerivativesAsForTheSolution) {
+  RollingProblem problem = rolling_problem(mixed());
+  problem.bodies = viscoelastic({1e6, 0.5}, {1, 0.01}, {1e6, 0.5}, {1, 0.01}, 1);
+  Solver solver(options(6, Discretisation::classical));
+  EXPECT_EQ(solver.differentiate(problem).solution.report.status, Status::invalid_input);
+  problem.motion.kind = ContactMotion::transient;
+  EXPECT_THROW(solver.solve(problem), Error);
+  EXPECT_THROW(solver.deformed_gap(problem), Error);
+  EXPECT_THROW(solver.differentiate(problem), Error);
+  for (const Motion& motion : {Motion{.kind = ContactMotion::shift}, Motion{.force_x = 1e3}, Motion{.step = 1e-3}})
+    EXPECT_EQ(solver.differentiate(rolling_problem(mixed(), motion)).solution.report.status, Status::invalid_input);
 }
 
 TEST(EllipticContact, RefusesOptionsOutOfRange) {
-  expect_error([] { EllipticContactSolver({.mx = 0}); }, "mx", "[-]: must be in [1, 4000]");
-  expect_error([] { EllipticContactSolver({.my = 4001}); }, "my", "[-]: must be in [1, 4000]");
-  expect_error([] { EllipticContactSolver({.tolerance = 0}); }, "tolerance", "[-]: must be in [1e-14, 0.1]");
+  expect_error([] { Solver({.mx = 0}); }, "mx", "[-]: must be in [1, 4000]");
+  expect_error([] { Solver({.my = 4001}); }, "my", "[-]: must be in [1, 4000]");
+  expect_error([] { Solver({.tolerance = 0}); }, "tolerance", "[-]: must be in [1e-14, 0.1]");
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // The Jacobian of the exact theory against differences of its forces.
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "validation/test_set.hpp"
 
 #include <array>
@@ -20,17 +20,18 @@ TEST(ExactDerivatives, AreThoseOfTheForces) {
   constexpr std::array steps = {3e-8, 3e-8, 3e-6};
   for (const auto direction : {RollingDirection::forward, RollingDirection::backward})
     for (const std::size_t number : {500, 1510, 1700, 2310, 3000}) {
-      EllipticContactSolver solver({.mx = 16, .my = 16, .direction = direction});
-      EllipticContactSolver precise({.mx = 16, .my = 16, .direction = direction, .tolerance = 1e-11});
+      Solver solver({.mx = 16, .my = 16});
+      Solver precise({.mx = 16, .my = 16, .tolerance = 1e-11});
       const EllipticContact contact = validation::test_set_contacts()[number];
       const double length = std::sqrt(contact.a * contact.b);
-      const ExactDerivatives d = solver.differentiate(contact);
+      const ExactDerivatives d = solver.differentiate(rolling_problem(contact, {.direction = direction}));
       ASSERT_EQ(d.solution.report.status, Status::ok);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto forces = [&](double step) {
           EllipticContact moved = contact;
           moved.creepage.*members[i] += step;
-          return components(precise.differentiate(moved).solution.forces(), length);
+          return components(precise.differentiate(rolling_problem(moved, {.direction = direction})).solution.forces(),
+                            length);
         };
         const auto plus = forces(steps[i]), minus = forces(-steps[i]);
         const std::array column = {d.jacobian[0][i], d.jacobian[1][i], d.jacobian[2][i] / length};
@@ -42,10 +43,10 @@ TEST(ExactDerivatives, AreThoseOfTheForces) {
 }
 
 TEST(ExactDerivatives, VanishInFullSlidingAlongTheCreepage) {
-  EllipticContactSolver solver({.mx = 8, .my = 8});
+  Solver solver({.mx = 8, .my = 8});
   EllipticContact contact = validation::test_set_contacts()[0];
   contact.creepage = {0.5, 0, 0};
-  const ExactDerivatives d = solver.differentiate(contact);
+  const ExactDerivatives d = solver.differentiate(rolling_problem(contact));
   const double limit = contact.friction.static_coefficient() * contact.normal_force;
   EXPECT_NEAR(d.jacobian[0][0], 0, 1e-3 * limit / 0.5);
   EXPECT_NEAR(d.jacobian[1][1], -limit / 0.5, 1e-2 * limit / 0.5); // the traction turns with the creepage
@@ -55,14 +56,14 @@ TEST(ExactDerivatives, VanishInFullSlidingAlongTheCreepage) {
 /// cube, the spin's column with one power more than the others.
 TEST(ExactDerivatives, DoNotDependOnTheUnitOfLength) {
   const EllipticContact contact = validation::test_set_contacts()[1700];
-  const ExactDerivatives d = EllipticContactSolver({.mx = 12, .my = 12}).differentiate(contact);
+  const ExactDerivatives d = Solver({.mx = 12, .my = 12}).differentiate(rolling_problem(contact));
   for (const double unit : {1e-12, 1e12}) {
     EllipticContact other = contact;
     other.a *= unit;
     other.b *= unit;
     other.normal_force *= unit * unit;
     other.creepage.spin /= unit;
-    const ExactDerivatives moved = EllipticContactSolver({.mx = 12, .my = 12}).differentiate(other);
+    const ExactDerivatives moved = Solver({.mx = 12, .my = 12}).differentiate(rolling_problem(other));
     ASSERT_EQ(moved.solution.report.status, Status::ok);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -75,7 +76,7 @@ TEST(ExactDerivatives, DoNotDependOnTheUnitOfLength) {
 TEST(ExactDerivatives, BadInputIsMarked) {
   EllipticContact contact = validation::test_set_contacts()[500];
   contact.normal_force = -1;
-  EXPECT_EQ(EllipticContactSolver({.mx = 8, .my = 8}).differentiate(contact).solution.report.status,
+  EXPECT_EQ(Solver({.mx = 8, .my = 8}).differentiate(rolling_problem(contact)).solution.report.status,
             Status::invalid_input);
 }
 

@@ -4,7 +4,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/interior/interior_field.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include "tests/support/expect_error.hpp"
 #include "tests/test_cases.hpp"
@@ -99,7 +99,7 @@ TEST(Fatigue, ShakedownLimitsFallWithTraction) {
 TEST(Fatigue, SurfaceYieldsSomewhereWhereTheIndexOfAContactThatSlidesIsPositive) {
   EllipticContact c = steel_contact(6e-3, 4e-3, 0, 0, 0);
   c.creepage = {0.5, 0, 0};
-  const ContactSolution s = EllipticContactSolver({.mx = 30, .my = 30}).solve(c);
+  const ContactSolution s = Solver({.mx = 30, .my = 30}).solve(rolling_problem(c));
   const double mu = c.friction.static_coefficient();
   for (const double share : {0.97, 1.03}) {
     const double k = share * mu * s.totals.peak_pressure;

@@ -182,27 +182,5 @@ TEST(Incompatibilities, AreSaidInTheKeysOfTheInterface) {
   EXPECT_EQ(two.message(KeyStyle::option), "--creep-ratio, --creep-ratio: are none");
 }
 
-/// So does the solver of ellipses: at once what its options tell, as a status what a contact brings.
-TEST(Incompatibilities, OfTheEllipsesSolver) {
-  ExactOptions options;
-  options.elements = ElementShape::bilinear;
-  try {
-    EllipticContactSolver solver(options);
-    ADD_FAILURE() << "no Error";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "solution.elements: bilinear ones need solution.discretisation = \"classical\"");
-  }
-  options = {.mx = 8, .my = 8};
-  options.bodies = viscoelastic({1e6, 0.5}, {1, 0.01}, {1e6, 0.5}, {1, 0.01}, 1);
-  EllipticContact contact;
-  contact.a = contact.b = 5e-3;
-  contact.shear_modulus = 1e6;
-  contact.poisson_ratio = 0.5;
-  contact.normal_force = 10;
-  const ContactSolution s = EllipticContactSolver(options).solve(contact, {.kind = ContactMotion::transient});
-  EXPECT_EQ(s.report.status, Status::invalid_input);
-  EXPECT_EQ(s.report.reason, "motion.kind: must be steady with viscoelastic bodies");
-}
-
 } // namespace
 } // namespace microslip

@@ -157,7 +157,6 @@ TEST(InputTable, DefaultsAreTheLibrarys) {
   };
   const InputTable &rolling = description::rolling_inputs(), &wheel = description::wheel_inputs();
   EXPECT_EQ(missing(rolling, "solution", "tolerance"), method.tolerance);
-  EXPECT_EQ(missing(rolling, "solution", "grid"), io::RollingCase().options.mx);
   EXPECT_EQ(missing(rolling, "solution.slope_reduction", "initial"), method.slope_reduction.initial);
   EXPECT_EQ(missing(rolling, "solution.slope_reduction", "at_infinity"), method.slope_reduction.at_infinity);
   EXPECT_EQ(missing(rolling, "solution.slope_reduction", "decay"), method.slope_reduction.decay);

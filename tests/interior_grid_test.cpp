@@ -2,7 +2,7 @@
 
 #include "microslip/interior/interior_grid.hpp"
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include "tests/test_cases.hpp"
 
@@ -134,11 +134,11 @@ TEST(InteriorGrid, OfARollingContact) {
   const int n = 24;
   const InteriorGrid points = {{-2e-3, 0, 3e-3}, {-1e-3, 1e-3}, {1e-3, 3e-3, -2e-3}};
   const auto solve = [&](Discretisation discretisation, RollingDirection direction, const EllipticContact& c) {
-    EllipticContactSolver solver({.mx = n, .my = n, .discretisation = discretisation, .direction = direction});
+    Solver solver({.mx = n, .my = n, .discretisation = discretisation});
     InteriorGrid at = points;
     if (direction == RollingDirection::backward)
       for (double& x : at.x) x = -x;
-    return interior_states(steel_body, steel_body, solver.solve(c), at);
+    return interior_states(steel_body, steel_body, solver.solve(rolling_problem(c, {.direction = direction})), at);
   };
   EllipticContact mirror = contact;
   mirror.creepage.longitudinal *= -1;
@@ -164,11 +164,12 @@ TEST(InteriorGrid, ExtremesBelowAHertzianContact) {
   EllipticContact contact = rolling();
   contact.b = contact.a;
   contact.creepage = {};
-  EllipticContactSolver solver({.mx = 32, .my = 32});
+  Solver solver({.mx = 32, .my = 32});
   InteriorGrid points = {{0}, {0}, {}};
   for (int k = 0; k <= 60; ++k) points.z.push_back((0.2 + k * 0.01) * contact.a);
   const double p0 = 1.5 * contact.normal_force / ellipse_area(contact);
-  const auto extremes = interior_extremes(interior_states(steel_body, steel_body, solver.solve(contact), points));
+  const auto extremes =
+      interior_extremes(interior_states(steel_body, steel_body, solver.solve(rolling_problem(contact)), points));
   ASSERT_EQ(extremes.size(), 8U);
   EXPECT_EQ(extremes[1].name, "von_mises");
   EXPECT_NEAR(extremes[1].value / p0, 0.626, 0.006);

@@ -1,4 +1,5 @@
 #include "io/case_file.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/fastsim.hpp"
@@ -106,8 +107,9 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program(folder, "solve " + example + " -o out --no-pictures").exit_code, 0);
   const auto input = io::parse_case(io::read_case_text(example), example);
-  const auto hertz = io::hertz_contact(input);
-  const auto expected = Fastsim2(input.options).fields(io::elliptic_contact(input, hertz));
+  const auto hertz = hertz_contact(input.problem);
+  const auto expected =
+      Fastsim2(simplified_options(input.method, RollingDirection::forward)).fields(elliptic_contact(input.problem));
 
   const Hdf5Reader reader(folder / "out/result.h5");
   const auto scalar = [&](const char* path) { return reader.values<double>(path, H5T_NATIVE_DOUBLE).at(0); };
@@ -123,7 +125,7 @@ TEST(Program, WritesWhatTheLibraryComputes) {
   EXPECT_EQ(scalar("hertz/peak_pressure"), hertz.peak_pressure);
   EXPECT_EQ(scalar("fastsim2/fx"), expected.totals.fx);
   EXPECT_EQ(scalar("fastsim2/mz"), expected.totals.mz);
-  const auto exact = EllipticContactSolver(io::exact_options(input)).solve(io::elliptic_contact(input, hertz));
+  const auto exact = Solver(input.method).solve(input.problem);
   EXPECT_EQ(scalar("exact/fx"), exact.totals.fx);
   EXPECT_EQ(scalar("exact/products"), static_cast<double>(exact.report.products));
   EXPECT_EQ(reader.values<double>("exact/fields/px", H5T_NATIVE_DOUBLE), exact.fields.traction.x);
@@ -485,14 +487,14 @@ TEST(Program, BatchByTheExactTheory) {
   EXPECT_EQ(contents(folder / "one.csv"), contents(folder / "two.csv"));
   EXPECT_NE(contents(folder / "one.csv").find("slip_area,status,residual,iterations\n"), std::string::npos);
 
-  EllipticContactSolver solver({.mx = 8, .my = 12});
+  Solver solver({.mx = 8, .my = 12});
   const auto table = rows_of(folder / "one.csv");
   ASSERT_EQ(table.size(), 12u);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto& row = table[i];
     EXPECT_EQ(row.at(14), i == 10 ? "invalid_input" : "ok");
     if (i == 10) continue;
-    const auto expected = solver.solve(contact_of(row));
+    const auto expected = solver.solve(rolling_problem(contact_of(row)));
     EXPECT_EQ(std::stod(row.at(9)), expected.totals.fx);
     EXPECT_EQ(std::stod(row.at(11)), expected.totals.mz);
     EXPECT_EQ(std::stod(row.at(15)), expected.report.residual);
@@ -513,10 +515,10 @@ TEST(Program, BatchOfDissimilarBodies) {
   const auto table = rows_of(folder / "out.csv");
   ASSERT_EQ(table.size(), dissimilarities.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
-    ExactOptions options = {.mx = 8, .my = 8};
-    if (dissimilarities[i] != 0) options.bodies = CombinedMaterial{82e9, 0.28, dissimilarities[i]};
     const Names without_k(table[i].begin() + 1, table[i].end());
-    const auto expected = EllipticContactSolver(options).solve(contact_of(without_k));
+    EllipticContact contact = contact_of(without_k);
+    contact.dissimilarity = dissimilarities[i];
+    const auto expected = Solver({.mx = 8, .my = 8}).solve(rolling_problem(contact));
     EXPECT_EQ(std::stod(table[i].at(10)), expected.totals.fx);
     EXPECT_EQ(std::stod(table[i].at(11)), expected.totals.fy);
   }
@@ -537,13 +539,14 @@ TEST(Program, BatchTakesTheOptionsOfTheExactTheory) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     return rows_of(folder / "out.csv").at(0);
   };
-  const auto expect = [&](const Names& found, const ExactOptions& options) {
-    const auto expected = EllipticContactSolver(options).solve(contact_of(found));
+  const auto expect = [&](const Names& found, const Method& method,
+                          RollingDirection direction = RollingDirection::forward) {
+    const auto expected = Solver(method).solve(rolling_problem(contact_of(found), {.direction = direction}));
     EXPECT_EQ(std::stod(found.at(9)), expected.totals.fx);
     EXPECT_EQ(std::stod(found.at(15)), expected.report.residual);
   };
   expect(solved("--theory exact --tolerance 1e-9"), {.mx = 8, .my = 8, .tolerance = 1e-9});
-  expect(solved("--theory exact --direction backward"), {.mx = 8, .my = 8, .direction = RollingDirection::backward});
+  expect(solved("--theory exact --direction backward"), {.mx = 8, .my = 8}, RollingDirection::backward);
   expect(solved("--theory exact --discretisation classical --elements bilinear"),
          {.mx = 8, .my = 8, .discretisation = Discretisation::classical, .elements = ElementShape::bilinear});
   const auto backward = solved("--direction backward");

@@ -6,7 +6,7 @@
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
@@ -57,23 +57,23 @@ EllipticContact contact() {
 
 TEST(Progress, OfHertzianContacts) {
   for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
-    EllipticContactSolver solver({.mx = 16, .my = 16, .discretisation = discretisation});
+    Solver solver({.mx = 16, .my = 16, .discretisation = discretisation});
     for (const auto kind : {ContactMotion::steady, ContactMotion::shift, ContactMotion::transient}) {
       EllipticContact moved = contact();
       if (kind == ContactMotion::shift) moved.creepage = {5e-6, 3e-6, 0};
       expect_heard([&](const Progress& progress) {
-        return solver.solve(moved, {.kind = kind, .steps = 5}, progress).report.status;
+        return solver.solve(rolling_problem(moved, {.kind = kind, .steps = 5}), progress).report.status;
       });
     }
   }
 }
 
 TEST(Progress, TransientRollingKeepsTheStepsSoFar) {
-  EllipticContactSolver solver({.mx = 12, .my = 12});
-  const ExactMotion motion{.kind = ContactMotion::transient, .steps = 6};
-  const auto whole = solver.solve(contact(), motion);
+  Solver solver({.mx = 12, .my = 12});
+  const Motion motion{.kind = ContactMotion::transient, .steps = 6};
+  const auto whole = solver.solve(rolling_problem(contact(), motion));
   for (const double end : {4.01 / 6, 4.3 / 6, 4.999 / 6}) { // within the fifth step
-    const auto part = solver.solve(contact(), motion, [&](double fraction) { return fraction < end; });
+    const auto part = solver.solve(rolling_problem(contact(), motion), [&](double fraction) { return fraction < end; });
     EXPECT_EQ(part.report.status, Status::not_converged);
     ASSERT_EQ(part.history.size(), 4u) << end;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -81,35 +81,36 @@ TEST(Progress, TransientRollingKeepsTheStepsSoFar) {
       EXPECT_EQ(part.history[i].report.status, Status::ok);
     }
     EXPECT_EQ(part.totals.fx, whole.history[3].totals.fx);
-    EXPECT_EQ(part.fields.traction.x, solver.solve(contact(), {.kind = motion.kind, .steps = 4}).fields.traction.x);
+    EXPECT_EQ(part.fields.traction.x,
+              solver.solve(rolling_problem(contact(), {.kind = motion.kind, .steps = 4})).fields.traction.x);
   }
-  const auto nothing = solver.solve(contact(), motion, [](double) { return false; });
+  const auto nothing = solver.solve(rolling_problem(contact(), motion), [](double) { return false; });
   EXPECT_EQ(nothing.report.status, Status::not_converged);
   EXPECT_TRUE(std::isnan(nothing.totals.fx));
   Listener listener; // after its last step work cannot be ended any more
-  solver.solve(contact(), motion, listener.progress());
+  solver.solve(rolling_problem(contact(), motion), listener.progress());
   Listener last(listener.told.size());
-  EXPECT_EQ(solver.solve(contact(), motion, last.progress()).report.status, Status::ok);
+  EXPECT_EQ(solver.solve(rolling_problem(contact(), motion), last.progress()).report.status, Status::ok);
 }
 
 TEST(Progress, TransientRollingWithFallingFriction) {
   auto falling = contact();
   falling.friction = FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 0.1});
-  ExactOptions options{.mx = 10, .my = 10};
-  options.friction_memory = {1e-3, 1e-3};
-  EllipticContactSolver solver(options);
-  const ExactMotion motion{.kind = ContactMotion::transient, .steps = 4};
-  expect_heard([&](const Progress& progress) { return solver.solve(falling, motion, progress).report.status; });
-  const auto solution = solver.solve(falling, motion);
+  Solver solver({.mx = 10, .my = 10});
+  RollingProblem problem = rolling_problem(falling, {.kind = ContactMotion::transient, .steps = 4});
+  problem.friction.memory = {1e-3, 1e-3};
+  expect_heard([&](const Progress& progress) { return solver.solve(problem, progress).report.status; });
+  const auto solution = solver.solve(problem);
   ASSERT_EQ(solution.history.size(), 4u);
   EXPECT_EQ(solution.history[3].totals.fx, solution.totals.fx);
   EXPECT_EQ(solution.history[3].totals.peak_pressure, solution.totals.peak_pressure);
 }
 
 TEST(Progress, OfDerivatives) {
-  EllipticContactSolver solver({.mx = 16, .my = 16});
-  expect_heard(
-      [&](const Progress& progress) { return solver.differentiate(contact(), progress).solution.report.status; });
+  Solver solver({.mx = 16, .my = 16});
+  expect_heard([&](const Progress& progress) {
+    return solver.differentiate(rolling_problem(contact()), progress).solution.report.status;
+  });
 }
 
 /// `solve(progress)` is work that begins with a new grid. It must tell of its progress at least `often`, and end with
@@ -128,63 +129,58 @@ template <class Solve> void expect_ended_anywhere(std::size_t often, const Solve
 
 TEST(Progress, OfPreparationsAndProducts) {
   for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
-    const ExactOptions options{.mx = 20, .my = 20, .discretisation = discretisation};
+    const Method options{.mx = 20, .my = 20, .discretisation = discretisation};
     long products = 0;
     expect_ended_anywhere(40, [&](const Progress& progress) {
-      const auto solved = EllipticContactSolver(options).solve(contact(), {}, progress);
+      const auto solved = Solver(options).solve(rolling_problem(contact()), progress);
       if (solved.report.status == Status::ok) products = solved.report.products;
       return solved.report.status;
     });
     Listener listener;
-    EllipticContactSolver(options).solve(contact(), {}, listener.progress());
+    Solver(options).solve(rolling_problem(contact()), listener.progress());
     // One for each product of the linear solvers and for each row of coefficients; residuals take products without.
     EXPECT_GE(listener.told.size(), static_cast<std::size_t>(products) / 2 + 20);
   }
 }
 
 TEST(Progress, OfCoarserGridsAndGivenForces) {
-  const ExactOptions options{.mx = 64, .my = 64};
+  const Method options{.mx = 64, .my = 64};
   Listener once;
-  EllipticContactSolver solver(options);
-  solver.solve(contact(), {}, {});
-  const auto solved = solver.solve(contact(), {}, once.progress());
+  Solver solver(options);
+  solver.solve(rolling_problem(contact()), {});
+  const auto solved = solver.solve(rolling_problem(contact()), once.progress());
   EXPECT_GT(once.told.size(),
             static_cast<std::size_t>(solved.report.products) + 10); // those of the coarser grid as well
   EXPECT_TRUE(std::is_sorted(once.told.begin(), once.told.end()));
   expect_ended_anywhere(100, [&](const Progress& progress) {
-    return EllipticContactSolver(options).solve(contact(), {.force_x = 5e3}, progress).report.status;
+    return Solver(options).solve(rolling_problem(contact(), {.force_x = 5e3}), progress).report.status;
   });
 }
 
 TEST(Progress, OfBodiesAndFrictionThatNeedASequence) {
   const Material aluminium{26e9, 0.34};
   const auto pair = combine(steel_body, aluminium);
-  EllipticContact unlike = contact(), falling = contact();
-  unlike.shear_modulus = pair.shear_modulus;
-  unlike.poisson_ratio = pair.poisson_ratio;
-  falling.friction = FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 0.1});
-  ExactOptions of_unlike{.mx = 12, .my = 12, .discretisation = Discretisation::classical};
-  ExactOptions viscoelastic_bodies = of_unlike, layered = of_unlike, plain = of_unlike, alternating = of_unlike;
-  of_unlike.bodies = alternating.bodies = Bodies(pair);
-  alternating.coupling = Coupling::alternating;
-  viscoelastic_bodies.bodies = viscoelastic(steel_body, {0.5, 1e-3}, steel_body, {}, 10);
+  RollingProblem unlike = rolling_problem(contact()), retarded = unlike, layered = unlike, falling = unlike;
+  unlike.bodies = Bodies(pair);
+  retarded.bodies = viscoelastic(steel_body, {0.5, 1e-3}, steel_body, {}, 10);
   layered.bodies = Bodies(combine(steel_body, steel_body));
-  layered.bodies->layer = {.flexibility = 1e-14};
-  const auto ended_anywhere = [](const ExactOptions& options, const EllipticContact& rolling) {
+  layered.bodies.layer = {.flexibility = 1e-14};
+  falling.friction.law = FrictionLaw::rational(0.2, {.drop = 0.1, .half_velocity = 0.1});
+  const auto ended_anywhere = [](const RollingProblem& problem, Coupling coupling = Coupling::newton) {
     expect_ended_anywhere(60, [&](const Progress& progress) {
-      return EllipticContactSolver(options).solve(rolling, {}, progress).report.status;
+      return Solver({.mx = 12, .my = 12, .coupling = coupling}).solve(problem, progress).report.status;
     });
   };
-  ended_anywhere(of_unlike, unlike);
-  ended_anywhere(alternating, unlike);
-  ended_anywhere(viscoelastic_bodies, contact());
-  ended_anywhere(layered, contact());
-  ended_anywhere(plain, falling);
+  ended_anywhere(unlike);
+  ended_anywhere(unlike, Coupling::alternating);
+  ended_anywhere(retarded);
+  ended_anywhere(layered);
+  ended_anywhere(falling);
 }
 
 TEST(Progress, OfAccurateContacts) {
   expect_ended_anywhere(60, [&](const Progress& progress) {
-    const auto solved = AccurateContactSolver(1e-2).solve(contact(), {}, progress);
+    const auto solved = AccurateContactSolver({.accuracy = 1e-2}).solve(rolling_problem(contact()), progress);
     if (solved.forces.status != Status::ok && solved.elements == 0) {
       EXPECT_TRUE(std::isnan(solved.forces.fx));
     }
@@ -193,12 +189,12 @@ TEST(Progress, OfAccurateContacts) {
 }
 
 TEST(Progress, OfTheDeformedGap) {
-  EllipticContactSolver solver({.mx = 16, .my = 16});
+  Solver solver({.mx = 16, .my = 16});
   Listener patient, impatient(10);
-  const auto gap = solver.deformed_gap(contact(), {}, patient.progress());
+  const auto gap = solver.deformed_gap(rolling_problem(contact()), patient.progress());
   EXPECT_GE(patient.told.size(), 20u);
-  EXPECT_THROW(solver.deformed_gap(contact(), {}, impatient.progress()), Stopped);
-  EXPECT_EQ(solver.deformed_gap(contact()).gap, gap.gap);
+  EXPECT_THROW(solver.deformed_gap(rolling_problem(contact()), impatient.progress()), Stopped);
+  EXPECT_EQ(solver.deformed_gap(rolling_problem(contact())).gap, gap.gap);
 }
 
 /// The contact above on a grid.

@@ -1,6 +1,6 @@
 // The moment of the pressure about y: rolling resistance of viscoelastic bodies.
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/test_cases.hpp"
 
 #include <cmath>
@@ -14,9 +14,6 @@ namespace {
 /// Frictionless rolling of equal bodies whose deformation grows by `ratio` within `time`; negative speed: along -x.
 ContactSolution roll(double ratio, double time, double speed) {
   const Material rubber{1e6, 0.5};
-  ExactOptions options{.mx = 24, .my = 24, .discretisation = Discretisation::classical};
-  options.direction = speed > 0 ? RollingDirection::forward : RollingDirection::backward;
-  options.bodies = viscoelastic(rubber, {ratio, time}, rubber, {ratio, time}, speed);
   const auto pair = combine(rubber, rubber);
   const EllipticContact contact{.a = 5e-3,
                                 .b = 5e-3,
@@ -26,7 +23,10 @@ ContactSolution roll(double ratio, double time, double speed) {
                                 .friction = FrictionLaw::coulomb(0),
                                 .creepage = {},
                                 .rolling_speed = std::abs(speed)};
-  return EllipticContactSolver(options).solve(contact);
+  RollingProblem problem =
+      rolling_problem(contact, {.direction = speed > 0 ? RollingDirection::forward : RollingDirection::backward});
+  problem.bodies = viscoelastic(rubber, {ratio, time}, rubber, {ratio, time}, speed);
+  return Solver({.mx = 24, .my = 24}).solve(problem);
 }
 
 TEST(RollingMoment, ResistsRolling) {
@@ -58,7 +58,7 @@ TEST(RollingMoment, IsThatOfTheFields) {
 TEST(RollingMoment, OfElasticBodiesVanishes) {
   for (const auto discretisation : {Discretisation::second_order, Discretisation::classical}) {
     const auto elliptic = steel_contact(5e-3, 6e-3, 0.4, -0.5, 0.3);
-    const auto solved = EllipticContactSolver({.mx = 16, .my = 16, .discretisation = discretisation}).solve(elliptic);
+    const auto solved = Solver({.mx = 16, .my = 16, .discretisation = discretisation}).solve(rolling_problem(elliptic));
     EXPECT_LT(std::abs(solved.totals.my), 1e-2 * elliptic.normal_force * elliptic.a);
   }
 }

@@ -89,14 +89,13 @@ TEST(Sweep, OfTwoBodiesByBothTheories) {
             (i < 6 ? "fastsim2" : "exact") + "\"\n";
     for (auto at = text.find("[case."); at != std::string::npos; at = text.find("[case.")) text.erase(at + 1, 5);
     const io::RollingCase input = io::parse_case(text, "c.toml");
-    const ContactSolution expected =
-        Solver({.theory = input.theory, .mx = 20, .my = 20}).solve(io::rolling_problem(input));
+    const ContactSolution expected = Solver({.theory = input.method.theory, .mx = 20, .my = 20}).solve(input.problem);
     const Row row = row_of(sweep, worker, i);
     EXPECT_EQ(row.values.front(), 0);
     EXPECT_EQ(row.reason, "");
     EXPECT_EQ(number(sweep, row, "contact/fx"), expected.totals.fx) << i;
     EXPECT_EQ(number(sweep, row, "contact/slip_area"), expected.totals.slip_area) << i;
-    EXPECT_EQ(number(sweep, row, "hertz/a"), io::hertz_contact(input).a) << i;
+    EXPECT_EQ(number(sweep, row, "hertz/a"), hertz_contact(input.problem).a) << i;
   }
 }
 

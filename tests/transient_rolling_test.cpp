@@ -2,7 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/edge_element.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/support/expect_close.hpp"
 #include "tests/test_cases.hpp"
 #include "validation/half_line.hpp"
@@ -60,9 +60,8 @@ Vec2 forces_after_a(const EllipticContact& contact, int n) {
   return s.forces(last);
 }
 Vec2 classical_forces_after_a(const EllipticContact& contact, int n) {
-  const ContactSolution s =
-      EllipticContactSolver({.mx = n, .my = n, .discretisation = Discretisation::classical, .tolerance = 1e-8})
-          .solve(contact, {.kind = ContactMotion::transient, .steps = n / 2});
+  const ContactSolution s = Solver({.mx = n, .my = n, .discretisation = Discretisation::classical, .tolerance = 1e-8})
+                                .solve(rolling_problem(contact, {.kind = ContactMotion::transient, .steps = n / 2}));
   return {s.totals.fx / friction_force(contact), s.totals.fy / friction_force(contact)};
 }
 
@@ -101,7 +100,7 @@ TEST(TransientRolling, TendsToSteadyRolling) {
       Starting s(contact, n);
       SecondOrderSolution last;
       for (int k = 0; k < 5 * n; ++k) last = s.step(); // over 10 a
-      const ContactSolution steady = EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact);
+      const ContactSolution steady = Solver({.mx = n, .my = n, .tolerance = 1e-8}).solve(rolling_problem(contact));
       const Vec2 f = s.forces(last);
       return std::hypot(f.x - steady.totals.fx / friction_force(contact),
                         f.y - steady.totals.fy / friction_force(contact));
@@ -142,23 +141,24 @@ TEST(TransientRolling, RestartsFromRest) {
 
 TEST(TransientRolling, BackwardIsTheMirrorImage) {
   EllipticContact contact = contacts()[1];
-  const ExactMotion motion{.kind = ContactMotion::transient, .steps = 6};
-  const ContactSolution forward = EllipticContactSolver({.mx = 12, .my = 12}).solve(contact, motion);
+  const Motion motion{.kind = ContactMotion::transient, .steps = 6};
+  const ContactSolution forward = Solver({.mx = 12, .my = 12}).solve(rolling_problem(contact, motion));
   contact.creepage.longitudinal *= -1;
   contact.creepage.spin *= -1;
-  const ContactSolution backward =
-      EllipticContactSolver({.mx = 12, .my = 12, .direction = RollingDirection::backward}).solve(contact, motion);
+  Motion backward_motion = motion;
+  backward_motion.direction = RollingDirection::backward;
+  const ContactSolution backward = Solver({.mx = 12, .my = 12}).solve(rolling_problem(contact, backward_motion));
   expect_forces(backward.totals, {-forward.totals.fx, forward.totals.fy, -forward.totals.mz},
                 1e-9 * friction_force(contact), 1e-9 * friction_moment(contact));
 }
 
 TEST(TransientRolling, ForcesThatArePrescribedAreThoseOfEachStep) {
   const EllipticContact contact = contacts()[0];
-  const ExactMotion motion{.kind = ContactMotion::transient,
-                           .force_x = -0.4 * friction_force(contact),
-                           .force_y = 0.3 * friction_force(contact),
-                           .steps = 5};
-  const ContactSolution s = EllipticContactSolver({.mx = 12, .my = 12}).solve(contact, motion);
+  const Motion motion{.kind = ContactMotion::transient,
+                      .force_x = -0.4 * friction_force(contact),
+                      .force_y = 0.3 * friction_force(contact),
+                      .steps = 5};
+  const ContactSolution s = Solver({.mx = 12, .my = 12}).solve(rolling_problem(contact, motion));
   EXPECT_EQ(s.report.status, Status::ok);
   for (const SolutionStep& step : s.history) {
     EXPECT_NEAR(step.totals.fx, *motion.force_x, 1e-6 * friction_force(contact));

@@ -3,7 +3,7 @@
 #include "microslip/damage/wear.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastsim2.hpp"
 
 #include "tests/support/expect_error.hpp"
@@ -30,7 +30,7 @@ EllipticContact contact(const Creepage& creepage) {
 }
 
 ContactSolution solved(const EllipticContact& c, int elements = 24) {
-  return EllipticContactSolver({.mx = elements, .my = elements}).solve(c);
+  return Solver({.mx = elements, .my = elements}).solve(rolling_problem(c));
 }
 
 double worn_area(const ContactSolution& s, const ArchardWear& wear, double speed) {

@@ -4,7 +4,7 @@
 #include "microslip/elasticity/stress.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include "tests/support/sphere_on_rail.hpp"
 #include "tests/support/steel.hpp"
@@ -62,15 +62,15 @@ TEST(WheelRailStress, IsThatOfThePlainContactWithTheSameEllipse) {
   for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
     const WheelRailSolution s = solution_of(level, radius, 1e-3);
     ASSERT_EQ(s.fields.size(), 1u);
-    const ContactSolution plain = EllipticContactSolver({.mx = 32, .my = 32})
-                                      .solve({.a = hertz.a,
-                                              .b = hertz.b,
-                                              .shear_modulus = steel_body.shear_modulus,
-                                              .poisson_ratio = steel_body.poisson_ratio,
-                                              .normal_force = load,
-                                              .friction = FrictionLaw::coulomb(friction),
-                                              .creepage = s.patches[0].creepage,
-                                              .rolling_speed = 2});
+    const ContactSolution plain = Solver({.mx = 32, .my = 32})
+                                      .solve(rolling_problem({.a = hertz.a,
+                                                              .b = hertz.b,
+                                                              .shear_modulus = steel_body.shear_modulus,
+                                                              .poisson_ratio = steel_body.poisson_ratio,
+                                                              .normal_force = load,
+                                                              .friction = FrictionLaw::coulomb(friction),
+                                                              .creepage = s.patches[0].creepage,
+                                                              .rolling_speed = 2}));
     const InteriorGrid points{{-0.7 * hertz.a, 0, 0.8 * hertz.a}, {0, 0.4 * hertz.b}, {0.4 * hertz.a, -0.8 * hertz.a}};
     const auto there = interior_states(steel_body, steel_body, plain, points),
                here = interior_states(steel_body, steel_body, s.fields[0], points);

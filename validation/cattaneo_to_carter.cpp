@@ -87,9 +87,8 @@ double second_order_creepage(int n) {
   contact.poisson_ratio = material.poisson_ratio;
   contact.normal_force = hertz.normal_force;
   contact.friction = FrictionLaw::coulomb(friction);
-  ExactMotion motion;
-  motion.force_x = -force_share * friction * normal_force;
-  const ContactSolution s = EllipticContactSolver({.mx = n, .my = n, .tolerance = tolerance}).solve(contact, motion);
+  const RollingProblem problem = rolling_problem(contact, {.force_x = -force_share * friction * normal_force});
+  const ContactSolution s = Solver({.mx = n, .my = n, .tolerance = tolerance}).solve(problem);
   if (s.report.status != Status::ok) throw Error("steady rolling at second order: not converged");
   return s.creepage.longitudinal;
 }

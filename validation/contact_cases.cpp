@@ -165,8 +165,9 @@ std::vector<Comparison> compare(const Outcome& o, const Printed& printed) {
 struct SteadyCase {
   std::string name;
   EllipticContact contact;
-  ExactOptions options; ///< second order, as many elements across as the case has
-  double fx, fy;        ///< classical
+  RollingDirection direction;
+  Method method; ///< second order, as many elements across as the case has
+  double fx, fy; ///< classical
 };
 
 std::optional<SteadyCase> steady_case(const std::string& name, const Case& c, const Outcome& o) {
@@ -182,21 +183,20 @@ std::optional<SteadyCase> steady_case(const std::string& name, const Case& c, co
   const CombinedMaterial& material = step.bodies.material;
   const HertzContact hertz = hertz_from_load(*gap, material, o.totals.fn);
   const auto across = [](double axis, double element) { return static_cast<int>(std::lround(2 * axis / element)); };
-  return SteadyCase{.name = fmt::format("{}, case {}", name, c.number),
-                    .contact = {.a = hertz.a,
-                                .b = hertz.b,
-                                .shear_modulus = material.shear_modulus,
-                                .poisson_ratio = material.poisson_ratio,
-                                .normal_force = hertz.normal_force,
-                                .friction = step.friction[0],
-                                .creepage = step.motion.creepage,
-                                .rolling_speed = step.motion.rolling_speed},
-                    .options = {.mx = across(hertz.a, step.grid.dx),
-                                .my = across(hertz.b, step.grid.dy),
-                                .direction = step.motion.direction,
-                                .tolerance = 1e-7},
-                    .fx = o.totals.x,
-                    .fy = o.totals.y};
+  return SteadyCase{
+      .name = fmt::format("{}, case {}", name, c.number),
+      .contact = {.a = hertz.a,
+                  .b = hertz.b,
+                  .shear_modulus = material.shear_modulus,
+                  .poisson_ratio = material.poisson_ratio,
+                  .normal_force = hertz.normal_force,
+                  .friction = step.friction[0],
+                  .creepage = step.motion.creepage,
+                  .rolling_speed = step.motion.rolling_speed},
+      .direction = step.motion.direction,
+      .method = {.mx = across(hertz.a, step.grid.dx), .my = across(hertz.b, step.grid.dy), .tolerance = 1e-7},
+      .fx = o.totals.x,
+      .fy = o.totals.y};
 }
 
 /// Which discretisation is nearer to the limit of nested grids, for the cases of rolling with adhesion and slip.
@@ -208,13 +208,16 @@ bool compare_discretisations(Report& report, const std::vector<SteadyCase>& case
   int nearer = 0;
   for (const SteadyCase& c : cases) {
     const double limit = c.contact.friction.static_coefficient() * c.contact.normal_force;
-    const AccurateContact exact = AccurateContactSolver(accuracy, c.options).solve(c.contact);
-    const ContactForces second = EllipticContactSolver(c.options).solve(c.contact).forces();
+    const RollingProblem problem = rolling_problem(c.contact, {.direction = c.direction});
+    Method to_accuracy = c.method;
+    to_accuracy.accuracy = accuracy;
+    const AccurateContact exact = AccurateContactSolver(to_accuracy).solve(problem);
+    const ContactForces second = Solver(c.method).solve(problem).forces();
     const Vec2 to_classical = {c.fx - exact.forces.fx / limit, c.fy - exact.forces.fy / limit};
     const Vec2 to_second = {(second.fx - exact.forces.fx) / limit, (second.fy - exact.forces.fy) / limit};
     const double classical = std::hypot(to_classical.x, to_classical.y), own = std::hypot(to_second.x, to_second.y);
-    report.line(fmt::format("{:<26} {:>3} x {:<3}  {:>8.5f} {:>8.5f}   {:>8.5f} {:>8.5f}", c.name, c.options.mx,
-                            c.options.my, to_classical.x, to_classical.y, to_second.x, to_second.y));
+    report.line(fmt::format("{:<26} {:>3} x {:<3}  {:>8.5f} {:>8.5f}   {:>8.5f} {:>8.5f}", c.name, c.method.mx,
+                            c.method.my, to_classical.x, to_classical.y, to_second.x, to_second.y));
     sum_classical += classical * classical;
     sum_second += own * own;
     nearer += own < classical && exact.forces.status == Status::ok;

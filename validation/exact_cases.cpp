@@ -18,7 +18,7 @@ public:
 
   ExactCase solve(const EllipticContact& contact, const Progress& progress) {
     if (method_.start == Start::fastsim2) {
-      const ContactSolution s = from_fastsim2_.solve(contact, {}, progress);
+      const ContactSolution s = from_fastsim2_.solve(rolling_problem(contact), progress);
       return {s.forces(), s.report.residual, s.report.newton_steps, s.report.products};
     }
     if (!from_nothing_ || a_ != contact.a || b_ != contact.b) prepare(contact);
@@ -40,7 +40,7 @@ private:
   }
 
   ExactMethod method_;
-  EllipticContactSolver from_fastsim2_;
+  Solver from_fastsim2_;
   std::optional<HertzianSolve> from_nothing_;
   double a_ = 0, b_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "validation/study.hpp"
 
 #include <span>
@@ -18,7 +18,7 @@ struct ExactCase {
 
 /// Start of the solver.
 enum class Start {
-  fastsim2,     ///< from FASTSIM2's tractions, as EllipticContactSolver does
+  fastsim2,     ///< from FASTSIM2's tractions, as Solver does
   no_tractions, ///< from nothing
 };
 

@@ -4,7 +4,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "validation/draw.hpp"
 #include "validation/random_combinations.hpp"
 #include "validation/report.hpp"
@@ -224,15 +224,15 @@ Result second_order(Draw& draw, const Progress& progress) {
                           .friction = FrictionLaw::coulomb(drawn.friction),
                           .creepage = draw_creepage(draw, drawn)};
   contact.normal_force = 2.0 / 3 * std::numbers::pi * contact.a * contact.b * drawn.peak;
-  EllipticContactSolver solver({.mx = draw.count(1, 24), .my = draw.count(1, 24), .tolerance = 1e-8});
-  ExactMotion motion;
+  Solver solver({.mx = draw.count(1, 24), .my = draw.count(1, 24), .tolerance = 1e-8});
+  Motion motion;
   if (draw.chance(0.4)) {
     const double most = drawn.friction * contact.normal_force, angle = draw.number(0, 2 * std::numbers::pi);
     const double size = most * draw.number(0, 0.99);
     motion.force_x = size * std::cos(angle);
     if (draw.chance(0.5)) motion.force_y = size * std::sin(angle);
   }
-  const SolverReport report = solver.solve(contact, motion, progress).report;
+  const SolverReport report = solver.solve(rolling_problem(contact, motion), progress).report;
   return {report.status, report.reason, report.newton_steps, report.products};
 }
 

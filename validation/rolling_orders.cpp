@@ -4,7 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
@@ -59,8 +59,8 @@ struct Rolling {
 };
 
 Vec2 solve(int n, const EllipticContact& contact, const Rolling& rolling) {
-  EllipticContactSolver solver({.mx = n, .my = n, .discretisation = rolling.discretisation, .tolerance = 1e-8});
-  return relative(solver.solve(contact, {.kind = rolling.motion, .steps = n / 2}), capacity);
+  Solver solver({.mx = n, .my = n, .discretisation = rolling.discretisation, .tolerance = 1e-8});
+  return relative(solver.solve(rolling_problem(contact, {.kind = rolling.motion, .steps = n / 2})), capacity);
 }
 
 using Forces = std::vector<Vec2>;

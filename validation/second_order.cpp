@@ -117,7 +117,7 @@ double paper_force(int n, double creepage) {
   contact.normal_force = 1.3e-6 * steel.shear_modulus;
   contact.friction = FrictionLaw::coulomb(friction);
   contact.creepage.longitudinal = creepage;
-  const ContactSolution s = EllipticContactSolver({.mx = n, .my = n, .tolerance = 1e-8}).solve(contact);
+  const ContactSolution s = Solver({.mx = n, .my = n, .tolerance = 1e-8}).solve(rolling_problem(contact));
   if (s.report.status != Status::ok) throw Error("the refinement paper's test: not converged");
   return -s.totals.fx / (friction * contact.normal_force);
 }
@@ -285,13 +285,13 @@ void report_accuracy(Report& report, const Solved& solved, const std::vector<Ref
 
 /// Forces to an accuracy: the estimate of the error over the true one, the largest of the three components'.
 void report_estimates(Report& report, double accuracy, const Solved& solved, const std::vector<Reference112>& cases) {
-  AccurateContactSolver solver(accuracy);
+  AccurateContactSolver solver({.accuracy = accuracy});
   const Results true_limit = extrapolated(solved.on[accuracy_grids.size() - 2], solved.on.back());
   double least = HUGE_VAL, elements = 0;
   int above = 0;
   std::vector<double> ratios;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const AccurateContact s = solver.solve(cases[i].contact);
+    const AccurateContact s = solver.solve(rolling_problem(cases[i].contact));
     const RelativeForces f = relative(s.forces, cases[i].contact), &t = true_limit[i];
     const double error = std::max({std::abs(f.fx - t.fx), std::abs(f.fy - t.fy), std::abs(f.mz - t.mz)});
     ratios.push_back(s.error / error);

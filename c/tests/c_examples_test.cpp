@@ -74,14 +74,7 @@ void expect_figures(const std::string& text) {
   const EllipticContact contact = wheel_on_rail();
   expect_near(numbers_after(text, "Hertz"), {contact.a, contact.b});
   expect_fastsim2(numbers_after(text, "FASTSIM2"), contact);
-  RollingProblem problem;
-  problem.geometry = Ellipse{contact.a, contact.b};
-  problem.bodies = Bodies(CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, 0});
-  problem.load = {NormalLoad::Given::force, contact.normal_force};
-  problem.friction.law = contact.friction;
-  problem.motion.creepage = contact.creepage;
-  problem.motion.rolling_speed = contact.rolling_speed;
-  const ContactSolution exact = Solver().solve(problem);
+  const ContactSolution exact = Solver().solve(rolling_problem(contact));
   const ContactForces forces = exact.forces();
   expect_near(numbers_after(text, "exact"), {forces.fx, forces.fy, forces.mz, exact.totals.peak_traction});
 }

@@ -73,7 +73,7 @@ void expect_same(CProblem& problem, const ContactSolution& wanted) {
 
 ContactSolution solved_by_the_library(CProblem& problem) {
   const auto input = io::parse_case(problem.text(), "problem");
-  return Solver(io::solver_method(input)).solve(io::rolling_problem(input));
+  return Solver(input.method).solve(input.problem);
 }
 
 /// Settings that each change the solution, after those of steel.
@@ -194,7 +194,7 @@ TEST(CProblem, FieldsAreThoseOfTheLibrary) {
   ASSERT_EQ(problem.solve(), MICROSLIP_OK);
   ContactSolution wanted = solved_by_the_library(problem);
   const auto input = io::parse_case(problem.text(), "problem");
-  wanted.fields.gap = Solver(io::solver_method(input)).deformed_gap(io::rolling_problem(input)).gap;
+  wanted.fields.gap = Solver(input.method).deformed_gap(input.problem).gap;
   ASSERT_EQ(wanted.fields.gap.size(), wanted.elements.size());
   for (const FieldQuantity& f : field_quantities()) {
     if (!f.values(wanted).empty()) {

@@ -245,9 +245,9 @@ io::Json Explorer::inputs(const Request& request) {
 io::Json Explorer::radii(const Request& request) {
   request.allow({"case", "a", "b"});
   const io::RollingCase input = CaseText(request, case_name_, files_).rolling_case(tables_);
-  const auto material = combine(input.body1.material, input.body2.material);
-  const double normal_force = io::hertz_contact(input).normal_force;
-  const GapCurvatures gap = hertz_from_ellipse(request.number("a"), request.number("b"), material, normal_force).gap;
+  const double normal_force = hertz_contact(input.problem).normal_force;
+  const GapCurvatures gap =
+      hertz_from_ellipse(request.number("a"), request.number("b"), input.problem.bodies.material, normal_force).gap;
   return {{"rolling_radius", io::json_number(0.5 / gap.x)}, // h = x^2/(2R) + ...
           {"transverse_radius", io::json_number(0.5 / gap.y)},
           {"units", {{"rolling_radius", "m"}, {"transverse_radius", "m"}}}};
@@ -261,9 +261,9 @@ io::Json Explorer::creep_curve(const Request& request) {
   const CreepVariable& variable = creep_variable(request);
   const double from = request.number("from"), to = request.number("to");
   const int count = request.count("count", 2, most_points);
-  RollingProblem problem = io::rolling_problem(input);
-  Solver solver(io::solver_method(input));
-  io::Json curve = {{"theory", io::to_word(input.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
+  RollingProblem problem = input.problem;
+  Solver solver(input.method);
+  io::Json curve = {{"theory", io::to_word(input.method.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
   for (const char* member : {"value", "fx", "fy", "mz", "status"}) curve[member] = io::Json::array();
   for (int k = 0; k < count; ++k) {
     const double value = from + (to - from) * k / (count - 1);

@@ -26,19 +26,10 @@ io::Json numbers(const std::vector<double>& values) {
 
 /// The step that is the same in all frames.
 ContactStep step_of(const io::RollingCase& input, const HertzContact& hertz) {
-  const ExactOptions options = io::exact_options(input);
-  ContactStep step = contact_step(options);
-  step.bodies = io::bodies_of(input);
-  step.grid = ElementGrid::across_ellipse(hertz.a, hertz.b, options.mx, options.my, contact_margin);
-  step.gap = hertzian_gap(hertz.gap, step.grid);
-  step.load = {NormalLoad::Given::force, hertz.normal_force};
-  step.friction = {input.friction};
-  step.motion.creepage = input.creepage;
-  step.motion.step = input.motion.step;
-  step.motion.rolling_speed = input.rolling_speed;
-  if (input.motion.force_x) step.force_x = *input.motion.force_x / hertz.normal_force;
-  if (input.motion.force_y) step.force_y = *input.motion.force_y / hertz.normal_force;
-  return step;
+  const Method& method = input.method;
+  const ElementGrid grid = ElementGrid::across_ellipse(hertz.a, hertz.b, method.mx, method.my, contact_margin);
+  return contact_step(input.problem, method, {grid, hertzian_gap(hertz.gap, grid)},
+                      {NormalLoad::Given::force, hertz.normal_force});
 }
 
 /// What does not change from frame to frame.
@@ -70,17 +61,18 @@ io::Json frame_of(const ContactSolution& solution, double distance, io::Json& un
 } // namespace
 
 io::Json rolling_start(const io::RollingCase& input) {
-  if (input.theory != Theory::exact || input.motion.kind != ContactMotion::transient)
+  const Motion& motion = input.problem.motion;
+  if (input.method.theory != Theory::exact || motion.kind != ContactMotion::transient)
     throw Error("transient: needs a case with motion.kind = \"transient\" and solution.theory = \"exact\"");
-  require_count("motion.steps", input.motion.steps, 1, most_frames);
-  const HertzContact hertz = io::hertz_contact(input);
-  const bool shifts = input.motion.force_x || input.motion.force_y;
+  require_count("motion.steps", motion.steps, 1, most_frames);
+  const HertzContact hertz = hertz_contact(input.problem);
+  const bool shifts = motion.force_x || motion.force_y;
   ContactStep step = step_of(input, hertz);
   const double rolled = step.motion.step > 0 ? step.motion.step : step.grid.dx;
   ContactSequence sequence;
   io::Json result = io::Json::object(), units = {{"distance", "m"}}, frames = io::Json::array();
   Status status = Status::ok;
-  for (int k = shifts ? 0 : 1; k <= input.motion.steps && status == Status::ok; ++k) {
+  for (int k = shifts ? 0 : 1; k <= motion.steps && status == Status::ok; ++k) {
     step.motion.motion = k == 0 ? ContactMotion::shift : ContactMotion::transient;
     step.start = frames.empty() ? StepStart::fresh : StepStart::previous;
     ContactStepSolution found = sequence.solve(step);

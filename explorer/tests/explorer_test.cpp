@@ -230,11 +230,11 @@ TEST_F(ExplorerTest, FindsRadiiOfAnEllipse) {
   for (const double ratio : {0.02, 0.5, 1.0, 30.0}) {
     const double b = 4e-3, a = ratio * b;
     const io::Json radii = result({{"call", "radii"}, {"case", ellipse_case()}, {"a", a}, {"b", b}});
-    io::RollingCase input = io::parse_case(ellipse_case(), "case.toml");
-    input.body1.rolling_radius = radii["rolling_radius"].get<double>();
-    input.body1.transverse_radius = radii["transverse_radius"].get<double>();
-    input.body2.rolling_radius = input.body2.transverse_radius = std::numeric_limits<double>::infinity();
-    const HertzContact hertz = io::hertz_contact(input);
+    constexpr double flat = std::numeric_limits<double>::infinity();
+    RollingProblem problem = io::parse_case(ellipse_case(), "case.toml").problem;
+    problem.geometry =
+        gap_curvatures({radii["rolling_radius"].get<double>(), flat, radii["transverse_radius"].get<double>(), flat});
+    const HertzContact hertz = hertz_contact(problem);
     EXPECT_NEAR(hertz.a, a, 1e-10 * a);
     EXPECT_NEAR(hertz.b, b, 1e-10 * b);
   }

@@ -2,7 +2,6 @@
 
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
-#include "microslip/rolling/method.hpp"
 #include "microslip/simplified/creepage_coefficients.hpp"
 
 #include <algorithm>
@@ -51,21 +50,22 @@ double limit_of_second_order(double coarse, double fine) {
   return fine + (fine - coarse) / 4;
 }
 
-AccurateContactSolver::AccurateContactSolver(double accuracy, const ExactOptions& options)
-    : accuracy_(require_between("accuracy", accuracy, "-", smallest_accuracy, largest_accuracy)), options_(options) {
-  options_.tolerance = std::min(options_.tolerance, accuracy / 100);
+AccurateContactSolver::AccurateContactSolver(const Method& method) : method_(method) {
+  const double accuracy = method.accuracy.value_or(nan);
+  require_between("accuracy", accuracy, "-", smallest_accuracy, largest_accuracy);
+  method_.tolerance = std::min(method.tolerance, accuracy / 100);
 }
 
-ContactSolution AccurateContactSolver::solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
-                                                const Progress& progress) {
-  ExactOptions options = options_;
-  options.mx = options.my = elements;
-  return solvers_.try_emplace(elements, options).first->second.solve(contact, motion, progress);
+ContactSolution AccurateContactSolver::solve_on(int elements, const RollingProblem& problem, const Progress& progress) {
+  Method on_grid = method_;
+  on_grid.mx = on_grid.my = elements;
+  on_grid.accuracy.reset();
+  return solvers_.try_emplace(elements, on_grid).first->second.solve(problem, progress);
 }
 
-AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, const ExactMotion& motion,
-                                             const Progress& progress) {
-  require_compatible(options_, contact, motion, accuracy_);
+AccurateContact AccurateContactSolver::solve(const RollingProblem& problem, const Progress& progress) {
+  require_compatible(problem, method_);
+  const EllipticContact contact = elliptic_contact(problem);
   AccurateContact out;
   out.forces = {nan, nan, nan, nan, nan, Status::not_converged};
   double done = 0;
@@ -74,12 +74,12 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
     stopped = stopped || (progress && !progress(done));
     return !stopped;
   };
-  const ContactSolution first = solve_on(coarsest, contact, motion, on_grid);
-  ContactSolution coarse = solve_on(2 * coarsest, contact, motion, on_grid);
+  const ContactSolution first = solve_on(coarsest, problem, on_grid);
+  ContactSolution coarse = solve_on(2 * coarsest, problem, on_grid);
   double last_change = difference(contact, first, coarse);
   long products = first.report.products + coarse.report.products;
   for (int elements = 4 * coarsest;; elements *= 2) {
-    ContactSolution fine = solve_on(elements, contact, motion, on_grid);
+    ContactSolution fine = solve_on(elements, problem, on_grid);
     if (stopped) {
       out.forces.status = Status::not_converged;
       return out;
@@ -92,8 +92,8 @@ AccurateContact AccurateContactSolver::solve(const EllipticContact& contact, con
     out.elements = elements;
     out.products = products;
     const bool solved = coarse.report.status == Status::ok && fine.report.status == Status::ok;
-    if (!solved || error <= accuracy_) return out;
-    done = std::min(1.0, accuracy_ / error); // the error falls to the accuracy
+    if (!solved || error <= *method_.accuracy) return out;
+    done = std::min(1.0, *method_.accuracy / error); // the error falls to the accuracy
     if (elements == finest || !on_grid(1)) {
       out.forces.status = Status::not_converged;
       return out;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include <map>
 
@@ -31,22 +31,20 @@ double limit_of_second_order(double coarse, double fine);
 /// more: of the 112 reference cases it is never below the true error and mostly some eight times as large.
 class AccurateContactSolver {
 public:
-  /// Throws Error unless the accuracy is in [1e-5, 0.1]. Of the options direction and tolerance are used.
-  AccurateContactSolver(double accuracy, const ExactOptions& options = {});
+  /// Throws Error unless the method's accuracy is given, in [1e-5, 0.1]. Its grid is not used.
+  explicit AccurateContactSolver(const Method& method);
 
   /// Steady rolling with creepages or forces given. If not even the finest grid of 512 x 512 elements is good enough
   /// the status is not_converged and the result is the one from there. `progress` may end the work: with the same
   /// status and the result from the grids before, NaN if there are none. Throws Error for what is solved classically,
   /// whose errors are of first order.
-  AccurateContact solve(const EllipticContact& contact, const ExactMotion& motion = {}, const Progress& progress = {});
+  AccurateContact solve(const RollingProblem& problem, const Progress& progress = {});
 
 private:
-  ContactSolution solve_on(int elements, const EllipticContact& contact, const ExactMotion& motion,
-                           const Progress& progress);
+  ContactSolution solve_on(int elements, const RollingProblem& problem, const Progress& progress);
 
-  double accuracy_;
-  ExactOptions options_;
-  std::map<int, EllipticContactSolver> solvers_; ///< by elements across
+  Method method_;
+  std::map<int, Solver> solvers_; ///< by elements across
 };
 
 } // namespace microslip

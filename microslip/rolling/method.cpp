@@ -3,6 +3,8 @@
 #include "microslip/error.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
+#include <utility>
+
 namespace microslip {
 namespace {
 
@@ -66,8 +68,7 @@ constexpr Rule rules[] = {
      }},
     {"solution.accuracy", "needs steady rolling without {motion.step}, of second order",
      [](Problem p, How m) {
-       return is_exact(m) && m.accuracy &&
-              (!is_steady(p) || p.motion.step != 0 || discretisation_of(p, m) != Discretisation::second_order);
+       return is_exact(m) && m.accuracy && (!is_steady(p) || discretisation_of(p, m) != Discretisation::second_order);
      }},
     {"solution.coupling", "alternating is for elastic bodies",
      [](Problem p, How m) { return is_exact(m) && m.coupling == Coupling::alternating && !p.bodies.are_elastic(); }},
@@ -129,7 +130,8 @@ bool needs_sequence(const RollingProblem& p) {
 }
 
 bool needs_classical(const RollingProblem& p) {
-  return !is_steady(p) || needs_sequence(p);
+  const bool fitted = is_steady(p) || (p.motion.kind == ContactMotion::transient && is_hertzian(p));
+  return !fitted || p.motion.step != 0 || needs_sequence(p);
 }
 
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method) {
@@ -156,56 +158,6 @@ void require_compatible(const RollingProblem& problem, const Method& method) {
   if (!found.empty()) throw Incompatible(found.front());
 }
 
-namespace {
-
-RollingProblem problem_of(const ExactOptions& options, const EllipticContact& contact) {
-  RollingProblem problem;
-  problem.bodies = bodies_of(options, contact);
-  problem.friction.law = contact.friction;
-  problem.friction.memory = options.friction_memory;
-  problem.friction.temperature_effect = options.temperature_effect;
-  problem.thermal = options.thermal;
-  return problem;
-}
-
-/// The discretisation of these options is what is taken where it is possible.
-Method method_of(const ExactOptions& options) {
-  Method method{.mx = options.mx, .my = options.my, .elements = options.elements, .coupling = options.coupling};
-  if (options.discretisation == Discretisation::classical) method.discretisation = options.discretisation;
-  return method;
-}
-
-} // namespace
-
-Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact) {
-  if (options.bodies) return *options.bodies;
-  return CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, contact.dissimilarity};
-}
-
-bool needs_sequence(const ExactOptions& options, const EllipticContact& contact) {
-  return needs_sequence(problem_of(options, contact));
-}
-
-void require_compatible(const ExactOptions& options) {
-  require_compatible(problem_of(options, {}), method_of(options));
-}
-
-void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
-                        std::optional<double> accuracy) {
-  RollingProblem problem = problem_of(options, contact);
-  const double dissimilarity = problem.bodies.material.dissimilarity;
-  if (contact.dissimilarity != 0 && contact.dissimilarity != dissimilarity)
-    throw Error("dissimilarity", contact.dissimilarity, "-",
-                "that of the solver's bodies, " + std::to_string(dissimilarity) + ", or 0");
-  problem.motion.kind = motion.kind;
-  problem.motion.force_x = motion.force_x;
-  problem.motion.force_y = motion.force_y;
-  problem.motion.step = motion.step;
-  Method method = method_of(options);
-  method.accuracy = accuracy;
-  require_compatible(problem, method);
-}
-
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction) {
   SimplifiedOptions options{.mx = method.mx, .my = method.my};
   set_defaults(method.theory, options);
@@ -218,30 +170,32 @@ SimplifiedOptions simplified_options(const Method& method, RollingDirection dire
   return options;
 }
 
-ExactOptions exact_options(const RollingProblem& problem, const Method& method) {
-  return {.mx = method.mx,
-          .my = method.my,
-          .discretisation = discretisation_of(problem, method),
-          .elements = elements_of(problem, method),
-          .direction = problem.motion.direction,
-          .tolerance = method.tolerance,
-          .bodies = problem.bodies,
-          .coupling = method.coupling.value_or(Coupling::newton),
-          .friction_memory = problem.friction.memory,
-          .slip_start = method.slip_start.value_or(SlipStart::below),
-          .thermal = problem.thermal,
-          .temperature_effect = problem.friction.temperature_effect};
+TangentialInput tangential_input(const RollingProblem& problem, const Method& method) {
+  TangentialInput input;
+  input.motion = problem.motion.kind;
+  input.creepage = problem.motion.creepage;
+  input.step = problem.motion.step;
+  input.direction = problem.motion.direction;
+  input.rolling_speed = problem.motion.rolling_speed;
+  input.tolerance = method.tolerance;
+  return input;
 }
 
-ContactStep contact_step(const ExactOptions& options) {
+ContactStep contact_step(const RollingProblem& problem, const Method& method, GapValues gap, const NormalLoad& load) {
   ContactStep step;
-  step.friction_memory = options.friction_memory;
-  step.slip_start = options.slip_start;
-  step.thermal = options.thermal;
-  if (options.temperature_effect) step.temperature_effect = {*options.temperature_effect};
-  step.coupling = options.coupling;
-  step.motion.direction = options.direction;
-  step.motion.tolerance = options.tolerance;
+  step.grid = gap.grid;
+  step.bodies = problem.bodies;
+  step.gap = std::move(gap.gap);
+  step.load = load;
+  step.friction = {problem.friction.law};
+  step.friction_memory = problem.friction.memory;
+  step.slip_start = method.slip_start.value_or(SlipStart::below);
+  step.thermal = problem.thermal;
+  if (problem.friction.temperature_effect) step.temperature_effect = {*problem.friction.temperature_effect};
+  step.motion = tangential_input(problem, method);
+  if (problem.motion.force_x) step.force_x = *problem.motion.force_x / load.value;
+  if (problem.motion.force_y) step.force_y = *problem.motion.force_y / load.value;
+  step.coupling = method.coupling.value_or(Coupling::newton);
   return step;
 }
 

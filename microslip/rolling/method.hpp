@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/exact/classical/contact_step.hpp"
 #include "microslip/rolling/incompatibility.hpp"
 #include "microslip/rolling/rolling_problem.hpp"
 #include "microslip/rolling/theory.hpp"
@@ -14,6 +14,12 @@
 namespace microslip {
 
 class CreepForceTable;
+
+/// Discretisation of rolling.
+enum class Discretisation {
+  second_order, ///< SecondOrderRolling, TransientRolling: forces with errors of second order in the elements' size
+  classical,    ///< TangentialProblem: Kalker's regular elements, errors of first order
+};
 
 /// Method of solution. What is not given takes the best value for the problem.
 struct Method {
@@ -46,30 +52,21 @@ std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, co
 /// Throws Incompatible with the first of them.
 void require_compatible(const RollingProblem& problem, const Method& method);
 
-/// The same for what EllipticContactSolver is given: options alone, or with a contact and its motion. A contact's
-/// dissimilarity must be that of the bodies, if the options have some, or 0.
-void require_compatible(const ExactOptions& options);
-void require_compatible(const ExactOptions& options, const EllipticContact& contact, const ExactMotion& motion,
-                        std::optional<double> accuracy = {});
-
-/// The bodies of a contact that EllipticContactSolver is given: those of the options, else similar or dissimilar
-/// elastic ones with the contact's constants.
-Bodies bodies_of(const ExactOptions& options, const EllipticContact& contact);
-
 /// Whether the exact theory needs a ContactSequence: for dissimilar or viscoelastic bodies, layers, friction that
 /// depends on slip, temperatures.
 bool needs_sequence(const RollingProblem& problem);
-bool needs_sequence(const ExactOptions& options, const EllipticContact& contact);
-/// Returns whether it needs its classical discretisation: for those, shifts and transient rolling.
+/// Returns whether it needs its classical discretisation: for those, shifts, steps that are given, and transient
+/// rolling of a gap on a grid.
 bool needs_classical(const RollingProblem& problem);
 
 /// Options that follow from the method for this problem.
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method);
 ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
-ExactOptions exact_options(const RollingProblem& problem, const Method& method);
-/// A step of a ContactSequence with what the options say of it: not the grid, the bodies, the load, the friction law
-/// nor the motion.
-ContactStep contact_step(const ExactOptions& options);
+/// The motion without forces.
+TangentialInput tangential_input(const RollingProblem& problem, const Method& method);
+/// A step of a ContactSequence: the problem with a gap on a grid and a load in place of its own. Forces along the
+/// surface need one that is a force.
+ContactStep contact_step(const RollingProblem& problem, const Method& method, GapValues gap, const NormalLoad& load);
 
 } // namespace microslip

@@ -1,8 +1,23 @@
 #include "microslip/rolling/rolling_problem.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
+#include <limits>
+
 namespace microslip {
+
+RollingProblem rolling_problem(const EllipticContact& contact, const Motion& motion) {
+  RollingProblem problem;
+  problem.geometry = Ellipse{contact.a, contact.b};
+  problem.bodies = CombinedMaterial{contact.shear_modulus, contact.poisson_ratio, contact.dissimilarity};
+  problem.load = {NormalLoad::Given::force, contact.normal_force};
+  problem.friction.law = contact.friction;
+  problem.motion = motion;
+  problem.motion.creepage = contact.creepage;
+  problem.motion.rolling_speed = contact.rolling_speed;
+  return problem;
+}
 
 bool is_hertzian(const RollingProblem& problem) {
   return std::holds_alternative<Ellipse>(problem.geometry) || std::holds_alternative<GapCurvatures>(problem.geometry);
@@ -20,6 +35,37 @@ HertzContact hertz_contact(const RollingProblem& problem) {
   if (const auto* gap = std::get_if<GapCurvatures>(&problem.geometry))
     return force ? hertz_from_load(*gap, material, value) : hertz_from_approach(*gap, material, value);
   throw Error("geometry: must be an ellipse or curvatures for Hertz's theory");
+}
+
+EllipticContact elliptic_contact(const RollingProblem& problem) {
+  const auto* ellipse = std::get_if<Ellipse>(&problem.geometry);
+  if (ellipse == nullptr || problem.load.given != NormalLoad::Given::force)
+    return elliptic_contact(problem, hertz_contact(problem));
+  HertzContact known{};
+  known.a = ellipse->a;
+  known.b = ellipse->b;
+  known.normal_force = problem.load.value;
+  return elliptic_contact(problem, known);
+}
+
+EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz) {
+  const CombinedMaterial& material = problem.bodies.material;
+  return {.a = hertz.a,
+          .b = hertz.b,
+          .shear_modulus = material.shear_modulus,
+          .poisson_ratio = material.poisson_ratio,
+          .normal_force = hertz.normal_force,
+          .friction = problem.friction.law,
+          .creepage = problem.motion.creepage,
+          .rolling_speed = problem.motion.rolling_speed,
+          .dissimilarity = material.dissimilarity};
+}
+
+void check(const Motion& m) {
+  if (m.force_x) require_finite("force_x", *m.force_x, "N");
+  if (m.force_y) require_finite("force_y", *m.force_y, "N");
+  require_between("step", m.step, "m", 0, std::numeric_limits<double>::max());
+  require_count("steps", m.steps, 1, most_steps);
 }
 
 } // namespace microslip

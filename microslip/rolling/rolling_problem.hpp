@@ -2,6 +2,7 @@
 
 #include "microslip/contact/creepage.hpp"
 #include "microslip/contact/element_grid.hpp"
+#include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
@@ -53,7 +54,7 @@ struct Motion {
   double rolling_speed = 1;                         ///< V [m/s], > 0
   RollingDirection direction = RollingDirection::forward;
   double step = 0; ///< dq [m], the distance rolled in a step, >= 0; 0: the elements' length
-  int steps = 1;   ///< of transient rolling, from zero tractions on
+  int steps = 1;   ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
 };
 
 /// Two bodies that roll or are shifted over each other: everything that is given, in SI units.
@@ -66,11 +67,22 @@ struct RollingProblem {
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
 };
 
+/// A Hertzian contact as a problem: `motion` is what there is beyond its creepages and its speed.
+RollingProblem rolling_problem(const EllipticContact& contact, const Motion& motion = {});
+
 /// Returns whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
 bool is_hertzian(const RollingProblem& problem);
 
 /// The ellipse of a Hertzian problem, of elastic bodies without friction. Throws Error for a problem that is not
 /// Hertzian and for numbers out of range.
 HertzContact hertz_contact(const RollingProblem& problem);
+
+/// A Hertzian problem as the solvers of either theory take it. Of an ellipse under a force the numbers may be out of
+/// range, which these solvers tell; else throws as hertz_contact.
+EllipticContact elliptic_contact(const RollingProblem& problem);
+EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz);
+
+/// Throws Error for forces, a step or a number of steps out of range.
+void check(const Motion& motion);
 
 } // namespace microslip

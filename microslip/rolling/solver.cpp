@@ -5,6 +5,7 @@
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
+#include "microslip/rolling/ellipse_solver.hpp"
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -31,14 +32,6 @@ GapValues gap_values(const RollingProblem& problem, const Method& method) {
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) out.gap[static_cast<std::size_t>(j) * grid.mx + i] = gap(grid.x(i), grid.y(j));
   return out;
-}
-
-ExactMotion exact_motion(const Motion& motion) {
-  return {.kind = motion.kind,
-          .force_x = motion.force_x,
-          .force_y = motion.force_y,
-          .step = motion.step,
-          .steps = motion.steps};
 }
 
 /// The finest solution with the limit's forces and creepages, and the limit's error.
@@ -94,21 +87,6 @@ ContactSolution look_up(const CreepForceTable& table, const EllipticContact& con
   return out;
 }
 
-/// A problem on a grid as a step of a sequence.
-ContactStep contact_step(const RollingProblem& p, const Method& method, GapValues shape) {
-  ContactStep step = contact_step(exact_options(p, method));
-  step.grid = shape.grid;
-  step.bodies = p.bodies;
-  step.gap = std::move(shape.gap);
-  step.load = p.load;
-  step.friction = {p.friction.law};
-  step.motion.motion = p.motion.kind;
-  step.motion.creepage = p.motion.creepage;
-  step.motion.step = p.motion.step;
-  step.motion.rolling_speed = p.motion.rolling_speed;
-  return step;
-}
-
 /// The patch whose normal problem and elements were found last.
 struct KeptPatch {
   GapValues shape;
@@ -127,67 +105,36 @@ bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& 
 
 } // namespace
 
-EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz) {
-  const CombinedMaterial& material = problem.bodies.material;
-  return {.a = hertz.a,
-          .b = hertz.b,
-          .shear_modulus = material.shear_modulus,
-          .poisson_ratio = material.poisson_ratio,
-          .normal_force = hertz.normal_force,
-          .friction = problem.friction.law,
-          .creepage = problem.motion.creepage,
-          .rolling_speed = problem.motion.rolling_speed,
-          .dissimilarity = material.dissimilarity};
-}
-
 struct Solver::Kept {
   Method method;
-  std::optional<EllipticContactSolver> exact;
-  std::optional<ExactOptions> accurate_of;
+  EllipseSolver exact;
   std::optional<AccurateContactSolver> accurate;
   int finest = 1; ///< elements across of what that found last
   std::optional<KeptPatch> patch;
   TransformPlans plans; ///< of patches
   ContactSequence sequence;
 
+  explicit Kept(const Method& how) : method(how), exact(how) {}
+
   ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
-    const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
-    if (method.theory == Theory::table) return look_up(*method.table, contact);
-    if (method.theory != Theory::exact) return solve_simplified(contact, problem.motion.direction);
-    const ExactOptions options = exact_options(problem, method);
-    if (method.accuracy) {
-      if (!accurate || accurate_of != options) accurate.emplace(*method.accuracy, options);
-      accurate_of = options;
-      AccurateContact found = accurate->solve(contact, exact_motion(problem.motion), progress);
-      finest = found.elements;
-      return with_limit(std::move(found));
-    }
-    return with_options(options).solve(contact, exact_motion(problem.motion), progress);
-  }
-
-  EllipticContactSolver& with_options(const ExactOptions& options) {
-    if (!exact || !(exact->options() == options)) exact.emplace(options);
-    return *exact;
-  }
-
-  /// Refuses what only ellipses by the exact theory have.
-  void require_exact_ellipse(const RollingProblem& problem, const char* what) const {
-    require_compatible(problem, method);
-    if (method.theory != Theory::exact || !is_hertzian(problem))
-      throw Error(std::string(what) + ": of an ellipse by solution.theory = \"exact\" only");
+    if (method.theory == Theory::table) return look_up(*method.table, elliptic_contact(problem));
+    if (method.theory != Theory::exact) return solve_simplified(elliptic_contact(problem), problem.motion.direction);
+    if (!method.accuracy) return exact.solve(problem, progress);
+    if (!accurate) accurate.emplace(method);
+    AccurateContact found = accurate->solve(problem, progress);
+    finest = found.elements;
+    return with_limit(std::move(found));
   }
 
   ContactSolution solve_simplified(const EllipticContact& contact, RollingDirection direction) const {
     const SimplifiedOptions options = simplified_options(method, direction);
-    ContactSolution out = method.theory == Theory::fastrip
-                              ? Fastrip(options).fields(contact)
-                              : RowSolver(marching_scheme(method.theory), options).fields(contact);
-    return out;
+    return method.theory == Theory::fastrip ? Fastrip(options).fields(contact)
+                                            : RowSolver(marching_scheme(method.theory), options).fields(contact);
   }
 
   ContactSolution solve_on_grid(const RollingProblem& p, const Progress& progress) {
     GapValues shape = gap_values(p, method);
-    const bool fitted = discretisation_of(p, method) == Discretisation::second_order && p.motion.step == 0;
+    const bool fitted = discretisation_of(p, method) == Discretisation::second_order;
     return fitted ? solve_patch(p, std::move(shape), progress) : solve_classical(p, std::move(shape), progress);
   }
 
@@ -207,29 +154,28 @@ struct Solver::Kept {
   }
 
   ContactSolution solve_classical(const RollingProblem& p, GapValues shape, const Progress& progress) {
-    require_count("motion.steps", p.motion.steps, 1, most_steps);
-    ContactStep step = contact_step(p, method, std::move(shape));
+    check(p.motion);
     // A sequence takes forces over the normal force, which need not be known: the normal problem tells it.
     if ((p.motion.force_x || p.motion.force_y) && p.load.given == NormalLoad::Given::approach)
       throw Error("motion.force_longitudinal, motion.force_lateral: need load.normal_force on a gap's grid");
-    if (p.motion.force_x) step.force_x = *p.motion.force_x / p.load.value;
-    if (p.motion.force_y) step.force_y = *p.motion.force_y / p.load.value;
-    ContactSolution out;
     try {
-      out = solve_steps(sequence, std::move(step), p.motion.steps, progress);
+      return solve_steps(sequence, contact_step(p, method, std::move(shape), p.load), p.motion.steps, progress);
     } catch (const Stopped& stopped) {
-      out = solution_without_result(Status::not_converged, stopped.what());
+      return solution_without_result(Status::not_converged, stopped.what());
     }
-    return out;
   }
 };
 
-Solver::Solver(const Method& method) : kept_(std::make_unique<Kept>()) {
-  require_count("solution.grid", method.mx, 1, most_elements);
-  require_count("solution.grid", method.my, 1, most_elements);
-  require_between("solution.tolerance", method.tolerance, "-", smallest_tolerance, largest_tolerance);
-  if (method.accuracy) require_between("solution.accuracy", *method.accuracy, "-", smallest_accuracy, largest_accuracy);
-  kept_->method = method;
+Solver::Solver(const Method& method) : kept_(std::make_unique<Kept>(method)) {
+  const int most = method.theory == Theory::exact ? most_elements : most_cells;
+  require_count("mx", method.mx, 1, most);
+  require_count("my", method.my, 1, most);
+  require_between("tolerance", method.tolerance, "-", smallest_tolerance, largest_tolerance);
+  if (method.accuracy) require_between("accuracy", *method.accuracy, "-", smallest_accuracy, largest_accuracy);
+  if (method.theory != Theory::exact || method.accuracy) return;
+  const bool classical = method.discretisation == Discretisation::classical;
+  require_memory(classical ? ContactProblem::tangential : ContactProblem::second_order,
+                 ElementGrid::across_ellipse(1, 1, method.mx, method.my, contact_margin));
 }
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
@@ -248,21 +194,27 @@ ContactSolution Solver::solve(const RollingProblem& problem, const Progress& pro
 }
 
 ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Progress& progress) {
-  kept_->require_exact_ellipse(problem, "derivatives");
-  if (kept_->method.accuracy) throw Error("solution.accuracy: there are no derivatives of extrapolated forces");
-  const Motion& motion = problem.motion;
-  if (motion.kind != ContactMotion::steady || motion.force_x || motion.force_y)
-    throw Error("derivatives: of steady rolling with creepages given only");
-  const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
-  return kept_->with_options(exact_options(problem, kept_->method)).differentiate(contact, progress);
+  const Method& method = kept_->method;
+  require_compatible(problem, method);
+  if (method.theory != Theory::exact || method.accuracy || !is_hertzian(problem))
+    throw Error("derivatives: need an ellipse and the exact theory without an accuracy");
+  ExactDerivatives out = kept_->exact.differentiate(problem, progress);
+  conclude(out.solution, method.tolerance);
+  return out;
 }
 
-DeformedGap Solver::deformed_gap(const RollingProblem& problem, const Progress& progress) {
-  kept_->require_exact_ellipse(problem, "gap");
-  ExactOptions options = exact_options(problem, kept_->method);
-  if (kept_->method.accuracy) options.mx = options.my = kept_->finest;
-  const EllipticContact contact = elliptic_contact(problem, hertz_contact(problem));
-  return kept_->with_options(options).deformed_gap(contact, exact_motion(problem.motion), progress);
+GapValues Solver::deformed_gap(const RollingProblem& problem, const Progress& progress) {
+  require_compatible(problem, kept_->method);
+  if (kept_->method.theory != Theory::exact) throw Error("deformed gap: needs the exact theory");
+  if (is_hertzian(problem) && !kept_->method.accuracy) return kept_->exact.deformed_gap(problem, progress);
+  if (is_hertzian(problem)) {
+    Method on_finest = kept_->method;
+    on_finest.accuracy.reset();
+    on_finest.mx = on_finest.my = kept_->finest;
+    return EllipseSolver(on_finest).deformed_gap(problem, progress);
+  }
+  ContactSolution solution = kept_->solve_on_grid(problem, progress);
+  return {solution.elements.grid, std::move(solution.fields.gap)};
 }
 
 } // namespace microslip

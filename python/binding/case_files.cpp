@@ -1,5 +1,6 @@
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
+#include "binding/exact_solver.hpp"
 #include "binding/interior.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
@@ -111,33 +112,34 @@ void write(const SolvedCase& self, const py::object& path) {
                       path_from(path));
 }
 
-using ExactSolver = OneAtATime<EllipticContactSolver>;
-using AccurateSolver = OneAtATime<AccurateContactSolver>;
+/// All that the case says but its contact.
+CommonProblem common_of(const Case& self) {
+  return {.problem = self.input.problem, .bodies = self.input.problem.bodies};
+}
 
 /// With `asked` instead of the case's discretisation, if any. Throws Error if the case cannot have that.
-ExactOptions options_for(const Case& self, std::optional<Discretisation> asked) {
-  const RollingProblem problem = io::rolling_problem(self.input);
-  Method method = io::method_of(self.input);
+Method method_for(const Case& self, std::optional<Discretisation> asked) {
+  Method method = self.input.method;
   method.theory = Theory::exact;
   method.table.reset();
-  method.accuracy.reset(); // the solver takes it
+  method.accuracy.reset();
   if (asked) method.discretisation = asked;
   if (asked == Discretisation::second_order) method.elements.reset();
-  require_compatible(problem, method);
-  ExactOptions options = exact_options(problem, method);
-  if (asked) options.discretisation = *asked; // of steady rolling, whatever the motion of the case
-  return options;
+  require_compatible(self.input.problem, method);
+  return method;
 }
 
-std::unique_ptr<ExactSolver> exact_solver(const Case& self, std::optional<int> elements,
-                                          std::optional<Discretisation> discretisation) {
-  auto options = options_for(self, discretisation);
-  if (elements) options.mx = options.my = *elements;
-  return std::make_unique<ExactSolver>(options);
+std::unique_ptr<OneAtATime<ExactSolver>> exact_solver(const Case& self, std::optional<int> elements,
+                                                      std::optional<Discretisation> discretisation) {
+  Method method = method_for(self, discretisation);
+  if (elements) method.mx = method.my = *elements;
+  return std::make_unique<OneAtATime<ExactSolver>>(common_of(self), method);
 }
 
-std::unique_ptr<AccurateSolver> accurate_solver(const Case& self, double accuracy) {
-  return std::make_unique<AccurateSolver>(accuracy, options_for(self, Discretisation::second_order));
+std::unique_ptr<OneAtATime<AccurateSolver>> accurate_solver(const Case& self, double accuracy) {
+  Method method = method_for(self, Discretisation::second_order);
+  method.accuracy = accuracy;
+  return std::make_unique<OneAtATime<AccurateSolver>>(common_of(self), method);
 }
 
 /// At the points that the case asks for.
@@ -149,10 +151,11 @@ std::optional<States> states_inside(const SolvedCase& self) {
 }
 
 RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
-  if (self.input.theory == Theory::fastrip) throw Error("solution.theory: FaStrip has no solver in Python");
-  auto options = self.input.options;
+  const Method& method = self.input.method;
+  if (method.theory == Theory::fastrip) throw Error("solution.theory: FaStrip has no solver in Python");
+  SimplifiedOptions options = simplified_options(method, self.input.problem.motion.direction);
   if (cells) options.mx = options.my = *cells;
-  return {marching_scheme(self.input.theory), options};
+  return {marching_scheme(method.theory), options};
 }
 
 template <class T> auto of_input(T io::RollingCase::*member) {
@@ -196,16 +199,15 @@ void bind_case(py::module_& module) {
   rolling_case.def_property_readonly("title", of_input(&io::RollingCase::title), "Its title.")
       .def_property_readonly("body1", of_input(&io::RollingCase::body1), "The body that forces act on, e.g. the wheel.")
       .def_property_readonly("body2", of_input(&io::RollingCase::body2), "The other body, e.g. the rail.")
-      .def_property_readonly("friction", of_input(&io::RollingCase::friction), "The FrictionLaw, mu [-].")
-      .def_property_readonly("theory", of_input(&io::RollingCase::theory),
-                             "fastsim, fastsim_half_step, fastsim2, fastrip, exact or table.")
       .def_property_readonly(
-          "hertz", [](const Case& self) { return io::hertz_contact(self.input); }, "The HertzContact.")
+          "friction", [](const Case& self) { return self.input.problem.friction.law; }, "The FrictionLaw, mu [-].")
       .def_property_readonly(
-          "contact",
-          [](const Case& self) {
-            return ReadOnly<EllipticContact>{io::elliptic_contact(self.input, io::hertz_contact(self.input))};
-          },
+          "theory", [](const Case& self) { return self.input.method.theory; },
+          "fastsim, fastsim_half_step, fastsim2, fastrip, exact or table.")
+      .def_property_readonly(
+          "hertz", [](const Case& self) { return hertz_contact(self.input.problem); }, "The HertzContact.")
+      .def_property_readonly(
+          "contact", [](const Case& self) { return ReadOnly<EllipticContact>{elliptic_contact(self.input.problem)}; },
           "The EllipticContact for the solvers of either theory, with the K of dissimilar bodies; to be\n"
           "read, not changed: copy.copy(case.contact) gives one that can be.")
       .def_property_readonly(

@@ -2,6 +2,7 @@
 #include "binding/codes.hpp"
 #include "binding/contact.hpp"
 #include "binding/contact_batch.hpp"
+#include "binding/exact_solver.hpp"
 #include "binding/long_work.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
@@ -9,24 +10,66 @@
 
 namespace microslip::python {
 
+RollingProblem CommonProblem::of(const EllipticContact& contact, Motion motion) const {
+  motion.direction = problem.motion.direction;
+  RollingProblem out = rolling_problem(contact, motion);
+  out.friction.memory = problem.friction.memory;
+  out.friction.temperature_effect = problem.friction.temperature_effect;
+  out.thermal = problem.thermal;
+  if (!bodies) return out;
+  const double dissimilarity = bodies->material.dissimilarity;
+  if (contact.dissimilarity != 0 && contact.dissimilarity != dissimilarity)
+    throw Error("dissimilarity", contact.dissimilarity, "-",
+                "that of the solver's bodies, " + std::to_string(dissimilarity) + ", or 0");
+  out.bodies = *bodies;
+  return out;
+}
+
+ExactSolver::ExactSolver(const CommonProblem& common, const Method& method) : common_(common), solver_(method) {
+  require_compatible(common.of({}), method);
+  if (common.problem.thermal) check(*common.problem.thermal);
+  if (common.problem.friction.temperature_effect) check(*common.problem.friction.temperature_effect);
+}
+
+ContactSolution ExactSolver::solve(const EllipticContact& contact, const Motion& motion, const Progress& progress) {
+  try {
+    return solver_.solve(common_.of(contact, motion), progress);
+  } catch (const Error& refusal) {
+    return solution_without_result(Status::invalid_input, refusal.what());
+  }
+}
+
+ExactDerivatives ExactSolver::differentiate(const EllipticContact& contact, const Progress& progress) {
+  try {
+    return solver_.differentiate(common_.of(contact), progress);
+  } catch (const Error& refusal) {
+    return {.solution = solution_without_result(Status::invalid_input, refusal.what())};
+  }
+}
+
+GapValues ExactSolver::deformed_gap(const EllipticContact& contact, const Motion& motion, const Progress& progress) {
+  return solver_.deformed_gap(common_.of(contact, motion), progress);
+}
+
 namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
-using Solver = OneAtATime<EllipticContactSolver>;
-using AccurateSolver = OneAtATime<AccurateContactSolver>;
+using Exact = OneAtATime<ExactSolver>;
+using Accurate = OneAtATime<AccurateSolver>;
 using Force = std::optional<double>;
 using Heat = std::optional<std::pair<ThermalBody, ThermalBody>>;
 
-ContactSolution solve(Solver& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
+ContactSolution solve(Exact& self, const EllipticContact& contact, ContactMotion motion, Force force_x, Force force_y,
                       double step, int steps) {
-  return self.run([&, contact](EllipticContactSolver& solver, const Progress& progress) {
-    return solver.solve(contact, {motion, force_x, force_y, step, steps}, progress);
+  return self.run([&, contact](ExactSolver& solver, const Progress& progress) {
+    return solver.solve(contact, {.kind = motion, .force_x = force_x, .force_y = force_y, .step = step, .steps = steps},
+                        progress);
   });
 }
 
-py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMotion motion) {
-  const auto found = self.run([&, contact](EllipticContactSolver& solver, const Progress& progress) {
+py::array deformed_gap(Exact& self, const EllipticContact& contact, ContactMotion motion) {
+  const auto found = self.run([&, contact](ExactSolver& solver, const Progress& progress) {
     return solver.deformed_gap(contact, {.kind = motion}, progress);
   });
   py::array_t<double> out({found.grid.my, found.grid.mx});
@@ -34,7 +77,7 @@ py::array deformed_gap(Solver& self, const EllipticContact& contact, ContactMoti
   return out;
 }
 
-ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, const py::object& longitudinal,
+ExactForceArrays solve_batch(const Exact& self, const EllipticContact& like, const py::object& longitudinal,
                              const py::object& lateral, const py::object& spin, const py::object& a,
                              const py::object& b, const py::object& shear_modulus, const py::object& poisson_ratio,
                              const py::object& normal_force, const py::object& friction,
@@ -42,15 +85,14 @@ ExactForceArrays solve_batch(const Solver& self, const EllipticContact& like, co
   const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
                                   friction, rolling_speed, dissimilarity});
   ExactForceArrays out(batch);
-  const ExactOptions options = self.object.options();
-  if (options.bodies && !(shear_modulus.is_none() && poisson_ratio.is_none() && dissimilarity.is_none()))
+  if (self.object.has_bodies() && !(shear_modulus.is_none() && poisson_ratio.is_none() && dissimilarity.is_none()))
     throw Error(
         "shear_modulus, poisson_ratio, dissimilarity: the solver's bodies have their own; make a solver for each "
         "pair of bodies");
   const int count = thread_count(threads);
   run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
-    return [&, solver = std::make_shared<EllipticContactSolver>(options)](std::size_t i, std::size_t,
-                                                                          const Progress& progress) {
+    return [&, solver = std::make_shared<ExactSolver>(self.object.copy())](std::size_t i, std::size_t,
+                                                                           const Progress& progress) {
       const ContactSolution solved = solver->solve(batch[i], {}, progress);
       out.forces.put(i, solved.forces());
       out.residual[i] = solved.report.residual;
@@ -97,14 +139,13 @@ void def_options(Class& solver, Make make, const std::string& before, const std:
       py::init([make](Own... own_values, RollingDirection direction, double tolerance, std::optional<Bodies> bodies,
                       Coupling coupling, double memory_distance, double memory_speed, SlipStart slip_start,
                       const Heat& thermal, std::optional<TemperatureEffect> temperature_effect) {
-        ExactOptions options{.direction = direction, .tolerance = tolerance};
-        options.bodies = std::move(bodies);
-        options.coupling = coupling;
-        options.friction_memory = {memory_distance, memory_speed};
-        options.slip_start = slip_start;
-        if (thermal) options.thermal = {thermal->first, thermal->second};
-        options.temperature_effect = temperature_effect;
-        return make(options, own_values...);
+        CommonProblem common{.bodies = std::move(bodies)};
+        common.problem.motion.direction = direction;
+        common.problem.friction.memory = {memory_distance, memory_speed};
+        common.problem.friction.temperature_effect = temperature_effect;
+        if (thermal) common.problem.thermal = {thermal->first, thermal->second};
+        return make(common, Method{.tolerance = tolerance, .coupling = coupling, .slip_start = slip_start},
+                    own_values...);
       }),
       own..., "direction"_a = RollingDirection::forward, "tolerance"_a = 1e-6, "bodies"_a = none,
       "coupling"_a = Coupling::newton, "memory_distance"_a = 0.0, "memory_speed"_a = 0.0,
@@ -123,19 +164,20 @@ void def_options(Class& solver, Make make, const std::string& before, const std:
 
 void bind_solver(py::module_& module) {
   const auto none = py::none();
-  py::class_<Solver> elliptic(
+  py::class_<Exact> elliptic(
       module, "EllipticContactSolver",
       "Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my\n"
       "elements across the ellipse. Influence coefficients are kept for the next contact with the same\n"
       "ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them.");
   def_options<int, int, Discretisation, ElementShape>(
       elliptic,
-      [](ExactOptions options, int mx, int my, Discretisation discretisation, ElementShape elements) {
-        options.mx = mx;
-        options.my = my;
-        options.discretisation = discretisation;
-        options.elements = elements;
-        return std::make_unique<Solver>(options);
+      [](const CommonProblem& common, Method method, int mx, int my, Discretisation discretisation,
+         ElementShape elements) {
+        method.mx = mx;
+        method.my = my;
+        if (discretisation == Discretisation::classical) method.discretisation = discretisation;
+        method.elements = elements;
+        return std::make_unique<Exact>(common, method);
       },
       "mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of rolling\n"
       "'second_order' or 'classical' (Kalker's, first order; shifts and steps that are given always);\n"
@@ -153,8 +195,8 @@ void bind_solver(py::module_& module) {
            "O(N log N) in the number of elements, 2 ms at 24 x 24.")
       .def(
           "differentiate",
-          [](Solver& self, const EllipticContact& contact) {
-            return self.run([contact](EllipticContactSolver& solver, const Progress& progress) {
+          [](Exact& self, const EllipticContact& contact) {
+            return self.run([contact](ExactSolver& solver, const Progress& progress) {
               return solver.differentiate(contact, progress);
             });
           },
@@ -163,9 +205,9 @@ void bind_solver(py::module_& module) {
           "eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem, accurate to 1e-5\n"
           "away from kinks.")
       .def("__repr__",
-           [](const Solver& self) {
-             const auto& options = self.object.options();
-             return "EllipticContactSolver(" + std::to_string(options.mx) + ", " + std::to_string(options.my) + ")";
+           [](const Exact& self) {
+             const Method& method = self.object.method();
+             return "EllipticContactSolver(" + std::to_string(method.mx) + ", " + std::to_string(method.my) + ")";
            })
       .def("deformed_gap", &deformed_gap, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady,
            "Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in "
@@ -180,19 +222,22 @@ void bind_solver(py::module_& module) {
            "dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.\n"
            "Returns ExactForceArrays; no contact stops the others.");
 
-  py::class_<AccurateSolver> accurate(
+  py::class_<Accurate> accurate(
       module, "AccurateContactSolver",
       "Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and\n"
       "32, ... elements across, extrapolated, until the limit's error is estimated below it.");
   def_options<double>(
       accurate,
-      [](const ExactOptions& options, double accuracy) { return std::make_unique<AccurateSolver>(accuracy, options); },
+      [](const CommonProblem& common, Method method, double accuracy) {
+        method.accuracy = accuracy;
+        return std::make_unique<Accurate>(common, method);
+      },
       "accuracy in mu Fn [-], in [1e-5, 0.1];\n",
       "Those that are solved classically take far more elements for the same accuracy.", "accuracy"_a, py::kw_only());
   accurate.def(
       "solve",
-      [](AccurateSolver& self, const EllipticContact& contact, Force force_x, Force force_y) {
-        return self.run([&, contact](AccurateContactSolver& solver, const Progress& progress) {
+      [](Accurate& self, const EllipticContact& contact, Force force_x, Force force_y) {
+        return self.run([&, contact](AccurateSolver& solver, const Progress& progress) {
           return solver.solve(contact, {.force_x = force_x, .force_y = force_y}, progress);
         });
       },

@@ -1,7 +1,7 @@
 // Uses both installed libraries and finds the same with them.
 
 #include <microslip.h>
-#include <microslip/rolling/elliptic_contact.hpp>
+#include <microslip/rolling/solver.hpp>
 #include <microslip/simplified/fastsim2.hpp>
 #include <microslip/version.hpp>
 
@@ -17,7 +17,7 @@ int main() {
                                            .creepage = {0.001, 0.0005, 0.3}};
   const microslip_contact same = {6e-3, 5e-3, 82e9, 0.28, 80e3, 1, 0.001, 0.0005, 0.3, 0.3, MICROSLIP_COULOMB, {}, {}};
   const double cpp = microslip::Fastsim2().solve(contact).fx;
-  const double exact = microslip::EllipticContactSolver({.mx = 12, .my = 12}).solve(contact).totals.fx;
+  const double exact = microslip::Solver({.mx = 12, .my = 12}).solve(microslip::rolling_problem(contact)).totals.fx;
   microslip_fastsim2* solver = nullptr;
   microslip_forces forces;
   microslip_fastsim2_create(nullptr, &solver, nullptr);

@@ -7,6 +7,12 @@ ElementGrid mirrored(ElementGrid grid) {
   return grid;
 }
 
+std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>& field) {
+  std::vector<double> image(field.size());
+  for (std::size_t k = 0; k < field.size(); ++k) image[k + grid.mx - 1 - 2 * (k % grid.mx)] = field[k];
+  return image;
+}
+
 ContactSolution contact_solution(const FittedContact& fitted, const SecondOrderSolution& found,
                                  const FittedLoad& load) {
   const bool forward = load.direction == RollingDirection::forward;

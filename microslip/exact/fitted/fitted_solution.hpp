@@ -4,11 +4,13 @@
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 
 #include <span>
+#include <vector>
 
 namespace microslip {
 
-/// The mirror image in x of a grid's coordinates.
+/// The mirror image in x of a grid's coordinates, and of values on it.
 ElementGrid mirrored(ElementGrid grid);
+std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>& field);
 
 /// Data of a contact in addition to its elements and to the solution of SecondOrderRolling on them.
 struct FittedLoad {

@@ -16,13 +16,6 @@ namespace {
 
 constexpr double normal_tolerance = 1e-8;
 
-/// The mirror image in x.
-std::vector<double> mirrored(const ElementGrid& grid, const std::vector<double>& field) {
-  std::vector<double> image(field.size());
-  for (std::size_t k = 0; k < field.size(); ++k) image[k + grid.mx - 1 - 2 * (k % grid.mx)] = field[k];
-  return image;
-}
-
 /// A pressure on a grid.
 struct PressureField {
   ElementGrid grid;

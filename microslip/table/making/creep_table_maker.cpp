@@ -3,7 +3,7 @@
 #include "microslip/batch/batch.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
-#include "microslip/rolling/elliptic_contact.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "microslip/table/creep_coordinates.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
@@ -155,7 +155,7 @@ public:
   }
 
 private:
-  static ExactOptions grid(int elements) { return {.mx = elements, .my = elements}; }
+  static Method grid(int elements) { return {.mx = elements, .my = elements}; }
 
   void make_direction(std::size_t material, int ratio, int elevation, int azimuth, Errors& errors) {
     for (int level = 0; level < axes_.levels; ++level) {
@@ -178,8 +178,8 @@ private:
     node[3] = std::clamp(node[3], 0.0, 1.0);
     return node;
   }
-  static Node solve(EllipticContactSolver& solver, const EllipticContact& contact, Errors& errors) {
-    const ContactForces forces = solver.solve(contact).forces();
+  static Node solve(Solver& solver, const EllipticContact& contact, Errors& errors) {
+    const ContactForces forces = solver.solve(rolling_problem(contact)).forces();
     ++errors.solved;
     errors.not_converged += forces.status != Status::ok;
     return node_of(forces, contact);
@@ -197,7 +197,7 @@ private:
 
   const CreepTableAxes& axes_;
   Numbers& numbers_;
-  EllipticContactSolver coarse_, fine_, finest_;
+  Solver coarse_, fine_, finest_;
 };
 
 void check(const CreepTableMaking& making) {

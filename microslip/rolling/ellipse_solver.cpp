@@ -1,0 +1,313 @@
+#include "microslip/rolling/ellipse_solver.hpp"
+
+#include "microslip/contact/limits.hpp"
+#include "microslip/elasticity/hertz.hpp"
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/fitted/fitted_solution.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr const char* ended = "ended by the progress function";
+
+/// Under a load of 1 N, which pressures and approach are proportional to.
+NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid, const Progress& progress) {
+  constexpr double tolerance = 1e-8;
+  const Progress essential = essential_part(progress, 0, 0);
+  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+  const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, material, 1).gap;
+  return NormalProblem(material, grid, essential)
+      .solve(hertzian_gap(gap, grid), {NormalLoad::Given::force, 1}, tolerance, essential);
+}
+
+double capacity_of(const EllipticContact& contact) {
+  return contact.friction.static_coefficient() * contact.normal_force;
+}
+
+double side_of(const Motion& motion) {
+  return motion.direction == RollingDirection::forward ? 1 : -1;
+}
+
+/// For rolling along +x; rolling along -x is its mirror image.
+EllipticContact forward(EllipticContact contact, const Motion& motion) {
+  contact.creepage.longitudinal *= side_of(motion);
+  contact.creepage.spin *= side_of(motion);
+  return contact;
+}
+std::optional<double> forward_force(const Motion& motion) {
+  return motion.force_x ? side_of(motion) * *motion.force_x : motion.force_x;
+}
+
+void check(const RollingProblem& problem, const EllipticContact& contact) {
+  check(contact);
+  check(problem.motion);
+  if (problem.thermal) check(*problem.thermal);
+  if (problem.friction.temperature_effect) check(*problem.friction.temperature_effect);
+}
+
+void require_differentiable(const RollingProblem& p) {
+  if (needs_sequence(p))
+    throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
+  if (needs_classical(p) || p.motion.kind != ContactMotion::steady || p.motion.force_x || p.motion.force_y)
+    throw Error("the exact theory has derivatives for steady rolling with creepages given only");
+}
+
+} // namespace
+
+/// How the problem is solved. Throws Error if that needs more memory than the machine has.
+ContactProblem EllipseSolver::kind_of(const RollingProblem& problem) const {
+  const ContactProblem kind = discretisation_of(problem, method_) == Discretisation::second_order
+                                  ? ContactProblem::second_order
+                              : needs_sequence(problem) ? ContactProblem::coupled
+                                                        : ContactProblem::tangential;
+  require_memory(kind, ElementGrid::across_ellipse(1, 1, method_.mx, method_.my, contact_margin));
+  return kind;
+}
+
+/// Takes the ellipse and the material. Whether they are those of before.
+bool EllipseSolver::is_of_last(const EllipticContact& contact) {
+  const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+  const bool same = a_ == contact.a && b_ == contact.b && material_ == material;
+  a_ = contact.a;
+  b_ = contact.b;
+  material_ = material;
+  return same;
+}
+
+/// Pressure is proportional to the load at a given ellipse, so the normal problem is solved once, for 1 N.
+void EllipseSolver::prepare_classical(const EllipticContact& contact, ElementShape elements, const Progress& progress) {
+  if (is_of_last(contact) && tangential_) return;
+  forget();
+  grid_ = ElementGrid::across_ellipse(a_, b_, method_.mx, method_.my, contact_margin);
+  grid_.shape = elements;
+  normal_ = unit_load(contact, grid_, progress);
+  tangential_ = std::make_unique<TangentialProblem>(material_, grid_);
+}
+
+void EllipseSolver::prepare_second_order(const EllipticContact& contact, const Progress& progress) {
+  is_of_last(contact);
+  if (!second_order_) {
+    forget();
+    second_order_ = std::make_unique<HertzianRolling>(method_.mx, method_.my);
+  }
+  second_order_->prepare(a_, b_, material_, essential_part(progress, 0, 0));
+}
+
+/// From zero tractions.
+void EllipseSolver::prepare_transient(const EllipticContact& contact, const Progress& progress) {
+  if (is_of_last(contact) && transient_) return transient_->restart();
+  forget();
+  transient_ = std::make_unique<TransientRolling>(
+      material_, fit_ellipse(a_, b_, method_.mx, method_.my, ContactMotion::transient), essential_part(progress, 0, 0));
+}
+
+void EllipseSolver::forget() {
+  tangential_.reset();
+  second_order_.reset();
+  transient_.reset();
+}
+
+/// Solves the tangential problem; transient rolling step by step.
+TangentialSolution EllipseSolver::roll(TangentialInput input, int steps, double normal_force,
+                                       std::span<const double> bound, const Progress& progress,
+                                       std::vector<SolutionStep>& history) {
+  const bool transient = input.motion == ContactMotion::transient;
+  input.progress = transient ? within_step(steps, history, progress) : progress;
+  TangentialState state;
+  TangentialSolution s = tangential_->solve(bound, input);
+  if (!transient) return s;
+  const auto remember = [&] {
+    history.push_back(solution_step(contact_solution(grid_, s, normal_, normal_force, input)));
+    return !progress || progress(double(history.size()) / steps);
+  };
+  input.previous = &state;
+  try {
+    while (remember() && static_cast<int>(history.size()) < steps) {
+      state = s.tractions;
+      s = tangential_->solve(bound, input);
+    }
+  } catch (const Stopped&) { // within a step
+  }
+  if (is_cut_short(history, steps, s.forces.status)) s.forces.status = Status::not_converged;
+  return s;
+}
+
+ContactSolution EllipseSolver::solve_classical(const RollingProblem& problem, const EllipticContact& contact,
+                                               const Progress& progress) {
+  prepare_classical(contact, elements_of(problem, method_), progress);
+  std::vector<double> bound = normal_.pressure;
+  for (double& g : bound) g *= capacity_of(contact);
+  TangentialInput input = tangential_input(problem, method_);
+  input.force_x = problem.motion.force_x;
+  input.force_y = problem.motion.force_y;
+  std::vector<SolutionStep> history;
+  ContactSolution out =
+      contact_solution(grid_, roll(input, problem.motion.steps, contact.normal_force, bound, progress, history),
+                       normal_, contact.normal_force, input);
+  out.history = std::move(history);
+  if (normal_.status != Status::ok) out.report.status = normal_.status;
+  for (std::size_t i = 0; i + 1 < out.history.size(); ++i) {
+    out.report.newton_steps += out.history[i].report.newton_steps;
+    out.report.products += out.history[i].report.products;
+  }
+  return out;
+}
+
+/// The potential contact is the ellipse and a margin; that of viscoelastic bodies grows with the relaxed modulus.
+ContactStep EllipseSolver::sequence_step(const RollingProblem& problem, const EllipticContact& contact) const {
+  double softest = 1;
+  for (const RetardedPart& part : problem.bodies.retarded) softest = std::max(softest, 1 + part.retardation.ratio);
+  const double widening = std::cbrt(softest) - 1;
+  const int wider = static_cast<int>(std::ceil(widening * std::max(method_.mx, method_.my) / 2));
+  ElementGrid grid = ElementGrid::across_ellipse(contact.a, contact.b, method_.mx, method_.my, contact_margin + wider);
+  grid.shape = elements_of(problem, method_);
+  const GapCurvatures gap = hertz_from_ellipse(contact.a, contact.b, problem.bodies.material, contact.normal_force).gap;
+  return contact_step(problem, method_, {grid, hertzian_gap(gap, grid)},
+                      {NormalLoad::Given::force, contact.normal_force});
+}
+
+ContactSolution EllipseSolver::solve_sequence(const RollingProblem& problem, const EllipticContact& contact,
+                                              const Progress& progress) {
+  return solve_steps(sequence_, sequence_step(problem, contact), problem.motion.steps, progress);
+}
+
+ContactSolution EllipseSolver::fitted_solution(const SecondOrderSolution& found, const FittedContact& fitted,
+                                               const EllipticContact& contact, RollingDirection direction) const {
+  const std::vector<double> bound = friction_bound(fitted, capacity_of(contact));
+  return contact_solution(fitted, found,
+                          {.bound = bound,
+                           .normal_force = contact.normal_force,
+                           .approach = hertz_from_ellipse(a_, b_, material_, contact.normal_force).approach,
+                           .rolling_speed = contact.rolling_speed,
+                           .direction = direction});
+}
+
+ContactSolution EllipseSolver::solve_second_order(const RollingProblem& problem, const EllipticContact& contact,
+                                                  const Progress& progress) {
+  const Motion& motion = problem.motion;
+  if (motion.kind == ContactMotion::transient) return solve_transient(problem, contact, progress);
+  prepare_second_order(contact, progress);
+  return fitted_solution(second_order_->solve(forward(contact, motion), forward_force(motion), motion.force_y,
+                                              method_.tolerance, progress),
+                         second_order_->contact(), contact, motion.direction);
+}
+
+ContactSolution EllipseSolver::solve_transient(const RollingProblem& problem, const EllipticContact& contact,
+                                               const Progress& progress) {
+  const Motion& motion = problem.motion;
+  prepare_transient(contact, progress);
+  const FittedContact& fitted = transient_->contact();
+  const std::vector<double> bound = friction_bound(fitted, capacity_of(contact));
+  std::vector<SolutionStep> history;
+  const SecondOrderInput input{.creepage = forward(contact, motion).creepage,
+                               .force_x = forward_force(motion),
+                               .force_y = motion.force_y,
+                               .start = {},
+                               .progress = within_step(motion.steps, history, progress),
+                               .tolerance = method_.tolerance};
+  ContactSolution out;
+  int newton_steps = 0;
+  long products = 0;
+  try {
+    do {
+      out = fitted_solution(transient_->step(bound, input), fitted, contact, motion.direction);
+      out.motion = ContactMotion::transient;
+      history.push_back(solution_step(out));
+      newton_steps += out.report.newton_steps;
+      products += out.report.products;
+    } while ((!progress || progress(double(history.size()) / motion.steps)) &&
+             static_cast<int>(history.size()) < motion.steps);
+  } catch (const Stopped&) { // within a step
+    if (history.empty()) throw;
+  }
+  if (is_cut_short(history, motion.steps, out.report.status)) out.report.status = Status::not_converged;
+  out.history = std::move(history);
+  out.report.newton_steps = newton_steps;
+  out.report.products = products;
+  return out;
+}
+
+ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, const Progress& progress) {
+  constexpr double linear_tolerance = 3e-5; // of which derivatives of forces have some fifth as an error
+  const EllipticContact contact = elliptic_contact(problem), along_x = forward(contact, problem.motion);
+  SecondOrderSolution solution;
+  SecondOrderRolling::Derivatives derivatives;
+  try {
+    check(problem, contact);
+    require_differentiable(problem);
+    prepare_second_order(contact, progress);
+    solution = second_order_->solve(along_x, {}, {}, method_.tolerance, essential_part(progress, 0, 0.7));
+    derivatives = second_order_->differentiate(along_x, solution, linear_tolerance, part(progress, 0.7, 1));
+  } catch (const Error& refusal) {
+    return {.solution = solution_without_result(Status::invalid_input, refusal.what())};
+  } catch (const Stopped&) {
+    return {.solution = solution_without_result(Status::not_converged, ended)};
+  }
+  const FittedContact& fitted = second_order_->contact();
+  ExactDerivatives out{.solution = fitted_solution(solution, fitted, contact, problem.motion.direction)};
+  out.products = derivatives.products;
+  const double side = side_of(problem.motion);
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    const double area = e.width() * fitted.grid.dy, y = fitted.grid.y(e.row);
+    for (int i = 0; i < 3; ++i) {
+      const auto& change = derivatives.by[i];
+      const double sign = i == 1 ? 1 : side; // xi and phi change sign in the mirror
+      out.jacobian[0][i] += sign * side * change.px[k] * area;
+      out.jacobian[1][i] += sign * change.py[k] * area;
+      out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
+    }
+  }
+  return out;
+}
+
+ContactSolution EllipseSolver::solve(const RollingProblem& problem, const Progress& progress) {
+  const EllipticContact contact = elliptic_contact(problem);
+  try {
+    check(problem, contact);
+  } catch (const Error& refusal) {
+    return solution_without_result(Status::invalid_input, refusal.what());
+  }
+  const ContactProblem kind = kind_of(problem);
+  try {
+    return kind == ContactProblem::second_order ? solve_second_order(problem, contact, progress)
+           : kind == ContactProblem::coupled    ? solve_sequence(problem, contact, progress)
+                                                : solve_classical(problem, contact, progress);
+  } catch (const Error& refusal) { // of what is found out while solving: combinations, numbers that overflow
+    return solution_without_result(Status::invalid_input, refusal.what());
+  } catch (const Stopped&) {
+    return solution_without_result(Status::not_converged, ended);
+  }
+}
+
+GapValues EllipseSolver::deformed_gap(const RollingProblem& problem, const Progress& progress) {
+  const EllipticContact contact = elliptic_contact(problem);
+  check(problem, contact);
+  const ContactProblem kind = kind_of(problem);
+  GapValues out;
+  if (kind == ContactProblem::coupled) {
+    ContactSolution solution = solve_sequence(problem, contact, progress);
+    return {solution.elements.grid, std::move(solution.fields.gap)};
+  }
+  if (kind == ContactProblem::second_order) {
+    const bool transient = problem.motion.kind == ContactMotion::transient;
+    transient ? prepare_transient(contact, progress) : prepare_second_order(contact, progress);
+    const ElementGrid& grid = transient ? transient_->contact().grid : second_order_->contact().grid;
+    out = {grid, unit_load(contact, grid, progress).gap};
+    if (problem.motion.direction == RollingDirection::backward) out = {mirrored(grid), mirrored(grid, out.gap)};
+  } else {
+    prepare_classical(contact, elements_of(problem, method_), progress);
+    out = {grid_, normal_.gap};
+  }
+  for (double& distance : out.gap) distance *= contact.normal_force;
+  return out;
+}
+
+} // namespace microslip
