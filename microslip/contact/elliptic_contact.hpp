@@ -29,11 +29,11 @@ struct EllipticContact {
 /// |K| of any two bodies: K/G = ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2)/4 is largest with one of them rigid and nu = 0 [-].
 inline constexpr double largest_dissimilarity = 0.5;
 
-/// Returns whether everything is in range, and what is not: field, value, unit and range. Numbers that are > 0 lie in
-/// [1e-30, 1e30], creepages in [-1e30, 1e30], whatever the unit.
+/// Returns whether everything is in range, and what is not: field, value, unit and range.
 bool is_valid(const EllipticContact& contact) noexcept;
 void check(const EllipticContact& contact); ///< throws Error
-/// The same for the simplified theory and creep-force tables, which have no dissimilarity.
+/// The same for the simplified theory and creep-force tables, which have no dissimilarity: numbers that are > 0 lie in
+/// [1e-30, 1e30] for them, creepages in [-1e30, 1e30].
 bool is_valid_simplified(const EllipticContact& contact) noexcept;
 void check_simplified(const EllipticContact& contact);
 

@@ -21,8 +21,8 @@ inline constexpr double smallest_load_tolerance = 1e-12, largest_load_tolerance 
 /// An accuracy of forces in mu Fn: as far as the finest grid of AccurateContactSolver gets, and as its coarsest has.
 inline constexpr double smallest_accuracy = 1e-5, largest_accuracy = 0.1;
 
-/// Sizes of a contact's numbers, in whatever unit: beyond them forces and the places of elements are lost by overflow
-/// or underflow.
+/// Sizes of a contact's numbers in the simplified theory, in whatever unit: beyond them forces are lost by overflow or
+/// underflow.
 inline constexpr double smallest_size = 1e-30, largest_size = 1e30;
 
 /// Elements on each side of the ellipse in the potential contact of the classical discretisation: the discrete contact

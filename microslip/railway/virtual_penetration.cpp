@@ -74,13 +74,12 @@ void VirtualPenetration::sample(const WheelPlacement<double>& placement, std::sp
     const ContactRegion::End &inner = region.inner, &outer = region.outer;
     const double rate =
         outer.s_rail > inner.s_rail ? (outer.s_wheel - inner.s_wheel) / (outer.s_rail - inner.s_rail) : 1;
-    const std::size_t first = samples_.size();
     add(placement, locus, inner.s_rail, inner.s_wheel);
     if (spacing > 0)
       for (double k = std::floor(inner.s_rail / spacing) + 1; k * spacing < outer.s_rail; ++k)
         add(placement, locus, k * spacing, samples_.back().wheel_s + (k * spacing - samples_.back().s) * rate);
     add(placement, locus, outer.s_rail, outer.s_wheel);
-    samples_[first].overlap = samples_.back().overlap = 0, samples_.back().last = true;
+    samples_.back().last = true;
   }
   for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
     const double step = samples_[k + 1].s - samples_[k].s;

@@ -22,7 +22,7 @@ class VirtualPenetration {
 public:
   struct Sample {
     double s = 0, wheel_s = 0; ///< parameters of the profiles [m]
-    double overlap = 0;        ///< vertical [m]; 0 where a region ends
+    double overlap = 0;        ///< vertical [m]
     double slope = 0;          ///< of the wheel's surface against the rail's, a sine
     double level = 1;          ///< cosine of the rail's inclination
     double curvature = 0;      ///< of both surfaces against each other up to the next sample [1/m], >= 0

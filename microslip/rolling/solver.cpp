@@ -196,8 +196,12 @@ ContactSolution Solver::solve(const RollingProblem& problem, const Progress& pro
 ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Progress& progress) {
   const Method& method = kept_->method;
   require_compatible(problem, method);
-  if (method.theory != Theory::exact || method.accuracy || !is_hertzian(problem))
-    throw Error("derivatives: need an ellipse and the exact theory without an accuracy");
+  if (method.accuracy) throw Error("solution.accuracy: there are no derivatives of extrapolated forces");
+  if (method.theory != Theory::exact || !is_hertzian(problem))
+    throw Error("derivatives: of an ellipse by solution.theory = \"exact\" only");
+  const Motion& motion = problem.motion;
+  if (motion.kind != ContactMotion::steady || motion.force_x || motion.force_y)
+    throw Error("derivatives: of steady rolling with creepages given only");
   ExactDerivatives out = kept_->exact.differentiate(problem, progress);
   conclude(out.solution, method.tolerance);
   return out;

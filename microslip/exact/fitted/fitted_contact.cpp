@@ -134,6 +134,7 @@ FittedContact stretched(FittedContact contact, double along, double across) {
   ElementGrid& grid = contact.grid;
   grid.x0 *= along, grid.dx *= along;
   grid.y0 *= across, grid.dy *= across;
+  check(grid); // sizes whose elements underflow or overflow have no places
   for (FittedElement& e : contact.elements) e.left *= along, e.right *= along, e.point *= along, e.end *= along;
   for (double& share : contact.load_share) share /= along * across;
   return contact;
