@@ -339,7 +339,7 @@ TEST(WheelRail, HasDerivativesAtTheExactLevel) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right})
     for (const bool held : {false, true}) {
       WheelRail contact(s1002_on_60e1(side), {.level = WheelRailLevel::exact, .elements = 16});
-      WheelState<double> state = in_a_curve(1e-3);
+      WheelState<double> state = in_a_curve(2e-3);
       if (side == TrackSide::right) state = state.mirrored();
       state.vertical = contact.solve(state, 50e3).vertical;
       const std::optional<double> force = held ? std::optional(50e3) : std::nullopt;
