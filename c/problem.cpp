@@ -80,8 +80,10 @@ void microslip_problem_destroy(microslip_problem* problem) {
 }
 
 microslip_code microslip_problem_text(const microslip_problem* problem, char** text, microslip_error* error) {
-  return guarded_use(error, "problem", problem,
-                     [&] { *require_pointer("text", text) = text_copy(problem->inputs.text()); });
+  return guarded_use(error, "problem", problem, [&] {
+    require_pointer("text", text);
+    *text = text_copy(problem->inputs.text());
+  });
 }
 
 microslip_code microslip_set(microslip_problem* problem, const char* path, double value, microslip_error* error) {

@@ -199,9 +199,6 @@ ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Prog
   if (method.accuracy) throw Error("solution.accuracy: there are no derivatives of extrapolated forces");
   if (method.theory != Theory::exact || !is_hertzian(problem))
     throw Error("derivatives: of an ellipse by solution.theory = \"exact\" only");
-  const Motion& motion = problem.motion;
-  if (motion.kind != ContactMotion::steady || motion.force_x || motion.force_y)
-    throw Error("derivatives: of steady rolling with creepages given only");
   ExactDerivatives out = kept_->exact.differentiate(problem, progress);
   conclude(out.solution, method.tolerance);
   return out;
