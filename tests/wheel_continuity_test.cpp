@@ -2,51 +2,37 @@
 
 #include "microslip/railway/wheel_rail.hpp"
 #include "tests/support/s1002_on_60e1.hpp"
+#include "validation/jump.hpp"
 #include "validation/worn_profiles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace microslip {
 namespace {
-
-/// The horizontal force over mu times the load.
-Vec3<double> share(WheelRail& wheel, double y, double yaw, double force) {
-  const WheelRailSolution s = wheel.solve(running(y, yaw), force);
-  EXPECT_EQ(s.status, Status::ok) << y;
-  double load = 0;
-  for (const WheelRailPatch& patch : s.patches) load += patch.normal_force;
-  return 1 / (0.3 * load) * Vec3<double>{s.force.x, s.force.y, 0};
-}
 
 double change(const Vec3<double>& a, const Vec3<double>& b) {
   return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
-/// What is left of the largest change within 20 um about y when the interval is halved towards it.
+/// The largest jump within 10 um about y of the horizontal force over mu times the load.
 double jump_near(WheelRail& wheel, double y, double yaw, double force) {
-  constexpr int steps = 40, halvings = 30;
-  constexpr double step = 0.5e-6;
-  double low = y, largest = 0;
-  Vec3<double> before = share(wheel, y - steps / 2 * step, yaw, force);
-  for (int k = 1 - steps / 2; k <= steps / 2; ++k) {
-    const Vec3<double> here = share(wheel, y + k * step, yaw, force);
-    if (change(before, here) > largest) largest = change(before, here), low = y + (k - 1) * step;
-    before = here;
-  }
-  double high = low + step;
-  Vec3<double> at_low = share(wheel, low, yaw, force), at_high = share(wheel, high, yaw, force);
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = (low + high) / 2;
-    const Vec3<double> there = share(wheel, middle, yaw, force);
-    if (change(at_low, there) > change(there, at_high))
-      high = middle, at_high = there;
-    else
-      low = middle, at_low = there;
-  }
-  return change(at_low, at_high);
+  constexpr int steps = 20, halvings = 30;
+  constexpr double step = 1e-6;
+  const auto share = [&](double at) {
+    const WheelRailSolution s = wheel.solve(running(at, yaw), force);
+    EXPECT_EQ(s.status, Status::ok) << at;
+    double load = 0;
+    for (const WheelRailPatch& patch : s.patches) load += patch.normal_force;
+    return std::optional(1 / (0.3 * load) * Vec3<double>{s.force.x, s.force.y, 0});
+  };
+  double largest = 0;
+  for (int k = -steps / 2; k < steps / 2; ++k)
+    largest = std::max(largest, validation::jump_between(y + k * step, y + (k + 1) * step, halvings, share, change));
+  return largest;
 }
 
 /// Where minima of the gap are equally deep, regions merge and a second lobe comes into contact.

@@ -1,11 +1,12 @@
 #include "validation/wheel_levels.hpp"
 
 #include "io/creep_table_file.hpp"
-#include "io/creep_tables.hpp"
 #include "microslip/batch/batch.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "validation/draw.hpp"
+#include "validation/error_statistics.hpp"
+#include "validation/jump.hpp"
 #include "validation/random_wheels.hpp"
 #include "validation/report.hpp"
 #include "validation/worn_profiles.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,19 +59,10 @@ LoadedState running_state(std::uint64_t seed) {
   return s;
 }
 
+/// Errors over mu times the vertical force.
 struct Errors {
-  std::vector<double> of_force; ///< over mu times the vertical force, ascending
+  ErrorStatistics of_force;
   int unsolved = 0;
-
-  double rms() const {
-    double sum = 0;
-    for (const double e : of_force) sum += e * e;
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(of_force.size(), 1)));
-  }
-  double quantile(double share) const {
-    if (of_force.empty()) return 0;
-    return of_force[static_cast<std::size_t>(share * static_cast<double>(of_force.size() - 1))];
-  }
 };
 
 /// Horizontal forces of all states by all levels, the last one the truth; NaN where a state is not solved.
@@ -77,17 +70,14 @@ using Forces = std::vector<std::array<double, 2>>;
 
 Errors errors(const Forces& forces, std::size_t level, std::size_t levels, std::size_t first, std::size_t count,
               const std::vector<double>& loads) {
-  Errors out;
+  std::vector<double> found_errors;
   for (std::size_t k = first; k < first + count; ++k) {
     const auto &found = forces[k * levels + level], &right = forces[k * levels + levels - 1];
     const double error = std::hypot(found[0] - right[0], found[1] - right[1]) / (friction * loads[k]);
-    if (std::isfinite(error))
-      out.of_force.push_back(error);
-    else
-      ++out.unsolved;
+    if (std::isfinite(error)) found_errors.push_back(error);
   }
-  std::sort(out.of_force.begin(), out.of_force.end());
-  return out;
+  const int unsolved = static_cast<int>(count - found_errors.size());
+  return {statistics(found_errors), unsolved};
 }
 
 bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const StudyOptions& options,
@@ -120,10 +110,10 @@ bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const Study
   double worst = 0, most = 0;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair)
     for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-      const Errors e = errors(forces, level, levels.size(), pair * count, count, loads);
+      const auto [e, unsolved] = errors(forces, level, levels.size(), pair * count, count, loads);
       report.line(fmt::format("{:16} {:12} {:10} {:9.4f} {:9.4f} {:9.4f} {:9.4f}", pairs[pair].name, levels[level].name,
-                              e.unsolved, e.quantile(0.5), e.rms(), e.quantile(0.99), e.quantile(1)));
-      if (level == 0 && pair < pairs_judged) worst = std::max(worst, e.rms()), most = std::max(most, e.quantile(1));
+                              unsolved, e.median, e.rms, e.p99, e.largest));
+      if (level == 0 && pair < pairs_judged) worst = std::max(worst, e.rms), most = std::max(most, e.largest);
     }
   report.figure("table: rms", fmt::format("{:.4f}", worst), "at most 0.0075", worst <= 0.0075);
   report.figure("table: largest", fmt::format("{:.4f}", most), "at most 0.05", most <= 0.05);
@@ -138,36 +128,21 @@ public:
   }
 
   using Numbers = std::array<double, 3>;
-  /// Forces and the moment over the radius, over mu times the load; NaN where there are none.
-  Numbers at(double y) {
+  /// Forces and the moment over the radius, over mu times the load; nothing where a state is not solved.
+  std::optional<Numbers> at(double y) {
     state_.lateral = y;
     wheel_.solve(state_, force_, found_);
-    if (found_.status != Status::ok) return {NAN, NAN, NAN};
+    if (found_.status != Status::ok) return {};
     double load = 0;
     for (const WheelRailPatch& p : found_.patches) load += p.normal_force;
     const double unit = friction * load;
-    return {found_.force.x / unit, found_.force.y / unit, found_.moment.y / (radius * unit)};
+    return Numbers{found_.force.x / unit, found_.force.y / unit, found_.moment.y / (radius * unit)};
   }
 
   static double change(const Numbers& a, const Numbers& b) {
     double most = 0;
     for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
     return most;
-  }
-
-  /// What is left of a change after halving the interval 34 times, always towards where most of it happens.
-  double jump(double low, double high) {
-    Numbers at_low = at(low), at_high = at(high);
-    for (int k = 0; k < 34; ++k) {
-      const double middle = (low + high) / 2;
-      const Numbers there = at(middle);
-      if (!std::isfinite(there[0])) return 0;
-      if (change(at_low, there) > change(there, at_high))
-        high = middle, at_high = there;
-      else
-        low = middle, at_low = there;
-    }
-    return change(at_low, at_high);
   }
 
 private:
@@ -185,21 +160,19 @@ struct Smoothness {
 /// Steps from -8 to 8 mm; the jumps are looked for where second differences are largest.
 Smoothness smoothness(WheelRail& wheel, double yaw, double force, double step, std::size_t bisected) {
   constexpr double from = -8e-3, to = 8e-3;
+  constexpr int halvings = 34;
   Sweep sweep(wheel, yaw, force);
-  std::vector<Sweep::Numbers> values;
+  std::vector<std::optional<Sweep::Numbers>> values;
   Smoothness out;
   const auto count = static_cast<std::size_t>((to - from) / step);
   for (std::size_t k = 0; k <= count; ++k) values.push_back(sweep.at(from + static_cast<double>(k) * step));
+  out.unsolved = static_cast<int>(std::count(values.begin(), values.end(), std::nullopt));
   std::vector<std::pair<double, double>> places; // second difference, y
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (!std::isfinite(values[k][0])) {
-      ++out.unsolved;
-      continue;
-    }
-    if (k < 2 || !std::isfinite(values[k - 1][0]) || !std::isfinite(values[k - 2][0])) continue;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    if (!values[k] || !values[k - 1] || !values[k - 2]) continue;
     double second = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      second = std::max(second, std::abs(values[k][i] - 2 * values[k - 1][i] + values[k - 2][i]));
+      second = std::max(second, std::abs((*values[k])[i] - 2 * (*values[k - 1])[i] + (*values[k - 2])[i]));
     places.emplace_back(second, from + static_cast<double>(k - 1) * step);
   }
   const std::size_t first = std::min(bisected, places.size());
@@ -207,7 +180,9 @@ Smoothness smoothness(WheelRail& wheel, double yaw, double force, double step, s
                     [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t k = 0; k < first; ++k)
     for (const double side : {-step, 0.0}) {
-      const double low = places[k].second + side, jump = sweep.jump(low, low + step);
+      const double low = places[k].second + side;
+      const double jump = jump_between(
+          low, low + step, halvings, [&](double y) { return sweep.at(y); }, Sweep::change);
       if (jump > out.jump) out.jump = jump, out.where = low;
     }
   return out;
@@ -253,7 +228,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
     report.line(line + fmt::format(" {:11.4f}", largest.where * 1e3));
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    const double limit = level < 2 ? 0.0005 : 0.001;
+    const double limit = levels[level].method.level == WheelRailLevel::exact ? 0.001 : 0.0005;
     report.figure(levels[level].name + ": largest jump", fmt::format("{:.5f}", worst[level]),
                   fmt::format("at most {:g}", limit), worst[level] <= limit);
   }

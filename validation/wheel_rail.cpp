@@ -3,6 +3,7 @@
 #include "io/profile_file.hpp"
 #include "microslip/damage/wear.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "validation/jump.hpp"
 #include "validation/report.hpp"
 #include "validation/wheel_rail_closed_forms.hpp"
 
@@ -12,6 +13,7 @@
 #include <ctime>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -92,12 +94,13 @@ struct Sweep {
 struct Forces {
   Vec3<double> force;
   double load = 0;
-  bool ok = false;
 };
 
-Forces forces_at(WheelRail& contact, double y, double vertical_force) {
+/// Nothing where a state is not solved.
+std::optional<Forces> forces_at(WheelRail& contact, double y, double vertical_force) {
   const WheelRailSolution s = contact.solve(running(y), vertical_force);
-  Forces f{s.force, 0, s.status == Status::ok};
+  if (s.status != Status::ok) return {};
+  Forces f{s.force, 0};
   for (const WheelRailPatch& p : s.patches) f.load += p.normal_force;
   return f;
 }
@@ -106,30 +109,17 @@ double change(const Forces& a, const Forces& b) {
   return std::max(std::abs(a.force.x - b.force.x), std::abs(a.force.y - b.force.y)) / (friction * b.load);
 }
 
-/// What remains of a change between two states after ten halvings.
-double jump_between(WheelRail& contact, double force, double low, Forces at_low, double high, Forces at_high) {
-  for (int k = 0; k < 10; ++k) {
-    const double middle = (low + high) / 2;
-    const Forces there = forces_at(contact, middle, force);
-    if (!there.ok) return 0;
-    if (change(at_low, there) > change(there, at_high))
-      high = middle, at_high = there;
-    else
-      low = middle, at_low = there;
-  }
-  return change(at_low, at_high);
-}
-
 Sweep sweep(WheelRail& contact, double from, double to, double step, double force, double limit) {
   Sweep sweep;
-  Forces before;
+  const auto at = [&](double y) { return forces_at(contact, y, force); };
+  std::optional<Forces> before;
   for (double y = from; y <= to; y += step, ++sweep.states) {
-    const Forces here = forces_at(contact, y, force);
-    if (!here.ok) ++sweep.failed;
-    if (here.ok && before.ok && change(before, here) > limit) {
+    const std::optional<Forces> here = at(y);
+    if (!here) ++sweep.failed;
+    if (here && before && change(*before, *here) > limit) {
       ++sweep.beyond;
-      sweep.largest = std::max(sweep.largest, change(before, here));
-      sweep.jump = std::max(sweep.jump, jump_between(contact, force, y - step, before, y, here));
+      sweep.largest = std::max(sweep.largest, change(*before, *here));
+      sweep.jump = std::max(sweep.jump, jump_between(y - step, y, 10, at, change));
     }
     before = here;
   }

@@ -52,7 +52,7 @@ private:
 /// Rows of equal width in a patch's frame that bear what the given rows bear, which are of any width. Lengths, middles,
 /// friction and creepages are means over the load.
 std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFrame& frame) {
-  constexpr int count = 15;
+  constexpr int count = 40; // narrower than the given rows, so that few of them are cut
   const auto loaded = [](const LoadedRow& row) { return row.load > 0; };
   const auto first = std::find_if(rows.begin(), rows.end(), loaded);
   const auto last = std::find_if(rows.rbegin(), rows.rend(), loaded);
@@ -131,19 +131,13 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Regions and virtual penetration of the wheel lowered by `depth` [m] from where it first touches, which it was
-/// searched for.
-void CoarseContact::lower_to(const WheelState<double>& state, double depth) {
+/// Regions and rows of the wheel lowered by `depth` [m] from where it first touches, which it was searched for.
+void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
   if (depth > searched_) search(state, 2 * depth);
   put(state, state.vertical - clearance_ - depth);
   depth_ = depth;
   regions_ = search_.regions(clearance_ + depth);
   penetration_.sample(placement_, regions_.first(std::min(regions_.size(), most_rows)), depth);
-}
-
-/// Rows of the wheel lowered by `depth` [m].
-void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
-  lower_to(state, depth);
   complete_ = rows_.place(placement_, regions_, penetration_);
   normal_rows_.clear();
   for (const ContactRow& row : rows_.rows()) {
@@ -274,18 +268,6 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
   return hertz_from_load(gap, bodies_.material, vertical_force / cosine).approach / cosine;
 }
 
-/// The depth below the first touch from which the search for a vertical force starts: where the virtual penetration
-/// bears it. A continuous function of the state.
-double CoarseContact::bearing_depth(const WheelState<double>& state, double vertical_force) {
-  constexpr double typical = 1.5; // curvature [1/m] across a wheel's contact
-  const GapCurvatures gap{1 / (2 * placement_.radius), typical};
-  for (double reach = 2 * hertz_from_load(gap, bodies_.material, vertical_force).approach;; reach *= 2) {
-    lower_to(state, std::min(reach, deepest_));
-    const double depth = penetration_.bearing_depth(bodies_.material, placement_.radius, vertical_force);
-    if (depth < reach || !(reach < deepest_)) return depth;
-  }
-}
-
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
   constexpr double first_search = 3e-4; // [m]
@@ -299,9 +281,8 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
     if (clearance_ < 0) lower(state, -clearance_, out);
     return;
   }
-  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1),
-                      hertzian_lowering(touch, *vertical_force));
-  const double start = bearing_depth(state, *vertical_force);
+  const double start = hertzian_lowering(touch, *vertical_force);
+  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
   if (!settle(state, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
 }
 
@@ -361,13 +342,12 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
 /// carries it only if nothing else does. Heights at which the pressures are not found do not count.
 void CoarseContact::bracket(const WheelState<double>& state, double vertical_force, double start,
                             WheelRailSolution& out) {
-  constexpr double growth = 1.5, precision = 1e-11, least = 1e-5; // [-], [m], of the deepest one
+  constexpr double growth = 1.5, precision = 1e-11; // [-], [m]
   const auto missing = [&](double depth) { return lower(state, depth, out) / vertical_force - 1; };
   RootSide before{0, -1}, nearest{0, std::numeric_limits<double>::infinity()};
   std::optional<RootSide> jump;
   warm_ = false;
-  const double first = start > least * deepest_ ? start / 16 : least * deepest_;
-  for (double depth = first; before.at < deepest_; depth *= growth) {
+  for (double depth = start / 16; before.at < deepest_; depth *= growth) {
     const double at = std::min(depth, deepest_);
     const RootSide here{at, missing(at)};
     if (out.status == Status::not_converged) {

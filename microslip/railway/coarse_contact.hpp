@@ -79,7 +79,6 @@ public:
 private:
   void put(const WheelState<double>& state, double vertical);
   ContactPoint search(const WheelState<double>& state, double reach);
-  void lower_to(const WheelState<double>& state, double depth);
   void place_rows(const WheelState<double>& state, double depth);
   struct Loads {
     double lowering = 0;  ///< by how much the wheel is still to be lowered [m]
@@ -96,7 +95,6 @@ private:
   void bracket(const WheelState<double>& state, double vertical_force, double start, WheelRailSolution& out);
   double vertical_force() const;
   double hertzian_lowering(const ContactPoint& point, double vertical_force) const;
-  double bearing_depth(const WheelState<double>& state, double vertical_force);
 
   const WheelRailBodies& bodies_;
   WheelRailMethod method_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "microslip/elasticity/material.hpp"
 #include "microslip/railway/contact_search.hpp"
 #include "microslip/railway/profile.hpp"
 #include "microslip/railway/wheel_locus.hpp"
@@ -23,7 +22,6 @@ public:
   struct Sample {
     double s = 0, wheel_s = 0; ///< parameters of the profiles [m]
     double overlap = 0;        ///< vertical [m]
-    double slope = 0;          ///< of the wheel's surface against the rail's, a sine
     double level = 1;          ///< cosine of the rail's inclination
     double curvature = 0;      ///< of both surfaces against each other up to the next sample [1/m], >= 0
     bool last = false;         ///< of its region
@@ -46,15 +44,8 @@ public:
       if (!samples_[k].last) f(k, samples_[k], samples_[k + 1]);
   }
 
-  /// Depth below the first touch at which an overlap of this area would bear a vertical force [N]: F = E*/sqrt(2)
-  /// r^(1/4) (1 + 0.0225 ln^2 r) int z ds, exact to 1 % for Hertz's contacts with a ratio of curvatures r from 1/100 to
-  /// 100; r is that of the parabola with the overlap's area and mean depth and the wheel's radius [m]. Continuous;
-  /// depth() at most.
-  double bearing_depth(const CombinedMaterial& material, double radius, double vertical_force) const;
-
 private:
-  double force_at(double depth, double modulus, double radius) const;
-  void add(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, double s, double wheel_s);
+  double add(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, double s, double wheel_s);
 
   const Profile* rail_;
   const Profile* wheel_;
