@@ -1,7 +1,6 @@
 #include "c/contact.hpp"
 #include "c/problem.hpp"
 #include "io/case_file.hpp"
-#include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 
 #include <cmath>
@@ -20,9 +19,7 @@ public:
 
   Ending differentiate(const io::CaseInputs& inputs, const Progress& progress, std::span<double, 9> jacobian) override {
     const RollingProblem problem = read(inputs);
-    const Motion& motion = problem.motion;
-    if (motion.kind != ContactMotion::steady || motion.force_x || motion.force_y)
-      throw Error("derivatives: of steady rolling with creepages given only");
+    require_differentiable(problem);
     const ExactDerivatives found = solver_->differentiate(problem, progress);
     const bool has_result = std::isfinite(found.solution.totals.fx);
     for (std::size_t k = 0; k < jacobian.size(); ++k)

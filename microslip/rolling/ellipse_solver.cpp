@@ -52,13 +52,6 @@ void check(const RollingProblem& problem, const EllipticContact& contact) {
   if (problem.friction.temperature_effect) check(*problem.friction.temperature_effect);
 }
 
-void require_differentiable(const RollingProblem& p) {
-  if (needs_sequence(p))
-    throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
-  if (needs_classical(p) || p.motion.kind != ContactMotion::steady || p.motion.force_x || p.motion.force_y)
-    throw Error("the exact theory has derivatives for steady rolling with creepages given only");
-}
-
 } // namespace
 
 /// How the problem is solved. Throws Error if that needs more memory than the machine has.

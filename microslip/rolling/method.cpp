@@ -134,6 +134,13 @@ bool needs_classical(const RollingProblem& p) {
   return !fitted || p.motion.step != 0 || needs_sequence(p);
 }
 
+void require_differentiable(const RollingProblem& p) {
+  if (needs_sequence(p))
+    throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
+  if (needs_classical(p) || !is_steady(p) || p.motion.force_x || p.motion.force_y)
+    throw Error("the exact theory has derivatives for steady rolling with creepages given only");
+}
+
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method) {
   if (needs_classical(problem)) return Discretisation::classical;
   return method.discretisation.value_or(Discretisation::second_order);

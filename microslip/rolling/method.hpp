@@ -59,6 +59,9 @@ bool needs_sequence(const RollingProblem& problem);
 /// rolling of a gap on a grid.
 bool needs_classical(const RollingProblem& problem);
 
+/// Throws Error for a problem by the exact theory that has no derivatives by the creepages.
+void require_differentiable(const RollingProblem& problem);
+
 /// Options that follow from the method for this problem.
 Discretisation discretisation_of(const RollingProblem& problem, const Method& method);
 ElementShape elements_of(const RollingProblem& problem, const Method& method);

@@ -109,7 +109,7 @@ struct Solver::Kept {
   Method method;
   EllipseSolver exact;
   std::optional<AccurateContactSolver> accurate;
-  int finest = 1; ///< elements across of what that found last
+  int finest = 0; ///< elements across of what that found last
   std::optional<KeptPatch> patch;
   TransformPlans plans; ///< of patches
   ContactSequence sequence;
@@ -209,6 +209,7 @@ GapValues Solver::deformed_gap(const RollingProblem& problem, const Progress& pr
   if (kept_->method.theory != Theory::exact) throw Error("deformed gap: needs the exact theory");
   if (is_hertzian(problem) && !kept_->method.accuracy) return kept_->exact.deformed_gap(problem, progress);
   if (is_hertzian(problem)) {
+    if (kept_->finest == 0) throw Error("deformed gap: with an accuracy, of the problem last solved, and none was");
     Method on_finest = kept_->method;
     on_finest.accuracy.reset();
     on_finest.mx = on_finest.my = kept_->finest;
