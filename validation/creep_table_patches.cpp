@@ -252,7 +252,7 @@ void Comparison::add(const Patch& patch, const CreepForceTable& table,
     std::vector<LoadedRow> rows = patch.rows;
     for (LoadedRow& row : rows) row.creepage = {w.longitudinal - w.spin * row.y, w.lateral, w.spin};
     std::vector<RowForces> forces(rows.size());
-    by_rows.solve(steel, rows, {}, 1, forces);
+    by_rows.solve(steel, rows, 1, forces);
     errors[0].add(total(rows, forces, capacity, c), *wanted);
     errors[1].add(look_up(patch.a, patch.b, w), *wanted);
     errors[2].add(look_up(scale * longest, scale * width, w), *wanted);

@@ -106,9 +106,8 @@ CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMetho
                              const NominalPlacement& nominal, const EquivalentRail* equivalent)
     : bodies_(bodies), method_(method), nominal_(nominal), equivalent_(equivalent), search_(bodies.rail, bodies.wheel),
       penetration_(bodies.rail, bodies.wheel, most_rows), rows_(bodies.rail, bodies.wheel, most_rows, equivalent),
-      normal_(most_rows), hertz_(most_rows), forward_(cells, most_rows),
-      backward_(cells, most_rows, RollingDirection::backward), shear_(most_rows), speed_(most_rows), load_(most_rows),
-      half_length_(most_rows), centre_(most_rows), loaded_(most_rows), flat_rows_(most_rows), forces_(most_rows),
+      normal_(most_rows), forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward),
+      shear_(most_rows), speed_(most_rows), loaded_(most_rows), flat_rows_(most_rows), forces_(most_rows),
       flat_forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
@@ -146,80 +145,56 @@ void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
   }
 }
 
-/// Loads of the rows in their positions: after Hertz, by the normal problem of the rows, or in between.
-CoarseContact::Loads CoarseContact::find_loads(std::optional<double> vertical_force, int steps) {
-  constexpr double shortest = 1e-9; // [m]
-  const double hertzian = hertz_.fit(rows_.rows());
-  // In between it is the forces in the same position that are mixed.
-  const std::optional<double> goal = vertical_force;
-  if (hertzian > 0 && hertzian < 1) vertical_force.reset();
-  Loads found;
-  const auto add = [&](double share, std::span<const double> loads, std::span<const double> half_lengths,
-                       auto&& centre) {
-    for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
-      load_[k] += share * loads[k], centre_[k] += share * centre(k);
-      // Squares of half-lengths grow with the loads; rows without load have none.
-      if (loads[k] > 0) half_length_[k] += share * half_lengths[k] * half_lengths[k];
-    }
-  };
-  const std::size_t n = normal_rows_.size();
-  std::fill_n(load_.begin(), n, 0.0), std::fill_n(half_length_.begin(), n, 0.0), std::fill_n(centre_.begin(), n, 0.0);
-  if (hertzian > 0) {
-    found.lowering = hertzian * hertz_.load(bodies_.material, normal_rows_, vertical_force);
-    found.stiffness = hertzian * hertz_.stiffness();
-    add(hertzian, hertz_.loads(), hertz_.half_lengths(), [&](std::size_t k) { return hertz_.centres()[k]; });
-  }
-  find_ellipse(hertzian);
-  if (hertzian < 1) {
-    const RowNormal::Result rest = normal_.solve(bodies_.material, normal_rows_, vertical_force, warm_, steps);
-    warm_ = true;
-    found.lowering += (1 - hertzian) * rest.lowering, found.stiffness += (1 - hertzian) * rest.stiffness;
-    found.change = rest.status == Status::ok ? 0 : rest.change;
-    add(1 - hertzian, normal_.loads(), normal_.half_lengths(), [&](std::size_t k) { return normal_rows_[k].place.x; });
-  }
-  for (std::size_t k = 0; k < n; ++k) half_length_[k] = std::max(std::sqrt(half_length_[k]), shortest);
-  if (goal && !vertical_force) {
-    double vertical = 0;
-    for (std::size_t k = 0; k < n; ++k) vertical += load_[k] * normal_rows_[k].vertical_weight();
-    found.lowering = (*goal - vertical) / found.stiffness;
-    if (vertical > 0)
-      for (std::size_t k = 0; k < n; ++k) load_[k] *= *goal / vertical;
-  }
-  const double numbers =
-      std::accumulate(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(n), found.lowering) +
-      std::accumulate(half_length_.begin(), half_length_.begin() + static_cast<std::ptrdiff_t>(n), found.stiffness);
-  if (std::isfinite(numbers) && found.stiffness > 0) return found;
-  // No solution, as for contacts larger than their bodies: less depth, from the beginning.
-  std::fill_n(load_.begin(), n, 0.0), std::fill_n(half_length_.begin(), n, 1e-6);
-  warm_ = false;
-  return {-0.3 * depth_, goal.value_or(1) / depth_, 1};
+/// Loads of the rows in their positions.
+RowNormal::Result CoarseContact::find_loads(std::optional<double> vertical_force, int steps) {
+  RowNormal::Result found = normal_.solve(bodies_.material, normal_rows_, vertical_force, warm_, steps);
+  const bool has_loads = std::isfinite(found.lowering) && std::isfinite(found.change) &&
+                         std::isfinite(found.stiffness) && found.stiffness > 0;
+  warm_ = has_loads;
+  if (!has_loads) // as for contacts larger than their bodies: less depth, from the beginning
+    found = {-0.3 * depth_, vertical_force.value_or(1) / depth_, 1, Status::not_converged, found.steps};
+  if (found.status == Status::ok) found.change = 0;
+  return found;
 }
 
-/// Hertz's ellipse of the last loads, under the rows that it was fitted to: those of one region.
-void CoarseContact::find_ellipse(double hertzian) {
-  ellipse_ = {hertz_.half_length(), hertz_.half_width(), hertzian};
-  if (!(hertzian > 0)) return;
-  for (std::size_t k = 0; k < normal_rows_.size(); ++k)
-    if (hertz_.has(k) && ellipse_.count++ == 0) ellipse_.first = k;
+/// The gap at which a row takes its creepages: the least one of its patch [m]. Where two lobes of the overlap are all but
+/// parted, that of the deeper one counts in proportion to how deep the bodies overlap on the way to it, so that creepages
+/// are continuous where patches merge.
+double CoarseContact::contact_gap(std::size_t row) const {
+  constexpr double united = 2; // as for the shares of loads in LoadedRowSolver
+  const auto overlap = [&](std::size_t k) { return std::max(-normal_rows_[k].gap, 0.0); };
+  const double own = overlap(row);
+  double most = own, least = own;
+  const auto see = [&](std::size_t k) {
+    const double other = overlap(k);
+    least = std::min(least, other);
+    if (other > own) most = std::max(most, own + std::min(1.0, united * least / own) * (other - own));
+  };
+  for (std::size_t k = row + 1; k < normal_rows_.size() && rows_.rows()[k].joined && least > 0; ++k) see(k);
+  least = own;
+  for (std::size_t k = row; k-- > 0 && rows_.rows()[k + 1].joined && least > 0;) see(k);
+  return own > 0 ? -most : normal_rows_[row].gap;
 }
 
 /// Rows as FASTSIM2 takes them, with their creepages about x = 0 of the track axes.
 void CoarseContact::load_rows() {
+  constexpr double shortest = 1e-9; // [m]
   const PatchSurface surface = this->surface();
+  const bool has_loads = warm_;
   for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
     const ContactRow& row = rows_.rows()[k];
     const NormalRow& normal = normal_rows_[k];
-    const double load = load_[k] * normal.width;
+    const double load = has_loads ? normal_.loads()[k] * normal.width : 0;
     loaded_[k] = {.y = row.at.s,
                   .width = normal.width,
-                  .centre = centre_[k],
-                  .half_length = half_length_[k],
+                  .centre = normal.place.x,
+                  .half_length = std::max(normal_.half_lengths()[k], shortest),
                   .load = load,
                   .friction = friction(normal.angle),
                   .joined = row.joined};
     if (!(load > 0)) continue;
     speed_[k] = rolling_speed(placement_, normal.place);
-    loaded_[k].creepage = surface.creepage({}, PatchShape::curved, row.at, normal.gap, speed_[k]);
+    loaded_[k].creepage = surface.creepage({}, PatchShape::curved, row.at, contact_gap(k), speed_[k]);
   }
 }
 
@@ -228,7 +203,7 @@ double CoarseContact::roll() {
   load_rows();
   const std::span<const LoadedRow> loaded(loaded_.data(), normal_rows_.size());
   if (look_up_)
-    look_up_->solve(bodies_.material, loaded, ellipse_, rolls_forward() ? 1 : -1, forces_);
+    look_up_->solve(bodies_.material, loaded, rolls_forward() ? 1 : -1, forces_);
   else
     (rolls_forward() ? forward_ : backward_)
         .solve(bodies_.material.shear_modulus, bodies_.material.poisson_ratio, loaded, forces_);
@@ -298,7 +273,7 @@ double CoarseContact::lower(const WheelState<double>& state, double depth, Wheel
     return 0;
   }
   const bool warm = warm_;
-  Loads found = find_loads({}, most_steps);
+  RowNormal::Result found = find_loads({}, most_steps);
   if (warm && found.change > 0) {
     warm_ = false;
     found = find_loads({}, most_steps);
@@ -319,7 +294,8 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
     const bool first = ++out.iterations == 1;
     place_rows(state, depth);
     if (normal_rows_.empty() || !complete_) return false;
-    const Loads found = find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
+    const RowNormal::Result found =
+        find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "microslip/railway/contact_rows.hpp"
-#include "microslip/railway/hertzian_rows.hpp"
 #include "microslip/railway/patch_outline.hpp"
 #include "microslip/railway/row_look_up.hpp"
 #include "microslip/railway/row_normal.hpp"
@@ -80,13 +79,8 @@ private:
   void put(const WheelState<double>& state, double vertical);
   ContactPoint search(const WheelState<double>& state, double reach);
   void place_rows(const WheelState<double>& state, double depth);
-  struct Loads {
-    double lowering = 0;  ///< by how much the wheel is still to be lowered [m]
-    double stiffness = 0; ///< change of the vertical force with that [N/m]
-    double change = 0;    ///< of the loads in the last step, over the largest one; 0 where they have converged
-  };
-  Loads find_loads(std::optional<double> vertical_force, int steps);
-  void find_ellipse(double hertzian);
+  RowNormal::Result find_loads(std::optional<double> vertical_force, int steps);
+  double contact_gap(std::size_t row) const;
   void load_rows();
   double roll();
   ContactPatch patch_of(const ContactRegion& region, std::size_t first, std::size_t count) const;
@@ -104,14 +98,11 @@ private:
   VirtualPenetration penetration_;
   ContactRows rows_;
   RowNormal normal_;
-  HertzianRows hertz_;
   bool warm_ = false; ///< the normal problem has a solution at a nearby position
-  HertzianEllipse ellipse_;
   LoadedRowSolver forward_, backward_;
   std::optional<RowLookUp> look_up_; ///< at the level `table`
   std::vector<NormalRow> normal_rows_;
-  std::vector<double> shear_, speed_;               ///< of the rows: force along s over the load, V [m/s]
-  std::vector<double> load_, half_length_, centre_; ///< of the rows: q [N/m], a, x [m]
+  std::vector<double> shear_, speed_; ///< of the rows: force along s over the load, V [m/s]
   std::vector<LoadedRow> loaded_, flat_rows_;
   std::vector<RowForces> forces_, flat_forces_;
   std::span<const ContactPoint> points_;

@@ -43,18 +43,13 @@ RowLookUp::RowLookUp(std::shared_ptr<const CreepForceTable> table, std::size_t m
 }
 
 /// The patch that a row sees; the shares that it has of the rows are found.
-RowLookUp::Patch RowLookUp::patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row,
-                                     const HertzianEllipse& hertz) const noexcept {
+RowLookUp::Patch RowLookUp::patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows,
+                                     std::size_t row) const noexcept {
   const std::span<const double> shares(share_.data(), rows.size());
   const detail::LoadMoments moments(rows, shares);
-  PatchEllipse ellipse = ellipse_of(rows, shares, moments);
+  const PatchEllipse ellipse = ellipse_of(rows, shares, moments);
   Patch patch;
-  patch.row = row, patch.load = moments.load, patch.capacity = moments.capacity, patch.change = 1;
-  if (row >= hertz.first && row < hertz.first + hertz.count) {
-    ellipse.a += hertz.share * (hertz.a - ellipse.a);
-    ellipse.b += hertz.share * (hertz.b - ellipse.b);
-    patch.change = 1 - hertz.share;
-  }
+  patch.row = row, patch.load = moments.load, patch.capacity = moments.capacity;
   const double stretch = ellipse.stretch();
   patch.table = table_->solve({.a = ellipse.a * stretch,
                                .b = ellipse.b / stretch,
@@ -63,7 +58,6 @@ RowLookUp::Patch RowLookUp::patch_of(const CombinedMaterial& material, std::span
                                .normal_force = moments.load,
                                .friction = FrictionLaw::coulomb(moments.capacity / moments.load),
                                .creepage = moments.creepage});
-  if (!(patch.change > 0)) return patch;
   patch.strips = RowStrips(material, ellipse, moments.capacity);
   patch.ellipse = patch.strips.ellipse(moments.creepage);
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -72,35 +66,33 @@ RowLookUp::Patch RowLookUp::patch_of(const CombinedMaterial& material, std::span
 }
 
 /// The patches of all rows, and the forces of their strips.
-void RowLookUp::find_patches(const CombinedMaterial& material, const HertzianEllipse& hertz) noexcept {
+void RowLookUp::find_patches(const CombinedMaterial& material) noexcept {
   const std::span<double> shares(share_.data(), rows_.size()), before(share_before_.data(), rows_.size());
-  const auto is_hertzian = [&](std::size_t k) { return k >= hertz.first && k < hertz.first + hertz.count; };
   patches_.resize(1);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     patch_of_[k] = 0, strip_[k] = {};
     if (!(rows_[k].load > 0)) continue;
     detail::find_shares(rows_, k, shares);
     // Rows of one hump have the same shares.
-    if (patches_.size() == 1 || is_hertzian(k) != is_hertzian(patches_.back().row) ||
-        !std::equal(shares.begin(), shares.end(), before.begin()))
-      patches_.push_back(patch_of(material, rows_, k, hertz));
+    if (patches_.size() == 1 || !std::equal(shares.begin(), shares.end(), before.begin()))
+      patches_.push_back(patch_of(material, rows_, k));
     std::copy(shares.begin(), shares.end(), before.begin());
     const Patch& patch = patches_.back();
     patch_of_[k] = patches_.size() - 1;
-    if (patch.change > 0) strip_[k] = patch.strips.row(rows_[k], patch.strip_stiffness);
+    strip_[k] = patch.strips.row(rows_[k], patch.strip_stiffness);
   }
 }
 
 /// The strips may make a patch's force larger than the table's, which is below mu Fn: of what is left to mu Fn they
 /// take x/(1 + x^4)^(1/4), x what they would take of it.
-double RowLookUp::bound_of(const Patch& patch) noexcept {
-  if (!(patch.change > 0)) return 1;
+double RowLookUp::bound_of(std::size_t index) noexcept {
+  if (index == 0) return 1;
+  const Patch& patch = patches_[index];
   const std::span<double> shares(share_.data(), rows_.size());
   detail::find_shares(rows_, patch.row, shares);
-  double fx = patch.table.fx - patch.change * patch.ellipse.fx, fy = patch.table.fy - patch.change * patch.ellipse.fy;
+  double fx = patch.table.fx - patch.ellipse.fx, fy = patch.table.fy - patch.ellipse.fy;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const double part = shares[k] * patches_[patch_of_[k]].change;
-    fx += part * strip_[k].fx, fy += part * strip_[k].fy;
+    fx += shares[k] * strip_[k].fx, fy += shares[k] * strip_[k].fy;
   }
   const double before = std::hypot(patch.table.fx, patch.table.fy), length = std::hypot(fx, fy),
                left = patch.capacity - before;
@@ -109,25 +101,25 @@ double RowLookUp::bound_of(const Patch& patch) noexcept {
   return (before + left * x / std::sqrt(std::sqrt(1 + x * x * x * x))) / length;
 }
 
-void RowLookUp::solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
-                      double side, std::span<RowForces> forces) noexcept {
+void RowLookUp::solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, double side,
+                      std::span<RowForces> forces) noexcept {
   rows_.resize(rows.size());
   std::transform(rows.begin(), rows.end(), rows_.begin(),
                  [side](const LoadedRow& row) { return side < 0 ? mirrored(row) : row; });
-  find_patches(material, hertz);
-  for (Patch& patch : patches_) patch.bound = bound_of(patch);
+  find_patches(material);
+  for (std::size_t k = 0; k < patches_.size(); ++k) patches_[k].bound = bound_of(k);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const LoadedRow& row = rows_[k];
     forces[k] = {};
     if (!(row.load > 0)) continue;
     const Patch& patch = patches_[patch_of_[k]];
     const ContactForces& table = patch.table;
-    const double part = row.load / patch.load, change = patch.change;
-    const double fx = part * (table.fx - change * patch.ellipse.fx) + change * strip_[k].fx;
-    const double fy = part * (table.fy - change * patch.ellipse.fy);
-    const double mz = part * (table.mz - change * patch.ellipse.mz) + row.centre * fy + change * strip_[k].mz;
+    const double part = row.load / patch.load;
+    const double fx = part * (table.fx - patch.ellipse.fx) + strip_[k].fx;
+    const double fy = part * (table.fy - patch.ellipse.fy);
+    const double mz = part * (table.mz - patch.ellipse.mz) + row.centre * fy + strip_[k].mz;
     const double area = table.adhesion_area + table.slip_area;
-    forces[k] = {side * patch.bound * fx, patch.bound * (fy + change * strip_[k].fy), side * patch.bound * mz,
+    forces[k] = {side * patch.bound * fx, patch.bound * (fy + strip_[k].fy), side * patch.bound * mz,
                  2 * row.half_length * row.width * (area > 0 ? table.slip_area / area : 0)};
   }
 }

@@ -11,18 +11,11 @@
 
 namespace microslip {
 
-/// Hertz's ellipse under some of a contact's rows, as far as it is one.
-struct HertzianEllipse {
-  double a = 0, b = 0;              ///< half the length of its middle row, half its width [m]
-  double share = 0;                 ///< how far Hertz's solution holds, 0 to 1
-  std::size_t first = 0, count = 0; ///< its rows
-};
-
 /// Tangential forces of rows from a creep-force table: those of an ellipse that stands for their patch, and what the
 /// patch's shape changes in them by RowStrips, (C4). The ellipse has b = sqrt(5) times the radius of inertia of the
 /// load across, a such that the squared half-lengths have the ellipse's integral, 4/3 a^2 b (on an ellipse that of the
 /// ellipse, to third order in the rows' width), and the slant that a straight line has through the middles of the rows,
-/// weighted by their loads. Where a contact is Hertzian it is Hertz's, and nothing is changed in its forces. Load and
+/// weighted by their loads. On an ellipse the patch's shape changes nothing but what few rows do not tell. Load and
 /// friction are those of the patch, creepages the means over its load. A row has the force of its strip, and in
 /// proportion to its load what the ellipse has beyond its strips. Forces of a patch stay below its friction limit.
 ///
@@ -35,8 +28,8 @@ public:
 
   /// Forces of at most `most_rows` rows into an array of that size; rows without load have none. `side` is -1 for
   /// rolling backward, else 1. Cost some 1 us for each look-up and 0.1 us for each row.
-  void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, const HertzianEllipse& hertz,
-             double side, std::span<RowForces> forces) noexcept;
+  void solve(const CombinedMaterial& material, std::span<const LoadedRow> rows, double side,
+             std::span<RowForces> forces) noexcept;
 
   /// Returns whether a row's ellipse was in the table's range.
   bool in_range(std::size_t row) const { return patches_[patch_of_[row]].table.status == Status::ok; }
@@ -46,18 +39,16 @@ private:
   struct Patch {
     std::size_t row = 0; ///< the first one that sees it
     double load = 0, capacity = 0;
-    ContactForces table;        ///< of its ellipse
-    double change = 0;          ///< how far the strips count, 0 where it is Hertzian, to 1
-    RowStrips strips;           ///< only if they count
+    ContactForces table; ///< of its ellipse
+    RowStrips strips;
     double strip_stiffness = 0; ///< of all its rows
     RowForces ellipse;          ///< that of its ellipse's strips
     double bound = 1;           ///< what its forces are multiplied with to stay below what friction bears
   };
 
-  Patch patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row,
-                 const HertzianEllipse& hertz) const noexcept;
-  void find_patches(const CombinedMaterial& material, const HertzianEllipse& hertz) noexcept;
-  double bound_of(const Patch& patch) noexcept;
+  Patch patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row) const noexcept;
+  void find_patches(const CombinedMaterial& material) noexcept;
+  double bound_of(std::size_t patch) noexcept;
 
   std::shared_ptr<const CreepForceTable> table_;
   std::vector<double> share_, share_before_;

@@ -11,28 +11,30 @@ namespace microslip {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Rows without load have the half-length of this share of the largest load, for the case that they come into contact.
-constexpr double first_load = 1e-2;
-/// Rows with less than this share of another row's load enter that row's curvature in proportion.
-constexpr double full_share = 0.06;
+/// Share of the largest load below which a row's half-length in the influences falls no further.
+constexpr double least_load = 3e-3;
+/// Shares of a neighbour's load between which a row's kappa becomes its own.
+constexpr double held_share = 0.05, free_share = 0.3;
 
 } // namespace
 
 RowNormal::RowNormal(std::size_t most_rows) {
   for (std::vector<double>* matrix :
-       {&distance_, &cosine_, &influence_matrix_, &by_kappa_, &curvature_by_load_, &system_})
+       {&distance_, &cosine_, &gap_by_load_, &gap_by_kappa_, &turn_by_load_, &turn_by_kappa_})
     matrix->resize(most_rows * most_rows);
-  for (std::vector<double>* row : {&load_, &log_kappa_, &half_length_, &width_, &s_, &level_, &weight_, &root_load_,
-                                   &next_load_, &right_, &per_lowering_, &displacement_, &residual_, &slope_})
+  system_.resize(4 * most_rows * most_rows);
+  for (std::vector<double>* row : {&load_, &log_kappa_, &width_, &s_, &half_length_, &by_load_, &level_, &weight_,
+                                   &sine_, &gap_, &turn_, &next_load_, &change_})
     row->resize(most_rows);
+  right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
   in_contact_.resize(most_rows);
-  active_.reserve(most_rows), loaded_.reserve(most_rows), near_.reserve(most_rows);
+  active_.reserve(most_rows), near_.reserve(most_rows), beside_.resize(most_rows);
 }
 
 void RowNormal::set_up(std::span<const NormalRow> rows) {
   for (std::size_t j = 0; j < count_; ++j) {
-    const double cosine = std::cos(rows[j].angle), sine = std::sin(rows[j].angle);
-    width_[j] = rows[j].width, s_[j] = rows[j].s, level_[j] = cosine, slope_[j] = sine;
+    width_[j] = rows[j].width, s_[j] = rows[j].s;
+    level_[j] = std::cos(rows[j].angle), sine_[j] = std::sin(rows[j].angle);
     weight_[j] = rows[j].vertical_weight();
   }
   for (std::size_t j = 0; j < count_; ++j)
@@ -42,7 +44,7 @@ void RowNormal::set_up(std::span<const NormalRow> rows) {
       const double across = way.y * way.y + way.z * way.z, square = across + way.x * way.x;
       const double reach = std::max(-rows[k].gap, 0.0) / (2 * rows[k].curvature);
       at(distance_, j, k) = std::sqrt(across + way.x * way.x * square / (square + reach + 1e-30));
-      at(cosine_, j, k) = level_[j] * level_[k] + slope_[j] * slope_[k];
+      at(cosine_, j, k) = level_[j] * level_[k] + sine_[j] * sine_[k];
     }
 }
 
@@ -69,24 +71,25 @@ bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
     while (old + 1 < count_ && rows[k].s > s_[old] + width_[old] / 2) ++old;
     const bool inside = std::abs(rows[k].s - s_[old]) <= 0.5001 * width_[old];
     next_load_[k] = inside ? load_[old] : 0;
-    residual_[k] = log_kappa_[old];
+    change_[k] = log_kappa_[old];
     in_contact_[k] = next_load_[k] > 0;
     any |= next_load_[k] > 0;
   }
   std::copy_n(next_load_.begin(), rows.size(), load_.begin());
-  std::copy_n(residual_.begin(), rows.size(), log_kappa_.begin());
+  std::copy_n(change_.begin(), rows.size(), log_kappa_.begin());
   return any;
 }
 
 void RowNormal::find_half_lengths() {
-  const double first =
-      first_load * *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
-  loaded_.clear();
+  largest_ = *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
   for (std::size_t j = 0; j < count_; ++j) {
-    const bool loaded = load_[j] > 0;
-    if (loaded) loaded_.push_back(j);
-    half_length_[j] = std::sqrt(2 * (loaded ? load_[j] : first) / pi * std::exp(-log_kappa_[j]));
+    // (q + root)/2, a smooth max(q, least).
+    const double root = std::sqrt(load_[j] * load_[j] + 4 * std::pow(least_load * largest_, 2));
+    half_length_[j] = std::sqrt((load_[j] + root) / pi * std::exp(-log_kappa_[j])), by_load_[j] = 0.5 / root;
   }
+}
+
+void RowNormal::find_near() {
   near_.clear();
   bool any = false;
   for (std::size_t k = 0; k < count_; ++k) any |= in_contact_[k] || load_[k] > 0;
@@ -95,120 +98,157 @@ void RowNormal::find_half_lengths() {
     if (taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1))) near_.push_back(j);
 }
 
-/// U of a pair of rows.
-double RowNormal::displacement_under(std::size_t j, std::size_t k) const {
-  const double inverse = 1 / half_length_[k], d = at(distance_, j, k), half = width_[k] / 2;
-  return unit_ * 2 / pi * at(cosine_, j, k) *
-         (influence_.at((d + half) * inverse).phi - influence_.at((d - half) * inverse).phi);
-}
-
-/// U and, unless it is to be linear in q, its derivatives with respect to q and ln(kappa), with a^2 = 2 q/(pi kappa):
-/// d(U q)/dq = C 2/pi (Phi - delta f/2), d(U q)/d ln(kappa) = C 2/pi q delta f/2, between both edges of the strip.
-void RowNormal::find_influences(bool linear) {
+/// e, the residual ln(-2 T/(A a^2)) of ln(kappa), T = sum of dU/d(ln a) q, and the derivatives of both, with
+/// ln(a) = ln(2 q/(pi kappa))/2.
+void RowNormal::find_influences(std::span<const NormalRow> rows) {
   for (std::size_t j : near_) {
-    displacement_[j] = 0;
+    double displacement = 0, turn = 0, turn_by_own = 0;
     for (std::size_t k : near_) {
-      const double inverse = 1 / half_length_[k], d = at(distance_, j, k), half = width_[k] / 2;
-      const double high = (d + half) * inverse, low = (d - half) * inverse;
-      const RowInfluence::Values outer = influence_.at(high), inner = influence_.at(low);
-      const double factor = unit_ * 2 / pi * at(cosine_, j, k);
-      const double u = factor * (outer.phi - inner.phi);
-      const double turn = linear ? 0 : factor / 2 * (high * outer.f - low * inner.f);
-      if (load_[k] > 0) displacement_[j] += u * load_[k];
-      at(influence_matrix_, j, k) = u - turn;
-      at(by_kappa_, j, k) = turn * load_[k];
+      const double d = at(distance_, j, k), half = width_[k] / 2, load = load_[k];
+      const RowInfluence::Values v = influence_.between(d - half, d + half, half_length_[j], half_length_[k]);
+      const double factor = unit_ * at(cosine_, j, k);
+      displacement += factor * v.p * load, turn -= factor * v.by_a * load, turn_by_own -= factor * v.by_aa * load;
+      at(gap_by_load_, j, k) = factor * (v.p + load * v.by_b * by_load_[k]);
+      at(gap_by_kappa_, j, k) = -factor * load * v.by_b / 2;
+      at(turn_by_load_, j, k) = -factor * (v.by_a + load * v.by_ab * by_load_[k]);
+      at(turn_by_kappa_, j, k) = factor * load * v.by_ab / 2;
+    }
+    const double curvature = rows[j].curvature * half_length_[j] * half_length_[j];
+    gap_[j] = rows[j].gap + curvature / 4 + displacement;
+    turn_[j] = std::log(2 * turn / curvature);
+    for (std::size_t k : near_) at(turn_by_load_, j, k) /= turn, at(turn_by_kappa_, j, k) /= turn;
+    const double by_own = turn_by_own / turn - 2;
+    at(turn_by_load_, j, j) += by_own * by_load_[j], at(turn_by_kappa_, j, j) -= by_own / 2;
+    // What a_j does to e_j vanishes with the other condition.
+    const double by_length = curvature / 2 - turn;
+    at(gap_by_load_, j, j) += by_length * by_load_[j], at(gap_by_kappa_, j, j) -= by_length / 2;
+  }
+}
+
+/// The neighbour of each row that bears more than it, or the row itself.
+void RowNormal::find_neighbours() {
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const std::size_t j = near_[i];
+    beside_[j] = j;
+    for (const std::size_t next : {i - 1, i + 1}) {
+      if (next >= near_.size()) continue;
+      const std::size_t k = near_[next];
+      if (at(distance_, j, k) < 0.75 * (width_[j] + width_[k]) && load_[k] > load_[beside_[j]]) beside_[j] = k;
     }
   }
 }
 
-/// Residuals ln(C kappa S/(2 A)), S = sum of tau Psi between the edges of each strip, tau = min(1, q_k/(0.06 q_j)),
-/// with all kappa equal to that of the row, and their derivatives.
-void RowNormal::find_curvatures(std::span<const NormalRow> rows, bool alone) {
-  for (std::size_t k : near_) root_load_[k] = half_length_[k] * std::exp(log_kappa_[k] / 2);
+/// ln(kappa/A) of a row less that of its neighbour.
+double RowNormal::apart_from_neighbour(std::span<const NormalRow> rows, std::size_t j) const {
+  const std::size_t k = beside_[j];
+  return log_kappa_[j] - log_kappa_[k] - std::log(rows[j].curvature / rows[k].curvature);
+}
+
+/// Rows with little load beside a neighbour have the neighbour's kappa over A.
+void RowNormal::hold_to_neighbours(std::span<const NormalRow> rows) {
   for (std::size_t j : near_) {
-    const double root = std::exp(log_kappa_[j] / 2);
-    double sum = 0, by_own = 0, by_load = 0;
-    for (std::size_t k : near_) {
-      const double inverse = root / root_load_[k], d = at(distance_, j, k), half = width_[k] / 2;
-      const double high = (d + half) * inverse, low = (d - half) * inverse;
-      const RowInfluence::Values outer = influence_.at(high), inner = influence_.at(low);
-      const double strip = at(cosine_, j, k) * (outer.psi - inner.psi);
-      if (!(load_[k] > 0)) {
-        if (!alone) at(curvature_by_load_, j, k) = load_[j] > 0 ? strip / (full_share * load_[j]) : 0;
-        continue;
-      }
-      const bool full = load_[k] >= full_share * load_[j];
-      const double share = full ? 1 : load_[k] / (full_share * load_[j]), part = share * strip;
-      const double turn = share * at(cosine_, j, k) / 2 * (high * outer.curvature - low * inner.curvature);
-      const double by_share = full ? 0 : part;
-      sum += part, by_own += turn, by_load += by_share;
-      if (!alone) at(curvature_by_load_, j, k) = (by_share - turn) / load_[k];
-    }
-    residual_[j] = log_kappa_[j] + std::log(unit_ * sum / (2 * rows[j].curvature));
-    slope_[j] = 1 + by_own / sum;
-    if (alone) continue;
-    for (std::size_t k : near_) at(curvature_by_load_, j, k) /= sum;
-    if (load_[j] > 0) at(curvature_by_load_, j, j) -= by_load / (load_[j] * sum);
+    const std::size_t other = beside_[j];
+    if (other == j) continue;
+    const double own = std::clamp((load_[j] / load_[other] - held_share) / (free_share - held_share), 0.0, 1.0);
+    if (own == 1) continue;
+    const double apart = apart_from_neighbour(rows, j);
+    const double by_share = own > 0 ? (turn_[j] - apart) / ((free_share - held_share) * load_[other]) : 0;
+    turn_[j] = own * turn_[j] + (1 - own) * apart;
+    for (std::size_t k : near_) at(turn_by_load_, j, k) *= own, at(turn_by_kappa_, j, k) *= own;
+    at(turn_by_load_, j, j) += by_share, at(turn_by_load_, j, other) -= by_share * load_[j] / load_[other];
+    at(turn_by_kappa_, j, j) += 1 - own, at(turn_by_kappa_, j, other) -= 1 - own;
   }
 }
 
-/// The Newton matrix for q, and the right-hand side of M q = right + zeta cos(angle).
-void RowNormal::eliminate_curvatures(std::span<const NormalRow> rows, bool alone) {
+/// The same change of ln(kappa) for all rows, with which the mean of its residual vanishes, loads as weights.
+void RowNormal::change_alike() {
+  double sum = 0, by_all = 0;
   for (std::size_t j : near_) {
-    double* const row = &at(influence_matrix_, j, 0);
-    right_[j] = -rows[j].gap - displacement_[j];
-    for (std::size_t l : loaded_) {
-      if (alone) break;
-      const double factor = at(by_kappa_, j, l) / slope_[l];
-      const double* const curvature = &at(curvature_by_load_, l, 0);
-      for (std::size_t k : near_) row[k] -= factor * curvature[k];
-      right_[j] += factor * residual_[l];
-    }
-    for (std::size_t k : loaded_) right_[j] += row[k] * load_[k];
+    sum += load_[j] * turn_[j];
+    for (std::size_t k : near_) by_all += load_[j] * at(turn_by_kappa_, j, k);
   }
+  std::fill_n(change_.begin(), count_, -sum / by_all);
 }
 
-/// The complementarity problem that the Newton matrix stands for. Returns whether its active set was found.
-bool RowNormal::solve_active(std::optional<double> vertical_force, Result& result) {
+/// The complementarity problem of Newton's matrices. Returns whether its active set was found.
+bool RowNormal::solve_active(std::optional<double> vertical_force, bool linear, Result& result) {
   constexpr int most_sets = 30;
+  const double length = std::abs(gap_by_load_[near_.front() * (count_ + 1)]) * largest_; // about that of gaps
+  // What the equations have without changes, and with zero loads.
+  const auto constant = [&](const std::vector<double>& residual, const std::vector<double>& by_load, std::size_t j) {
+    double sum = -residual[j];
+    for (std::size_t k : near_) sum += at(by_load, j, k) * load_[k];
+    return sum;
+  };
   for (int sets = 0; sets < most_sets; ++sets) {
     active_.clear();
     for (std::size_t k : near_)
       if (in_contact_[k]) active_.push_back(k);
-    const std::size_t n = active_.size();
+    const std::size_t n = active_.size(), m = linear ? n : 2 * n;
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) system_[i * n + j] = at(influence_matrix_, active_[i], active_[j]);
-      next_load_[i] = right_[active_[i]], per_lowering_[i] = level_[active_[i]];
+      const std::size_t j = active_[i];
+      right_[i] = constant(gap_, gap_by_load_, j) / length, per_lowering_[i] = level_[j] / length;
+      for (std::size_t l = 0; l < n; ++l) {
+        const std::size_t k = active_[l];
+        system_[i * m + l] = at(gap_by_load_, j, k) * largest_ / length;
+        if (linear) continue;
+        system_[i * m + n + l] = at(gap_by_kappa_, j, k) / length;
+        system_[(n + i) * m + l] = at(turn_by_load_, j, k) * largest_;
+        system_[(n + i) * m + n + l] = at(turn_by_kappa_, j, k);
+      }
+      if (linear) continue;
+      right_[n + i] = constant(turn_, turn_by_load_, j), per_lowering_[n + i] = 0;
     }
     // Without a solution loads are no numbers, and the next step starts anew.
-    if (!eliminate(std::span(system_).first(n * n),
-                   {std::span(next_load_).first(n), std::span(per_lowering_).first(n)}))
-      std::fill_n(next_load_.begin(), n, std::numeric_limits<double>::quiet_NaN());
+    if (!eliminate(std::span(system_).first(m * m), {std::span(right_).first(m), std::span(per_lowering_).first(m)}))
+      std::fill_n(right_.begin(), m, std::numeric_limits<double>::quiet_NaN());
     double force = 0;
     result.stiffness = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      force += next_load_[i] * weight_[active_[i]];
-      result.stiffness += per_lowering_[i] * weight_[active_[i]];
+      force += right_[i] * largest_ * weight_[active_[i]];
+      result.stiffness += per_lowering_[i] * largest_ * weight_[active_[i]];
     }
     result.lowering = vertical_force && n > 0 ? (*vertical_force - force) / result.stiffness : 0;
+    for (std::size_t i = 0; i < m; ++i) right_[i] += result.lowering * per_lowering_[i];
     bool changed = false;
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      next_load_[i] += result.lowering * per_lowering_[i];
-      largest = std::max(largest, next_load_[i]);
-      if (!(next_load_[i] > 0)) in_contact_[active_[i]] = 0, changed = true;
+      largest = std::max(largest, right_[i]);
+      if (!(right_[i] > 0)) in_contact_[active_[i]] = 0, changed = true;
     }
     if (changed && largest > 0) continue;
-    const double tolerance = 1e-12 * largest * at(influence_matrix_, near_.front(), near_.front());
     for (std::size_t k : near_) {
       if (in_contact_[k]) continue;
-      double e = -right_[k] - result.lowering * level_[k];
-      for (std::size_t i = 0; i < n; ++i) e += at(influence_matrix_, k, active_[i]) * next_load_[i];
-      if (e < -tolerance) in_contact_[k] = 1, changed = true;
+      double e = -constant(gap_, gap_by_load_, k) - result.lowering * level_[k];
+      for (std::size_t i = 0; i < n; ++i) {
+        e += at(gap_by_load_, k, active_[i]) * right_[i] * largest_;
+        if (!linear) e += at(gap_by_kappa_, k, active_[i]) * right_[n + i];
+      }
+      if (e < -1e-12 * length) in_contact_[k] = 1, changed = true;
     }
     if (!changed) return true;
   }
   return false;
+}
+
+/// From the active rows to all of them.
+void RowNormal::take_step(std::span<const NormalRow> rows, bool linear, Result& result) {
+  const std::size_t n = active_.size();
+  std::fill_n(next_load_.begin(), count_, 0.0);
+  if (!linear) std::fill_n(change_.begin(), count_, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    next_load_[active_[i]] = std::max(right_[i] * largest_, 0.0);
+    if (!linear) change_[active_[i]] = right_[n + i];
+  }
+  for (std::size_t k : near_)
+    if (!in_contact_[k] && beside_[k] != k) change_[k] = change_[beside_[k]] - apart_from_neighbour(rows, k);
+  double largest = 0;
+  result.change = 0;
+  for (std::size_t k = 0; k < count_; ++k) {
+    largest = std::max(largest, next_load_[k]);
+    result.change = std::max(result.change, std::abs(next_load_[k] - load_[k]));
+  }
+  result.change /= largest;
 }
 
 /// Takes the rows that are away from the loaded ones into the contact where they would overlap. Returns whether there
@@ -222,27 +262,21 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
       continue;
     }
     double e = rows[j].gap - lowering * level_[j];
-    for (std::size_t k = 0; k < count_ && e < 0; ++k)
-      if (load_[k] > 0) e += displacement_under(j, k) * load_[k];
+    for (std::size_t k = 0; k < count_ && e < 0; ++k) {
+      if (!(load_[k] > 0)) continue;
+      const double d = at(distance_, j, k), half = width_[k] / 2;
+      e += unit_ * at(cosine_, j, k) * load_[k] *
+           influence_.between(d - half, d + half, half_length_[j], half_length_[k]).p;
+    }
     in_contact_[j] = e < 1e-7 * rows[j].gap;
     any |= in_contact_[j] != 0;
   }
   return any;
 }
 
-/// Newton's step of ln(kappa) after that of q: slope change = -(residual + d(residual)/dq dq).
-void RowNormal::change_curvatures() {
-  constexpr double most = 1;
-  for (std::size_t j : near_) {
-    double rest = residual_[j];
-    for (std::size_t k : near_) rest += at(curvature_by_load_, j, k) * (next_load_[k] - load_[k]);
-    log_kappa_[j] -= std::clamp(rest / slope_[j], -most, most);
-  }
-}
-
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
-  constexpr double enough = 1e-6;
+  constexpr double enough = 1e-6, most_turn = 0.5;
   constexpr int settling_steps = 15;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
@@ -253,40 +287,35 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
   result.status = Status::not_converged;
   find_half_lengths();
   for (result.steps = 0; result.steps < most_steps && result.status != Status::ok;) {
-    // The first two steps find loads and half-lengths in turn.
-    const bool linear = !warm && result.steps == 0, alone = !warm && result.steps < 2;
-    find_influences(linear);
-    if (!alone) find_curvatures(rows, alone);
-    eliminate_curvatures(rows, alone);
-    const bool found = solve_active(vertical_force, result);
-    // From the active rows to all of them, from behind: nothing is overwritten before it is read.
-    std::size_t i = active_.size();
-    for (std::size_t k = count_; k-- > 0;)
-      next_load_[k] = i > 0 && active_[i - 1] == k ? std::max(next_load_[--i], 0.0) : 0.0;
-    double largest = 0;
-    result.change = 0;
-    for (std::size_t k = 0; k < count_; ++k) {
-      largest = std::max(largest, next_load_[k]);
-      result.change = std::max(result.change, std::abs(next_load_[k] - load_[k]));
-    }
-    result.change /= largest;
+    // The first two steps find loads and half-lengths in turn, each with the others held.
+    const bool alone = !warm && result.steps < 2;
+    if (alone) std::fill_n(by_load_.begin(), count_, 0.0);
+    find_near();
+    find_neighbours();
+    find_influences(rows);
+    if (alone)
+      change_alike();
+    else
+      hold_to_neighbours(rows);
+    const bool found = solve_active(vertical_force, alone, result);
+    take_step(rows, alone, result);
+    double turned = 0;
+    for (std::size_t k : near_) turned = std::max(turned, std::abs(change_[k]));
     // Where the steps do not settle, as rows come and go, half of each.
-    if (result.steps >= settling_steps)
-      for (std::size_t k = 0; k < count_; ++k) next_load_[k] = (next_load_[k] + load_[k]) / 2;
-    if (!alone) change_curvatures();
-    std::copy_n(next_load_.begin(), count_, load_.begin());
-    if (alone) {
-      find_half_lengths();
-      find_curvatures(rows, alone);
-      for (std::size_t k : near_) log_kappa_[k] -= std::clamp(residual_[k] / slope_[k], -1.0, 1.0);
+    const double share = std::min(result.steps >= settling_steps ? 0.5 : 1.0, most_turn / std::max(turned, most_turn));
+    for (std::size_t k = 0; k < count_; ++k) {
+      next_load_[k] = load_[k] + share * (next_load_[k] - load_[k]);
+      log_kappa_[k] += share * change_[k];
     }
+    std::copy_n(next_load_.begin(), count_, load_.begin());
     ++result.steps;
-    if (!(largest > 0) || !std::isfinite(result.change)) start(rows), warm = false;
-    if (found && !alone && result.change < enough && !touch_elsewhere(rows, result.lowering))
-      result.status = Status::ok;
     find_half_lengths();
+    if (!(largest_ > 0) || !std::isfinite(result.change)) start(rows), find_half_lengths(), warm = false;
+    if (found && !alone && result.change < enough && turned < 1e-3 && !touch_elsewhere(rows, result.lowering))
+      result.status = Status::ok;
   }
   if (result.status != Status::ok && !(result.change > enough)) result.change = 1; // the active set has not settled
+  for (std::size_t k = 0; k < count_; ++k) half_length_[k] = std::sqrt(2 * load_[k] / pi * std::exp(-log_kappa_[k]));
   return result;
 }
 

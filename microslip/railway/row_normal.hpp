@@ -26,24 +26,21 @@ struct NormalRow {
   double vertical_weight() const { return width * (std::cos(angle) + shear * std::sin(angle)); }
 };
 
-/// The normal problem of all rows of a wheel in one, after Knothe & Le The (1984): in each row the pressure is
-/// semi-elliptic along x, with a load q [N/m] for each unit of width and a half-length a. For the rows' centres
-///   q >= 0, e = h - zeta cos(angle) + sum U_jk q_k >= 0, q e = 0,
-/// U the displacement under RowInfluence's strips, with the cosine of the angle between both planes and the distance
-/// between both centres; zeta [m] by how much the wheel is lowered further, given as 0 or such that the vertical
-/// force is given: sum of q width (cos(angle) + shear sin(angle)) = F. Neighbouring patches influence one another as
-/// rows do, whatever their distance.
+/// The normal problem of all rows of a wheel in one: in each row the pressure is semi-elliptic along x (Knothe & Le The
+/// 1984), with a load q [N/m] for each unit of width and a half-length a. Loads and half-lengths are those of the least
+/// complementary energy among all such pressures (Ritz): with U the mean displacement of row j for q_k = 1, C cosine P
+/// of RowInfluence between the edges of row k,
+///   by q_j: q >= 0, e = h + A a_j^2/4 - zeta cos(angle) + sum U_jk q_k >= 0, q e = 0,
+///   by a_j: A a_j^2/2 + sum dU_jk/d(ln a_j) q_k = 0;
+/// zeta [m] is by how much the wheel is lowered further, given as 0 or such that the vertical force is given: sum of
+/// q width (cos(angle) + shear sin(angle)) = F. Planes of rows enter by the cosine of the angle between them, distances
+/// are those of centres. Neighbouring patches influence one another as rows do, whatever their distance.
 ///
-/// The half-lengths follow from kappa = (2 q/(pi a))/a, the peak pressure over a. A row's kappa is the one with which
-/// the displacement's curvature along x at the row's centre is -2 A if all rows had that kappa: so on an ellipse
-/// it is Hertz's, and where curvatures vary across the contact it is that of the row itself. Rows with less than 0.06
-/// of the row's load enter in proportion to that: the shortest rows would have the greatest curvature.
+/// Unknowns are q and ln(kappa), kappa = (2 q/(pi a))/a the peak pressure over a, which is Hertz's for all rows of an
+/// ellipse. Rows with less than 0.3 of a neighbour's load take part of their kappa from it, in proportion to A, all of
+/// it below 0.05: the outermost rows' are ill-defined. Newton's method for both, with active sets in each step.
 ///
-/// Newton's method for q and ln(kappa), the latter eliminated, with active sets in each step. On ellipses with 12 rows
-/// zeta, the peak pressure and the half-lengths err by 0.5 % for b/a from 0.3, by 2 to 5 % at 0.03.
-///
-/// All memory is taken in the constructor; solve() allocates nothing. Cost of each step some 40 ns for each pair of
-/// rows.
+/// All memory is taken in the constructor; solve() allocates nothing.
 class RowNormal {
 public:
   explicit RowNormal(std::size_t most_rows);
@@ -68,36 +65,43 @@ public:
 private:
   void start(std::span<const NormalRow> rows);
   bool start_from_last(std::span<const NormalRow> rows);
-  void find_half_lengths();
   void set_up(std::span<const NormalRow> rows);
-  void find_influences(bool linear);
-  void find_curvatures(std::span<const NormalRow> rows, bool alone);
-  void eliminate_curvatures(std::span<const NormalRow> rows, bool alone);
-  bool solve_active(std::optional<double> vertical_force, Result& result);
-  void change_curvatures();
+  void find_half_lengths();
+  void find_near();
+  void find_influences(std::span<const NormalRow> rows);
+  void find_curvatures(std::span<const NormalRow> rows);
+  void find_neighbours();
+  double apart_from_neighbour(std::span<const NormalRow> rows, std::size_t j) const;
+  void hold_to_neighbours(std::span<const NormalRow> rows);
+  void change_alike();
+  void assemble(bool linear);
+  bool solve_active(std::optional<double> vertical_force, bool linear, Result& result);
+  void take_step(std::span<const NormalRow> rows, bool linear, Result& result);
   bool touch_elsewhere(std::span<const NormalRow> rows, double lowering);
-  double displacement_under(std::size_t j, std::size_t k) const;
   double& at(std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
   double at(const std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
 
   RowInfluence influence_;
   std::size_t count_ = 0;
-  double unit_ = 0; ///< (1 - nu)/(pi G) [1/Pa]
+  double unit_ = 0;    ///< (1 - nu)/(pi G) [1/Pa]
+  double largest_ = 0; ///< of the loads [N/m]
   // Of pairs of rows, a row of the matrix for each row of the contact.
-  std::vector<double> distance_, cosine_; ///< [m]; of the angle between both planes
-  std::vector<double> influence_matrix_;  ///< U [1/Pa], later the whole Newton matrix
-  std::vector<double> by_kappa_;          ///< dU q/d ln(kappa)
-  std::vector<double> curvature_by_load_; ///< d(residual of ln(kappa))/dq
-  std::vector<double> system_;            ///< of the active rows
+  std::vector<double> distance_, cosine_;            ///< [m]; of the angle between both planes
+  std::vector<double> gap_by_load_, gap_by_kappa_;   ///< of e
+  std::vector<double> turn_by_load_, turn_by_kappa_; ///< of the residual of ln(kappa)
+  std::vector<double> system_;                       ///< of the active rows
   // Of each row.
-  std::vector<double> load_, log_kappa_, half_length_, width_, s_;
-  std::vector<double> root_load_;      ///< sqrt(2 q/pi), a sqrt(kappa)
+  std::vector<double> load_, log_kappa_, width_, s_;
+  std::vector<double> half_length_;    ///< within a solve with a small load added to each, so that none is 0 [m]
+  std::vector<double> by_load_;        ///< d ln(a)/dq
   std::vector<double> level_, weight_; ///< cos(angle), and the vertical force of q = 1 [m]
-  std::vector<double> next_load_, right_, per_lowering_, displacement_;
-  std::vector<double> residual_, slope_; ///< of ln(kappa), and its derivative with respect to itself
-  std::vector<std::size_t> active_;      ///< in contact
-  std::vector<std::size_t> loaded_;      ///< in the last step
-  std::vector<std::size_t> near_;        ///< all of these with their neighbours: the others have no part in a step
+  std::vector<double> sine_;
+  std::vector<double> gap_, turn_;         ///< e without zeta [m], and the residual of ln(kappa)
+  std::vector<double> next_load_, change_; ///< of loads, and by how much ln(kappa) changes
+  std::vector<double> right_, per_lowering_;
+  std::vector<std::size_t> active_; ///< in contact
+  std::vector<std::size_t> near_;   ///< loaded or in contact, with their neighbours: the others have no part in a step
+  std::vector<std::size_t> beside_; ///< the neighbour of each row that bears more, or the row
   std::vector<char> in_contact_;
 };
 
