@@ -157,9 +157,9 @@ RowNormal::Result CoarseContact::find_loads(std::optional<double> vertical_force
   return found;
 }
 
-/// The gap at which a row takes its creepages: the least one of its patch [m]. Where two lobes of the overlap are all but
-/// parted, that of the deeper one counts in proportion to how deep the bodies overlap on the way to it, so that creepages
-/// are continuous where patches merge.
+/// The gap at which a row takes its creepages: the least one of its patch [m]. Where two lobes of the overlap are all
+/// but parted, that of the deeper one counts in proportion to how deep the bodies overlap on the way to it, so that
+/// creepages are continuous where patches merge.
 double CoarseContact::contact_gap(std::size_t row) const {
   constexpr double united = 2; // as for the shares of loads in LoadedRowSolver
   const auto overlap = [&](std::size_t k) { return std::max(-normal_rows_[k].gap, 0.0); };

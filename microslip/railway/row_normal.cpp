@@ -15,6 +15,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double least_load = 3e-3;
 /// Shares of a neighbour's load between which a row's kappa becomes its own.
 constexpr double held_share = 0.05, free_share = 0.3;
+/// Share of the largest load below which it does so less and less.
+constexpr double small_load = 1e-2;
 
 } // namespace
 
@@ -28,7 +30,7 @@ RowNormal::RowNormal(std::size_t most_rows) {
     row->resize(most_rows);
   right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
   in_contact_.resize(most_rows);
-  active_.reserve(most_rows), near_.reserve(most_rows), beside_.resize(most_rows);
+  active_.reserve(most_rows), near_.reserve(most_rows), neighbours_.resize(most_rows);
 }
 
 void RowNormal::set_up(std::span<const NormalRow> rows) {
@@ -125,38 +127,66 @@ void RowNormal::find_influences(std::span<const NormalRow> rows) {
   }
 }
 
-/// The neighbour of each row that bears more than it, or the row itself.
+/// The neighbours of each row, which touch it or nearly so: those that bear more, with shares in proportion to by how
+/// much, and the other one.
 void RowNormal::find_neighbours() {
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const std::size_t j = near_[i];
-    beside_[j] = j;
-    for (const std::size_t next : {i - 1, i + 1}) {
+    Neighbours& n = neighbours_[j];
+    n = {{j, j}, {0, 0}};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t next = side == 0 ? i - 1 : i + 1;
       if (next >= near_.size()) continue;
       const std::size_t k = near_[next];
-      if (at(distance_, j, k) < 0.75 * (width_[j] + width_[k]) && load_[k] > load_[beside_[j]]) beside_[j] = k;
+      if (at(distance_, j, k) > 0.75 * (width_[j] + width_[k])) continue;
+      n.row[side] = k, n.share[side] = std::max(load_[k] - load_[j], 0.0);
     }
+    n.rise = n.share[0] + n.share[1];
+    for (double& share : n.share) share = n.rise > 0 ? share / n.rise : 0;
   }
 }
 
-/// ln(kappa/A) of a row less that of its neighbour.
-double RowNormal::apart_from_neighbour(std::span<const NormalRow> rows, std::size_t j) const {
-  const std::size_t k = beside_[j];
-  return log_kappa_[j] - log_kappa_[k] - std::log(rows[j].curvature / rows[k].curvature);
+/// ln(kappa/A) of a row.
+double RowNormal::relative_kappa(std::span<const NormalRow> rows, std::size_t j) const {
+  return log_kappa_[j] - std::log(rows[j].curvature);
 }
 
-/// Rows with little load beside a neighbour have the neighbour's kappa over A.
+/// The mean of the neighbours of a row that bear more.
+double RowNormal::Neighbours::mean(const auto& of_row) const {
+  return share[0] * of_row(row[0]) + share[1] * of_row(row[1]);
+}
+
+/// Rows with little load beside their neighbours have their kappa over A: a share of it that falls with u = q/q', q'
+/// the load of the neighbour, or of the lesser one if both bear more than the row. If one bears less, q", the row is
+/// free earlier: u = q^2/(q'(q - q")). Rows with next to no load are held in any case.
 void RowNormal::hold_to_neighbours(std::span<const NormalRow> rows) {
   for (std::size_t j : near_) {
-    const std::size_t other = beside_[j];
-    if (other == j) continue;
-    const double own = std::clamp((load_[j] / load_[other] - held_share) / (free_share - held_share), 0.0, 1.0);
+    const Neighbours& n = neighbours_[j];
+    if (!(n.rise > 0)) continue;
+    const std::size_t first = n.share[0] > 0 && !(n.share[1] > 0 && load_[n.row[1]] < load_[n.row[0]]) ? 0 : 1;
+    const std::size_t other = n.row[first], back = n.row[1 - first];
+    const double load = load_[j], above = load_[other], rest = load_[back] < load ? load_[back] : 0;
+    const double u = load > 0 ? load * load / (above * (load - rest)) : 0;
+    const double part = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0),
+                 size = std::min(load / (small_load * largest_), 1.0), own = part * size;
     if (own == 1) continue;
-    const double apart = apart_from_neighbour(rows, j);
-    const double by_share = own > 0 ? (turn_[j] - apart) / ((free_share - held_share) * load_[other]) : 0;
+    const auto relative = [&](std::size_t k) { return relative_kappa(rows, k); };
+    const double mean = n.mean(relative), apart = relative(j) - mean, change = turn_[j] - apart;
     turn_[j] = own * turn_[j] + (1 - own) * apart;
     for (std::size_t k : near_) at(turn_by_load_, j, k) *= own, at(turn_by_kappa_, j, k) *= own;
-    at(turn_by_load_, j, j) += by_share, at(turn_by_load_, j, other) -= by_share * load_[j] / load_[other];
-    at(turn_by_kappa_, j, j) += 1 - own, at(turn_by_kappa_, j, other) -= 1 - own;
+    at(turn_by_kappa_, j, j) += 1 - own;
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!(n.share[side] > 0)) continue;
+      const double by_share = (1 - own) * (relative(n.row[side]) - mean) / n.rise;
+      at(turn_by_kappa_, j, n.row[side]) -= (1 - own) * n.share[side];
+      at(turn_by_load_, j, n.row[side]) -= by_share, at(turn_by_load_, j, j) += by_share;
+    }
+    if (size < 1) at(turn_by_load_, j, j) += part * change / (small_load * largest_);
+    if (!(part > 0 && part < 1)) continue;
+    const double by_u = size * change / (free_share - held_share) * u;
+    at(turn_by_load_, j, j) += by_u * (2 / load - 1 / (load - rest));
+    at(turn_by_load_, j, other) -= by_u / above;
+    if (rest > 0) at(turn_by_load_, j, back) += by_u / (load - rest);
   }
 }
 
@@ -240,8 +270,9 @@ void RowNormal::take_step(std::span<const NormalRow> rows, bool linear, Result& 
     next_load_[active_[i]] = std::max(right_[i] * largest_, 0.0);
     if (!linear) change_[active_[i]] = right_[n + i];
   }
+  const auto next = [&](std::size_t k) { return relative_kappa(rows, k) + change_[k]; };
   for (std::size_t k : near_)
-    if (!in_contact_[k] && beside_[k] != k) change_[k] = change_[beside_[k]] - apart_from_neighbour(rows, k);
+    if (!in_contact_[k] && neighbours_[k].rise > 0) change_[k] = neighbours_[k].mean(next) - relative_kappa(rows, k);
   double largest = 0;
   result.change = 0;
   for (std::size_t k = 0; k < count_; ++k) {

@@ -5,6 +5,7 @@
 #include "microslip/railway/row_influence.hpp"
 #include "microslip/status.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -63,6 +64,15 @@ public:
   std::span<const double> half_lengths() const { return {half_length_.data(), count_}; }
 
 private:
+  /// Of a row; the row itself where there is none.
+  struct Neighbours {
+    std::array<std::size_t, 2> row{};
+    std::array<double, 2> share{}; ///< in what they bear more than the row, together 1 if one does
+    double rise = 0;               ///< the sum of that [N/m]
+
+    double mean(const auto& of_row) const;
+  };
+
   void start(std::span<const NormalRow> rows);
   bool start_from_last(std::span<const NormalRow> rows);
   void set_up(std::span<const NormalRow> rows);
@@ -71,7 +81,7 @@ private:
   void find_influences(std::span<const NormalRow> rows);
   void find_curvatures(std::span<const NormalRow> rows);
   void find_neighbours();
-  double apart_from_neighbour(std::span<const NormalRow> rows, std::size_t j) const;
+  double relative_kappa(std::span<const NormalRow> rows, std::size_t j) const;
   void hold_to_neighbours(std::span<const NormalRow> rows);
   void change_alike();
   void assemble(bool linear);
@@ -101,7 +111,7 @@ private:
   std::vector<double> right_, per_lowering_;
   std::vector<std::size_t> active_; ///< in contact
   std::vector<std::size_t> near_;   ///< loaded or in contact, with their neighbours: the others have no part in a step
-  std::vector<std::size_t> beside_; ///< the neighbour of each row that bears more, or the row
+  std::vector<Neighbours> neighbours_;
   std::vector<char> in_contact_;
 };
 
