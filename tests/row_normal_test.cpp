@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
+#include "microslip/railway/kernel/row_pair.hpp"
 #include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,12 @@
 
 namespace microslip {
 namespace {
+
+using Pair = detail::RowPair<double>;
+/// From the loaded row's middle to a distance.
+Pair to(double distance, double a, double b) {
+  return Pair::between(0, distance, a, b);
+}
 
 /// E[asinh(D/|a S - b T|)]: with S = cos(theta) the densities' roots vanish; nodes of S and T differ, and Z = 0, where
 /// it is singular, is not among them.
@@ -28,27 +35,25 @@ double mean_by_sums(double distance, double a, double b) {
   return 4 * sum / n / m;
 }
 
-TEST(RowInfluence, IsTheMeanOverBothRows) {
-  const RowInfluence influence;
+TEST(RowPair, IsTheMeanOverBothRows) {
   for (const double distance : {0.02, 0.3, 2.0, 150.0})
     for (const double b : {0.7, 0.4, 0.1}) { // of both rows' order and of equal rows
       const double sum = mean_by_sums(distance, 1, b);
-      EXPECT_NEAR(influence.at(distance, 1, b).p, sum, 4e-3 * sum) << distance << ' ' << b;
-      EXPECT_NEAR(influence.at(distance, b, 1).p, sum, 4e-3 * sum) << distance << ' ' << b;
+      EXPECT_NEAR(to(distance, 1, b).p, sum, 4e-3 * sum) << distance << ' ' << b;
+      EXPECT_NEAR(to(distance, b, 1).p, sum, 4e-3 * sum) << distance << ' ' << b;
     }
   const double root3 = std::sqrt(3.0), equal = mean_by_sums(0.5, root3, 1), point = mean_by_sums(0.5, 1, 1e-9);
-  EXPECT_NEAR(influence.at(0.5, root3, 1).p, equal, 1e-3 * equal); // rho^2 = 1/4
-  EXPECT_NEAR(influence.at(0.5, 1, 1e-9).p, point, 1e-4 * point);
+  EXPECT_NEAR(to(0.5, root3, 1).p, equal, 1e-3 * equal); // rho^2 = 1/4
+  EXPECT_NEAR(to(0.5, 1, 1e-9).p, point, 1e-4 * point);
 }
 
-TEST(RowInfluence, HasDerivativesByBothLengths) {
-  const RowInfluence influence;
+TEST(RowPair, HasDerivativesByBothLengths) {
   for (double distance = 1e-3; distance < 500; distance *= 1.3)
     for (const double b : {1.0, 0.9, 0.3, 2.0}) {
       const double h = 1e-4;
-      const auto here = influence.at(distance, 1, b), back = influence.at(-distance, 1, b);
-      const auto low = influence.at(distance, std::exp(-h), b), high = influence.at(distance, std::exp(h), b);
-      const auto less = influence.at(distance, 1, b * std::exp(-h)), more = influence.at(distance, 1, b * std::exp(h));
+      const auto here = to(distance, 1, b), back = to(-distance, 1, b);
+      const auto low = to(distance, std::exp(-h), b), high = to(distance, std::exp(h), b);
+      const auto less = to(distance, 1, b * std::exp(-h)), more = to(distance, 1, b * std::exp(h));
       EXPECT_NEAR(here.by_a, (high.p - low.p) / (2 * h), 1e-5 * here.p);
       EXPECT_NEAR(here.by_b, (more.p - less.p) / (2 * h), 1e-5 * here.p);
       EXPECT_NEAR(here.by_aa, (high.by_a - low.by_a) / (2 * h), 3e-3 * here.p);

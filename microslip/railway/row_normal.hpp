@@ -1,11 +1,9 @@
 #pragma once
 
 #include "microslip/elasticity/material.hpp"
-#include "microslip/railway/frame.hpp"
-#include "microslip/railway/row_influence.hpp"
+#include "microslip/railway/row_equations.hpp"
 #include "microslip/status.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -13,24 +11,10 @@
 
 namespace microslip {
 
-/// A row of a contact: a strip along x whose undeformed gap is h + A (x - x0)^2.
-struct NormalRow {
-  Vec3<double> place;   ///< of its centre, in track axes [m]
-  double s = 0;         ///< of its centre, along the surface; rows are in ascending order [m]
-  double angle = 0;     ///< of its plane against the track's y [rad]
-  double width = 0;     ///< [m], > 0
-  double gap = 0;       ///< h [m], along the row's normal, negative where the undeformed bodies overlap
-  double curvature = 0; ///< A [1/m], > 0
-  double shear = 0;     ///< force along s over the normal one [-]: it bears some of the weight
-
-  /// The vertical force for each newton per metre of its load [m].
-  double vertical_weight() const { return width * (std::cos(angle) + shear * std::sin(angle)); }
-};
-
 /// The normal problem of all rows of a wheel in one: in each row the pressure is semi-elliptic along x (Knothe & Le The
 /// 1984), with a load q [N/m] for each unit of width and a half-length a. Loads and half-lengths are those of the least
 /// complementary energy among all such pressures (Ritz): with U the mean displacement of row j for q_k = 1, C cosine P
-/// of RowInfluence between the edges of row k,
+/// of detail::RowPair between the edges of row k,
 ///   by q_j: q >= 0, e = h + A a_j^2/4 - zeta cos(angle) + sum U_jk q_k >= 0, q e = 0,
 ///   by a_j: A a_j^2/2 + sum dU_jk/d(ln a_j) q_k = 0;
 /// zeta [m] is by how much the wheel is lowered further, given as 0 or such that the vertical force is given: sum of
@@ -48,7 +32,7 @@ public:
 
   struct Result {
     double lowering = 0;  ///< zeta [m]
-    double stiffness = 0; ///< change of the vertical force with zeta, with the half-lengths held [N/m]
+    double stiffness = 0; ///< change of the vertical force with zeta, and what follows from it [N/m]
     double change = 0;    ///< of the loads in the last step, over the largest one; 1 where rows come and go
     Status status = Status::ok;
     int steps = 0;
@@ -64,55 +48,27 @@ public:
   std::span<const double> half_lengths() const { return {half_length_.data(), count_}; }
 
 private:
-  /// Of a row; the row itself where there is none.
-  struct Neighbours {
-    std::array<std::size_t, 2> row{};
-    std::array<double, 2> share{}; ///< in what they bear more than the row, together 1 if one does
-    double rise = 0;               ///< the sum of that [N/m]
-
-    double mean(const auto& of_row) const;
-  };
-
   void start(std::span<const NormalRow> rows);
   bool start_from_last(std::span<const NormalRow> rows);
-  void set_up(std::span<const NormalRow> rows);
-  void find_half_lengths();
-  void find_near();
-  void find_influences(std::span<const NormalRow> rows);
-  void find_curvatures(std::span<const NormalRow> rows);
-  void find_neighbours();
-  double relative_kappa(std::span<const NormalRow> rows, std::size_t j) const;
-  void hold_to_neighbours(std::span<const NormalRow> rows);
+  bool choose_rows();
   void change_alike();
-  void assemble(bool linear);
   bool solve_active(std::optional<double> vertical_force, bool linear, Result& result);
-  void take_step(std::span<const NormalRow> rows, bool linear, Result& result);
+  void fill_system(bool linear, double length);
+  bool change_contact(bool linear, double length, double lowering);
+  void take_step(bool linear, Result& result);
   bool touch_elsewhere(std::span<const NormalRow> rows, double lowering);
-  double& at(std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
-  double at(const std::vector<double>& matrix, std::size_t j, std::size_t k) const { return matrix[j * count_ + k]; }
 
-  RowInfluence influence_;
+  RowEquations equations_;
   std::size_t count_ = 0;
-  double unit_ = 0;    ///< (1 - nu)/(pi G) [1/Pa]
-  double largest_ = 0; ///< of the loads [N/m]
-  // Of pairs of rows, a row of the matrix for each row of the contact.
-  std::vector<double> distance_, cosine_;            ///< [m]; of the angle between both planes
-  std::vector<double> gap_by_load_, gap_by_kappa_;   ///< of e
-  std::vector<double> turn_by_load_, turn_by_kappa_; ///< of the residual of ln(kappa)
-  std::vector<double> system_;                       ///< of the active rows
+  double unit_ = 0; ///< (1 - nu)/(pi G) [1/Pa]
   // Of each row.
-  std::vector<double> load_, log_kappa_, width_, s_;
-  std::vector<double> half_length_;    ///< within a solve with a small load added to each, so that none is 0 [m]
-  std::vector<double> by_load_;        ///< d ln(a)/dq
-  std::vector<double> level_, weight_; ///< cos(angle), and the vertical force of q = 1 [m]
-  std::vector<double> sine_;
-  std::vector<double> gap_, turn_;         ///< e without zeta [m], and the residual of ln(kappa)
+  std::vector<double> load_, log_kappa_, half_length_, width_, s_;
   std::vector<double> next_load_, change_; ///< of loads, and by how much ln(kappa) changes
-  std::vector<double> right_, per_lowering_;
-  std::vector<std::size_t> active_; ///< in contact
-  std::vector<std::size_t> near_;   ///< loaded or in contact, with their neighbours: the others have no part in a step
-  std::vector<Neighbours> neighbours_;
   std::vector<char> in_contact_;
+  std::vector<std::size_t> near_;   ///< those of the equations: the others have no part in a step
+  std::vector<std::size_t> chosen_; ///< the next ones
+  std::vector<std::size_t> active_; ///< those of the equations that are in contact
+  std::vector<double> system_, right_, per_lowering_, constant_;
 };
 
 } // namespace microslip

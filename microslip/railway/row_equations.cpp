@@ -1,0 +1,163 @@
+#include "microslip/railway/row_equations.hpp"
+
+#include "microslip/numerics/kernel/dispatch.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace microslip {
+namespace detail {
+MICROSLIP_DECLARE_KERNEL(FindRowPairs find_row_pairs())
+namespace {
+FindRowPairs best_row_pairs() {
+  const InstructionSet instruction_set = best_instruction_set();
+  return MICROSLIP_CALL_KERNEL(instruction_set, find_row_pairs());
+}
+} // namespace
+} // namespace detail
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Share of the largest load below which a row's half-length in the influences falls no further.
+constexpr double least_load = 3e-3;
+/// Shares of a neighbour's load between which a row's kappa becomes its own.
+constexpr double held_share = 0.05, free_share = 0.3;
+/// Share of the largest load below which it does so less and less.
+constexpr double small_load = 1e-2;
+
+std::size_t filled_up(std::size_t count) {
+  return (count + detail::row_block - 1) / detail::row_block * detail::row_block;
+}
+
+} // namespace
+
+RowEquations::RowEquations(std::size_t most_rows) : find_pairs_(detail::best_row_pairs()), neighbours_(most_rows) {
+  const std::size_t most = filled_up(most_rows);
+  for (std::vector<double>* pairs :
+       {&distance_, &factor_, &gap_by_load_, &gap_by_kappa_, &turn_by_load_, &turn_by_kappa_})
+    pairs->resize(most_rows * most);
+  for (std::vector<double>* row : {&level_, &sine_, &weight_, &half_width_, &given_gap_, &curvature_, &log_curvature_,
+                                   &load_, &log_kappa_, &half_length_, &by_load_, &gap_, &turn_, &turn_by_length_})
+    row->resize(most);
+}
+
+void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> places, double unit) {
+  count_ = places.size(), stride_ = filled_up(count_);
+  for (std::size_t j = 0; j < count_; ++j) {
+    const NormalRow& row = rows[places[j]];
+    level_[j] = std::cos(row.angle), sine_[j] = std::sin(row.angle), weight_[j] = row.vertical_weight();
+    half_width_[j] = row.width / 2, given_gap_[j] = row.gap;
+    curvature_[j] = row.curvature, log_curvature_[j] = std::log(row.curvature);
+  }
+  for (std::size_t k = 0; k < count_; ++k) {
+    const NormalRow& loaded = rows[places[k]];
+    const double reach = std::max(-loaded.gap, 0.0) / (2 * loaded.curvature);
+    for (std::size_t j = 0; j < count_; ++j) {
+      const Vec3<double> way = rows[places[j]].place - loaded.place;
+      // To a strip it is the distance across, as long as it is alongside.
+      const double across = way.y * way.y + way.z * way.z, along = way.x * way.x, square = across + along;
+      distance_[k * stride_ + j] =
+          std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
+      factor_[k * stride_ + j] = unit * (level_[j] * level_[k] + sine_[j] * sine_[k]);
+    }
+    for (std::size_t j = count_; j < stride_; ++j) distance_[k * stride_ + j] = 1, factor_[k * stride_ + j] = 0;
+  }
+}
+
+void RowEquations::find_half_lengths(bool held) {
+  largest_ = *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
+  for (std::size_t j = 0; j < count_; ++j) {
+    // (q + root)/2, a smooth max(q, least).
+    const double least = least_load * largest_, root = std::sqrt(load_[j] * load_[j] + 4 * least * least);
+    half_length_[j] = std::sqrt((load_[j] + root) / pi * std::exp(-log_kappa_[j]));
+    by_load_[j] = held ? 0 : 0.5 / root;
+  }
+  std::fill(half_length_.begin() + static_cast<std::ptrdiff_t>(count_),
+            half_length_.begin() + static_cast<std::ptrdiff_t>(stride_), 1.0);
+}
+
+/// The residual of ln(kappa) is ln(-2 T/(A a^2)), T = sum of dU/d(ln a) q; ln(a) = ln(2 q/(pi kappa))/2.
+void RowEquations::find(std::span<const double> load, std::span<const double> log_kappa,
+                        std::span<const std::size_t> places, bool held) {
+  for (std::size_t j = 0; j < count_; ++j) load_[j] = load[places[j]], log_kappa_[j] = log_kappa[places[j]];
+  find_half_lengths(held);
+  find_neighbours();
+  find_pairs_({static_cast<int>(count_), static_cast<int>(stride_), distance_.data(), factor_.data(),
+               half_length_.data(), half_width_.data(), load_.data(), by_load_.data(), gap_by_load_.data(),
+               gap_by_kappa_.data(), turn_by_load_.data(), turn_by_kappa_.data(), gap_.data(), turn_.data(),
+               turn_by_length_.data()});
+  for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t j = 0; j < count_; ++j) {
+      turn_by_load_[k * stride_ + j] /= turn_[j], turn_by_kappa_[k * stride_ + j] /= turn_[j];
+    }
+  for (std::size_t j = 0; j < count_; ++j) {
+    const double curvature = curvature_[j] * half_length_[j] * half_length_[j];
+    const double by_own = turn_by_length_[j] / turn_[j] - 2, by_length = curvature / 2 - turn_[j];
+    const std::size_t own = j * stride_ + j;
+    turn_by_load_[own] += by_own * by_load_[j], turn_by_kappa_[own] -= by_own / 2;
+    // What a_j does to e_j vanishes with the other condition.
+    gap_by_load_[own] += by_length * by_load_[j], gap_by_kappa_[own] -= by_length / 2;
+    gap_[j] += given_gap_[j] + curvature / 4;
+    turn_[j] = std::log(2 * turn_[j] / curvature);
+  }
+}
+
+/// The neighbours of each row, which touch it or nearly so.
+void RowEquations::find_neighbours() {
+  for (std::size_t j = 0; j < count_; ++j) {
+    Neighbours& n = neighbours_[j];
+    n = {{j, j}, {0, 0}};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t k = side == 0 ? j - 1 : j + 1;
+      if (k >= count_ || distance_[k * stride_ + j] > 1.5 * (half_width_[j] + half_width_[k])) continue;
+      n.row[side] = k, n.share[side] = std::max(load_[k] - load_[j], 0.0);
+    }
+    n.rise = n.share[0] + n.share[1];
+    for (double& share : n.share) share = n.rise > 0 ? share / n.rise : 0;
+  }
+}
+
+/// It rises with u = q/q', q' the load of the neighbour, or of the lesser one if both bear more than the row. If one
+/// bears less, q", the row is free earlier: u = q^2/(q'(q - q")). Rows with next to no load are held in any case.
+RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
+  const Neighbours& n = neighbours_[j];
+  const std::size_t first = n.share[0] > 0 && !(n.share[1] > 0 && load_[n.row[1]] < load_[n.row[0]]) ? 0 : 1;
+  const double load = load_[j], above = load_[n.row[first]], back = load_[n.row[1 - first]],
+               rest = back < load ? back : 0;
+  if (!(load > 0)) return {0};
+  const double u = load * load / (above * (load - rest));
+  const double part = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0),
+               small = small_load * largest_, size = std::min(load / small, 1.0);
+  OwnShare own{part * size, size < 1 ? part / small : 0};
+  if (!(part > 0 && part < 1)) return own;
+  const double by_u = size / (free_share - held_share) * u;
+  own.by_load += by_u * (2 / load - 1 / (load - rest));
+  own.by_neighbour[first] = -by_u / above;
+  if (rest > 0) own.by_neighbour[1 - first] = by_u / (load - rest);
+  return own;
+}
+
+void RowEquations::hold_to_neighbours() {
+  for (std::size_t j = 0; j < count_; ++j) {
+    const Neighbours& n = neighbours_[j];
+    if (!(n.rise > 0)) continue;
+    const OwnShare own = own_share(j);
+    if (own.share == 1) continue;
+    const auto relative = [this](std::size_t k) { return relative_kappa(k); };
+    const double mean = mean_of_neighbours(j, relative), apart = relative(j) - mean, change = turn_[j] - apart,
+                 held = 1 - own.share;
+    turn_[j] = own.share * turn_[j] + held * apart;
+    for (std::size_t k = 0; k < count_; ++k)
+      turn_by_load_[k * stride_ + j] *= own.share, turn_by_kappa_[k * stride_ + j] *= own.share;
+    turn_by_kappa_[j * stride_ + j] += held, turn_by_load_[j * stride_ + j] += change * own.by_load;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t k = n.row[side];
+      const double by_share = n.share[side] > 0 ? held * (relative(k) - mean) / n.rise : 0;
+      turn_by_kappa_[k * stride_ + j] -= held * n.share[side];
+      turn_by_load_[k * stride_ + j] += change * own.by_neighbour[side] - by_share;
+      turn_by_load_[j * stride_ + j] += by_share;
+    }
+  }
+}
+
+} // namespace microslip
