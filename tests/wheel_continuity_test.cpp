@@ -18,16 +18,19 @@ double change(const Vec3<double>& a, const Vec3<double>& b) {
   return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
-/// The largest jump within 10 um about y of the horizontal force over mu times the load.
+/// The largest jump within 10 um about y of the horizontal force over mu times the load. FASTSIM2's march jumps a
+/// little where sticking ends at a grid point: between both sides no height has the vertical force to rounding.
 double jump_near(WheelRail& wheel, double y, double yaw, double force) {
   constexpr int steps = 20, halvings = 30;
   constexpr double step = 1e-6;
-  const auto share = [&](double at) {
+  const auto share = [&](double at) -> std::optional<Vec3<double>> {
     const WheelRailSolution s = wheel.solve(running(at, yaw), force);
-    EXPECT_EQ(s.status, Status::ok) << at;
+    EXPECT_TRUE(s.status == Status::ok || s.reason == Unsolved::force_jumps) << at;
+    EXPECT_LT(s.residual, 2e-5) << at;
+    if (s.status != Status::ok) return {};
     double load = 0;
     for (const WheelRailPatch& patch : s.patches) load += patch.normal_force;
-    return std::optional(1 / (0.3 * load) * Vec3<double>{s.force.x, s.force.y, 0});
+    return 1 / (0.3 * load) * Vec3<double>{s.force.x, s.force.y, 0};
   };
   double largest = 0;
   for (int k = -steps / 2; k < steps / 2; ++k)

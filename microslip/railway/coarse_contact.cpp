@@ -130,13 +130,18 @@ void CoarseContact::put(const WheelState<double>& state, double vertical) {
   placement_ = place(nominal_, there);
 }
 
-/// Regions and rows of the wheel lowered by `depth` [m] from where it first touches, which it was searched for.
-void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
+/// Regions and overlap of the wheel lowered by `depth` [m] from where it first touches, which it was searched for.
+void CoarseContact::sample(const WheelState<double>& state, double depth) {
   if (depth > searched_) search(state, 2 * depth);
   put(state, state.vertical - clearance_ - depth);
   depth_ = depth;
   regions_ = search_.regions(clearance_ + depth);
   penetration_.sample(placement_, regions_.first(std::min(regions_.size(), most_rows)), depth);
+}
+
+/// The rows in such a position.
+void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
+  sample(state, depth);
   complete_ = rows_.place(placement_, regions_, penetration_);
   normal_rows_.clear();
   for (const ContactRow& row : rows_.rows()) {
@@ -228,6 +233,7 @@ ContactPoint CoarseContact::search(const WheelState<double>& state, double reach
   lowest.gap = std::numeric_limits<double>::infinity();
   put(state, state.vertical);
   searched_ = reach;
+  penetration_.start();
   points_ = search_.find(placement_, reach);
   for (const ContactPoint& point : points_)
     if (point.gap < lowest.gap) lowest = point;
@@ -243,6 +249,17 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
   return hertz_from_load(gap, bodies_.material, vertical_force / cosine).approach / cosine;
 }
 
+/// A first depth [m]: after Hertz, from there by virtual penetration.
+double CoarseContact::first_depth(const WheelState<double>& state, const ContactPoint& touch, double vertical_force) {
+  constexpr double wider = 1.3, most = 3; // of Hertz's
+  const double hertzian = hertzian_lowering(touch, vertical_force);
+  sample(state, wider * hertzian);
+  const CombinedMaterial& m = bodies_.material;
+  const double depth =
+      penetration_.depth_for(vertical_force, m.shear_modulus / (1 - m.poisson_ratio), placement_.radius);
+  return depth > hertzian / most && depth < most * hertzian ? depth : hertzian;
+}
+
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
                           WheelRailSolution& out) {
   constexpr double first_search = 3e-4; // [m]
@@ -256,7 +273,7 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
     if (clearance_ < 0) lower(state, -clearance_, out);
     return;
   }
-  const double start = hertzian_lowering(touch, *vertical_force);
+  const double start = first_depth(state, touch, *vertical_force);
   deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
   if (!settle(state, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
 }
@@ -295,7 +312,7 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
     place_rows(state, depth);
     if (normal_rows_.empty() || !complete_) return false;
     const RowNormal::Result found =
-        find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
+        find_loads(vertical_force, first ? 3 : 2); // rows move with the height: a few steps are enough
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;

@@ -78,6 +78,7 @@ public:
 private:
   void put(const WheelState<double>& state, double vertical);
   ContactPoint search(const WheelState<double>& state, double reach);
+  void sample(const WheelState<double>& state, double depth);
   void place_rows(const WheelState<double>& state, double depth);
   RowNormal::Result find_loads(std::optional<double> vertical_force, int steps);
   double contact_gap(std::size_t row) const;
@@ -88,6 +89,7 @@ private:
   bool settle(const WheelState<double>& state, double vertical_force, double depth, WheelRailSolution& out);
   void bracket(const WheelState<double>& state, double vertical_force, double start, WheelRailSolution& out);
   double vertical_force() const;
+  double first_depth(const WheelState<double>& state, const ContactPoint& touch, double vertical_force);
   double hertzian_lowering(const ContactPoint& point, double vertical_force) const;
 
   const WheelRailBodies& bodies_;

@@ -12,7 +12,7 @@ namespace {
 
 using Sample = VirtualPenetration::Sample;
 
-constexpr double rows_of_a_parabola = 19; // across the overlap, before they thin out towards its ends: 16 then
+constexpr double rows_of_a_parabola = 15; // across the overlap, before they thin out towards its ends: 13 then
 constexpr double least_density = 2.5;     // of the scale, over the overlap's length
 // Of the scale across a parabola, sqrt(1/b^2 + (2.5/(2 b))^2) 2 b.
 constexpr double scale_of_a_parabola = 3.2;

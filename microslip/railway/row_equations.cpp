@@ -56,8 +56,7 @@ void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std
       const Vec3<double> way = rows[places[j]].place - loaded.place;
       // To a strip it is the distance across, as long as it is alongside.
       const double across = way.y * way.y + way.z * way.z, along = way.x * way.x, square = across + along;
-      distance_[k * stride_ + j] =
-          std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
+      distance_[k * stride_ + j] = std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
       factor_[k * stride_ + j] = unit * (level_[j] * level_[k] + sine_[j] * sine_[k]);
     }
     for (std::size_t j = count_; j < stride_; ++j) distance_[k * stride_ + j] = 1, factor_[k * stride_ + j] = 0;
@@ -126,8 +125,8 @@ RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
                rest = back < load ? back : 0;
   if (!(load > 0)) return {0};
   const double u = load * load / (above * (load - rest));
-  const double part = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0),
-               small = small_load * largest_, size = std::min(load / small, 1.0);
+  const double part = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0), small = small_load * largest_,
+               size = std::min(load / small, 1.0);
   OwnShare own{part * size, size < 1 ? part / small : 0};
   if (!(part > 0 && part < 1)) return own;
   const double by_u = size / (free_share - held_share) * u;

@@ -34,16 +34,17 @@ public:
   /// The rows at `places` of all of them, in ascending order; `unit` is (1 - nu)/(pi G) [1/Pa].
   void set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> places, double unit);
   std::size_t size() const { return count_; }
-  /// Finds all below at the loads [N/m] and ln(kappa) of all rows of the wheel, of which the same places count. Half-lengths are held at those of the
-  /// loads if `held`: then the equations are linear in the loads. Cost some 10 to 40 ns for each pair of rows.
+  /// Finds all below at the loads [N/m] and ln(kappa) of all rows of the wheel, of which the same places count.
+  /// Half-lengths are held at those of the loads if `held`: then the equations are linear in the loads. Cost some 10 to
+  /// 40 ns for each pair of rows.
   void find(std::span<const double> load, std::span<const double> log_kappa, std::span<const std::size_t> places,
             bool held);
 
   double load(std::size_t j) const { return load_[j]; }
-  double level(std::size_t j) const { return level_[j]; }                ///< cos(angle)
-  double weight(std::size_t j) const { return weight_[j]; }              ///< the vertical force of q = 1 [m]
+  double level(std::size_t j) const { return level_[j]; }   ///< cos(angle)
+  double weight(std::size_t j) const { return weight_[j]; } ///< the vertical force of q = 1 [m]
   double relative_kappa(std::size_t j) const { return log_kappa_[j] - log_curvature_[j]; } ///< ln(kappa/A)
-  double largest() const { return largest_; }                            ///< of the loads [N/m]
+  double largest() const { return largest_; }                                              ///< of the loads [N/m]
 
   /// e without zeta [m], and the residual of ln(kappa).
   double gap(std::size_t j) const { return gap_[j]; }
@@ -72,8 +73,8 @@ private:
   };
   /// How far a row's equation is its own.
   struct OwnShare {
-    double share = 1, by_load = 0;         ///< and its derivatives with respect to the row's load
-    std::array<double, 2> by_neighbour{};  ///< and the neighbours'
+    double share = 1, by_load = 0;        ///< and its derivatives with respect to the row's load
+    std::array<double, 2> by_neighbour{}; ///< and the neighbours'
   };
 
   void find_half_lengths(bool held);
@@ -88,8 +89,8 @@ private:
   // Of each row.
   std::vector<double> level_, sine_, weight_, half_width_, given_gap_, curvature_, log_curvature_;
   std::vector<double> load_, log_kappa_;
-  std::vector<double> half_length_;   ///< with a least load, so that none is 0 [m]
-  std::vector<double> by_load_;       ///< d ln(a)/dq, 0 where half-lengths are held
+  std::vector<double> half_length_; ///< with a least load, so that none is 0 [m]
+  std::vector<double> by_load_;     ///< d ln(a)/dq, 0 where half-lengths are held
   std::vector<double> gap_, turn_, turn_by_length_;
   std::vector<Neighbours> neighbours_;
 };

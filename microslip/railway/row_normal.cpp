@@ -208,7 +208,7 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
 
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
-  constexpr double enough = 1e-6, most_turn = 0.5;
+  constexpr double enough = 1e-4, most_turn = 0.5;
   constexpr int settling_steps = 15;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);

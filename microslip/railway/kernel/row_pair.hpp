@@ -19,17 +19,17 @@ template <class Real, int count> MICROSLIP_INLINE Lanes<Real, count> logarithm(c
   return Lanes<Real, count>::load(numbers);
 }
 
-/// The influence of a row of semi-elliptic pressure on another one, in lanes or for a single pair. A row bears a load of
-/// q for each unit of width with p = 2 q/(pi b) sqrt(1 - x^2/b^2); on a row of half-length a that is a distance y away
-/// its displacement has the mean, with the weight of a semi-ellipse as well,
+/// The influence of a row of semi-elliptic pressure on another one, in lanes or for a single pair. A row bears a load
+/// of q for each unit of width with p = 2 q/(pi b) sqrt(1 - x^2/b^2); on a row of half-length a that is a distance y
+/// away its displacement has the mean, with the weight of a semi-ellipse as well,
 ///   C q dy E[(Z^2 + y^2)^(-1/2)],  Z = a S - b T,
 /// C = (1 - nu)/(pi G), S and T independent with the density 2/pi sqrt(1 - t^2) on [-1, 1]. Over a strip that is
 ///   P = E[asinh(D/|Z|)]
-/// between the distances D of its edges. P depends on delta = D/c, c^2 = (a^2 + b^2)/2, in which Z has the same variance
-/// whatever a/b, and little on rho = (a^2 - b^2)/(a^2 + b^2), which is 0 for equal rows:
+/// between the distances D of its edges. P depends on delta = D/c, c^2 = (a^2 + b^2)/2, in which Z has the same
+/// variance whatever a/b, and little on rho = (a^2 - b^2)/(a^2 + b^2), which is 0 for equal rows:
 ///   P = sum of rho^(2 n) P_n(delta), P_n = h (A_n(m) + ln(delta^2) B_n(m)), h = delta/sqrt(1 + delta^2), m = h^2,
-/// n = 0 to 3. Coefficients are those that tools/fit_row_influence.py prints, with errors of 3e-4; where rho^2 is none of
-/// 0, 0.25, 0.64 and 1 P errs by 0.4 % at delta = 0.01, 0.2 % at 0.2, 0.1 % from 1 on.
+/// n = 0 to 3. Coefficients are those that tools/fit_row_influence.py prints, with errors of 3e-4; where rho^2 is none
+/// of 0, 0.25, 0.64 and 1 P errs by 0.4 % at delta = 0.01, 0.2 % at 0.2, 0.1 % from 1 on.
 template <class Number> struct RowPair {
   /// P and its derivatives with respect to ln a and ln b; odd in the distance.
   Number p, by_a, by_b, by_aa, by_ab;
@@ -59,8 +59,7 @@ private:
     }
 
   private:
-    template <int derivatives>
-    MICROSLIP_INLINE static void find(const Number* c, const Number& m, Number (&value)[3]) {
+    template <int derivatives> MICROSLIP_INLINE static void find(const Number* c, const Number& m, Number (&value)[3]) {
       value[0] = c[degree], value[1] = value[2] = Number(0);
 #pragma GCC unroll 8
       for (int k = degree - 1; k >= 0; --k) {
@@ -91,8 +90,8 @@ MICROSLIP_INLINE auto RowPair<Number>::edge(const Number& delta, const Number* c
   f.template find<2>(c0, m);
   {
     const Number q = f.a[0] + l * f.b[0], dq = (f.a[1] + l * f.b[1]) * dm + Number(2) * f.b[0];
-    const Number ddq = Number(2) * (f.a[2] + l * f.b[2]) * dm * dm + (f.a[1] + l * f.b[1]) * ddm +
-                       Number(4) * f.b[1] * dm;
+    const Number ddq =
+        Number(2) * (f.a[2] + l * f.b[2]) * dm * dm + (f.a[1] + l * f.b[1]) * ddm + Number(4) * f.b[1] * dm;
     out.p = h * q, out.s = h * (rate * q + dq);
     out.ss = h * ((rate * rate - dm) * q + Number(2) * rate * dq + ddq);
   }
@@ -106,8 +105,8 @@ MICROSLIP_INLINE auto RowPair<Number>::edge(const Number& delta, const Number* c
   return out;
 }
 
-/// P is a function of delta and rho, d ln c/d ln a = (1 + rho)/2, d rho/d ln a = 1 - rho^2; and of distances and lengths
-/// alike, so that its derivatives with respect to ln a and ln b add up to -S.
+/// P is a function of delta and rho, d ln c/d ln a = (1 + rho)/2, d rho/d ln a = 1 - rho^2; and of distances and
+/// lengths alike, so that its derivatives with respect to ln a and ln b add up to -S.
 template <class Number>
 MICROSLIP_INLINE RowPair<Number> RowPair<Number>::between(const Number& low, const Number& high, const Number& a,
                                                           const Number& b) {

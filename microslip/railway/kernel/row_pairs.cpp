@@ -13,8 +13,8 @@ static_assert(row_block % Vector::width == 0);
 void add_row(const RowPairs& r, int k, int j) {
   const int at = k * r.stride + j;
   const Vector distance = Vector::load(r.distance + at), factor = Vector::load(r.factor + at), half = r.half_width[k];
-  const auto v = RowPair<Vector>::between(distance - half, distance + half, Vector::load(r.half_length + j),
-                                          r.half_length[k]);
+  const auto v =
+      RowPair<Vector>::between(distance - half, distance + half, Vector::load(r.half_length + j), r.half_length[k]);
   const Vector load = r.load[k], by_load = load * Vector(r.by_load[k]), weighted = factor * load;
   (factor * (v.p + v.by_b * by_load)).store(r.gap_by_load + at);
   (Vector(-0.5) * weighted * v.by_b).store(r.gap_by_kappa + at);
