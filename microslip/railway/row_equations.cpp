@@ -8,12 +8,9 @@
 namespace microslip {
 namespace detail {
 MICROSLIP_DECLARE_KERNEL(FindRowPairs find_row_pairs())
-namespace {
-FindRowPairs best_row_pairs() {
-  const InstructionSet instruction_set = best_instruction_set();
+static FindRowPairs row_pairs_kernel(InstructionSet instruction_set) {
   return MICROSLIP_CALL_KERNEL(instruction_set, find_row_pairs());
 }
-} // namespace
 } // namespace detail
 namespace {
 
@@ -31,7 +28,8 @@ std::size_t filled_up(std::size_t count) {
 
 } // namespace
 
-RowEquations::RowEquations(std::size_t most_rows) : find_pairs_(detail::best_row_pairs()), neighbours_(most_rows) {
+RowEquations::RowEquations(std::size_t most_rows, InstructionSet instruction_set)
+    : find_pairs_(detail::row_pairs_kernel(instruction_set)), neighbours_(most_rows) {
   const std::size_t most = filled_up(most_rows);
   for (std::vector<double>* pairs :
        {&distance_, &factor_, &gap_by_load_, &gap_by_kappa_, &turn_by_load_, &turn_by_kappa_})

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/numerics/instruction_set.hpp"
 #include "microslip/railway/frame.hpp"
 #include "microslip/railway/kernel/row_pairs.hpp"
 
@@ -29,7 +30,7 @@ struct NormalRow {
 /// memory in the constructor. Indices count these rows.
 class RowEquations {
 public:
-  explicit RowEquations(std::size_t most_rows);
+  explicit RowEquations(std::size_t most_rows, InstructionSet instruction_set = best_instruction_set());
 
   /// The rows at `places` of all of them, in ascending order; `unit` is (1 - nu)/(pi G) [1/Pa].
   void set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> places, double unit);
