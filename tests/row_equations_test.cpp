@@ -90,7 +90,8 @@ TEST_F(Lobes, AreTheSameToTheLastBitWithEveryInstructionSet) {
     others.find(load, log_kappa, places, false);
     for (std::size_t j = 0; j < rows.size(); ++j) {
       EXPECT_EQ(others.gap(j), equations.gap(j));
-      for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(others.turn_by_kappa(j, k), equations.turn_by_kappa(j, k));
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        EXPECT_EQ(others.turn_by_kappa(j, k), equations.turn_by_kappa(j, k));
     }
   }
 }

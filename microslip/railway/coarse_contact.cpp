@@ -30,7 +30,7 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
 }
 
 /// Secants for the depth below the first touch, from by how much more the wheel should be lowered: the slope of that is
-/// about -1.
+/// about -1. Steps from loads that have not converged tell nothing about it.
 class Descent {
 public:
   /// What the next step leaves of what is missing, if it leaves the share that the last one left.
@@ -38,15 +38,15 @@ public:
     return known_ ? std::clamp(std::abs(missing / missing_before_), 0.01, 1.0) : 1;
   }
 
-  double next(double here, double missing) {
-    const double slope = known_ ? (missing - missing_before_) / (here - before_) : -1;
-    before_ = here, missing_before_ = missing, known_ = true;
+  double next(double here, double missing, bool converged) {
+    const double slope = known_ && converged_ ? (missing - missing_before_) / (here - before_) : -1;
+    before_ = here, missing_before_ = missing, known_ = true, converged_ = converged;
     return std::max(here - missing / (slope < -0.05 && slope > -4 ? slope : -1), 0.1 * here);
   }
 
 private:
   double before_ = 0, missing_before_ = 0;
-  bool known_ = false;
+  bool known_ = false, converged_ = false;
 };
 
 /// Rows of equal width in a patch's frame that bear what the given rows bear, which are of any width. Lengths, middles,
@@ -312,7 +312,7 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
     place_rows(state, depth);
     if (normal_rows_.empty() || !complete_) return false;
     const RowNormal::Result found =
-        find_loads(vertical_force, first ? 3 : 2); // rows move with the height: a few steps are enough
+        find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;
@@ -325,7 +325,7 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
       out.status = Status::ok;
       return true;
     }
-    depth = descent.next(depth, missing);
+    depth = descent.next(depth, missing, found.change == 0);
   }
   return false;
 }

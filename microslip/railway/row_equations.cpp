@@ -20,7 +20,7 @@ constexpr double least_load = 3e-3;
 /// Shares of a neighbour's load between which a row's kappa becomes its own.
 constexpr double held_share = 0.05, free_share = 0.3;
 /// Share of the largest load below which it does so less and less.
-constexpr double small_load = 1e-2;
+constexpr double small_load = 2e-3;
 
 std::size_t filled_up(std::size_t count) {
   return (count + detail::row_block - 1) / detail::row_block * detail::row_block;
@@ -115,7 +115,8 @@ void RowEquations::find_neighbours() {
 }
 
 /// It rises with u = q/q', q' the load of the neighbour, or of the lesser one if both bear more than the row. If one
-/// bears less, q", the row is free earlier: u = q^2/(q'(q - q")). Rows with next to no load are held in any case.
+/// bears less, q", the row is free earlier: u = q^2/(q'(q - q")). Rows with next to no load are held in any case,
+/// unless they bear hardly less than their neighbours.
 RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
   const Neighbours& n = neighbours_[j];
   const std::size_t first = n.share[0] > 0 && !(n.share[1] > 0 && load_[n.row[1]] < load_[n.row[0]]) ? 0 : 1;
@@ -123,14 +124,20 @@ RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
                rest = back < load ? back : 0;
   if (!(load > 0)) return {0};
   const double u = load * load / (above * (load - rest));
-  const double part = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0), small = small_load * largest_,
-               size = std::min(load / small, 1.0);
-  OwnShare own{part * size, size < 1 ? part / small : 0};
-  if (!(part > 0 && part < 1)) return own;
-  const double by_u = size / (free_share - held_share) * u;
+  const double rise = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0),
+               part = rise * rise * (3 - 2 * rise), small = small_load * largest_, size = load / (load + small);
+  const double both = n.rise + load, less = n.rise / both, held = 1 - part * size;
+  OwnShare own{1 - held * less};
+  own.by_load = less * part * small / ((load + small) * (load + small)) + held * n.rise / (both * both);
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!(n.share[side] > 0)) continue;
+    const double by_rise = held * load / (both * both);
+    own.by_neighbour[side] -= by_rise, own.by_load += by_rise;
+  }
+  const double by_u = less * size * 6 * rise * (1 - rise) / (free_share - held_share) * u;
   own.by_load += by_u * (2 / load - 1 / (load - rest));
-  own.by_neighbour[first] = -by_u / above;
-  if (rest > 0) own.by_neighbour[1 - first] = by_u / (load - rest);
+  own.by_neighbour[first] -= by_u / above;
+  if (rest > 0) own.by_neighbour[1 - first] += by_u / (load - rest);
   return own;
 }
 

@@ -22,7 +22,7 @@ RowNormal::RowNormal(std::size_t most_rows) : equations_(most_rows) {
     row->resize(most_rows);
   system_.resize(4 * most_rows * most_rows), right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
   in_contact_.resize(most_rows);
-  active_.reserve(most_rows), near_.reserve(most_rows), chosen_.reserve(most_rows);
+  active_.reserve(most_rows), near_.reserve(most_rows), is_near_.resize(most_rows);
 }
 
 /// Half-lengths of the rows that overlap by 0.45 of the most, from there, as virtual penetration has them; kappa as
@@ -57,18 +57,18 @@ bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
   return any;
 }
 
-/// Rows that are loaded or in contact and their neighbours, or all. Returns whether these are others than before.
+/// Adds the rows that are loaded or in contact and their neighbours, or all. Returns whether any is new.
 bool RowNormal::choose_rows() {
-  chosen_.clear();
   bool any = false;
   for (std::size_t k = 0; k < count_; ++k) any |= in_contact_[k] || load_[k] > 0;
   const auto taken = [&](std::size_t k) { return !any || in_contact_[k] || load_[k] > 0; };
-  for (std::size_t j = 0; j < count_; ++j)
-    if (count_ <= few_rows || taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1)))
-      chosen_.push_back(j);
-  if (chosen_ == near_) return false;
-  std::swap(chosen_, near_);
-  return true;
+  const std::size_t before = near_.size();
+  near_.clear();
+  for (std::size_t j = 0; j < count_; ++j) {
+    is_near_[j] |= count_ <= few_rows || taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1));
+    if (is_near_[j]) near_.push_back(j);
+  }
+  return near_.size() != before;
 }
 
 /// The same change of ln(kappa) for all rows, with which the mean of its residual vanishes, loads as weights.
@@ -185,12 +185,8 @@ void RowNormal::take_step(bool linear, Result& result) {
 /// are any.
 bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering) {
   bool any = false;
-  auto near = near_.begin();
   for (std::size_t j = 0; j < count_; ++j) {
-    if (near != near_.end() && *near == j) {
-      ++near;
-      continue;
-    }
+    if (is_near_[j]) continue;
     double gap = rows[j].gap - lowering * std::cos(rows[j].angle);
     for (std::size_t k = 0; k < count_ && gap < 0; ++k) {
       if (!(load_[k] > 0)) continue;
@@ -209,7 +205,7 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
   constexpr double enough = 1e-4, most_turn = 0.5;
-  constexpr int settling_steps = 15;
+  constexpr int settling_steps = 12;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
   if (warm) warm = start_from_last(rows);
@@ -217,6 +213,8 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
   for (std::size_t k = 0; k < count_; ++k) width_[k] = rows[k].width, s_[k] = rows[k].s;
   if (!warm) start(rows);
   near_.clear();
+  std::fill_n(is_near_.begin(), count_, 0);
+  double part = 1, change_before = 0;
   result.status = Status::not_converged;
   while (result.steps < most_steps && result.status != Status::ok) {
     // The first two steps find loads and half-lengths in turn, each with the others held.
@@ -231,8 +229,10 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     take_step(alone, result);
     double turned = 0;
     for (const std::size_t k : near_) turned = std::max(turned, std::abs(change_[k]));
-    // Where the steps do not settle, as rows come and go, half of each.
-    const double share = std::min(result.steps >= settling_steps ? 0.5 : 1.0, most_turn / std::max(turned, most_turn));
+    // Where the steps do not settle, as rows come and go, less and less of each.
+    if (result.steps >= settling_steps && result.change > 0.5 * change_before) part *= 0.7;
+    change_before = result.change;
+    const double share = std::min(part, most_turn / std::max(turned, most_turn));
     double largest = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       load_[k] += share * (next_load_[k] - load_[k]), log_kappa_[k] += share * change_[k];

@@ -37,7 +37,7 @@ public:
     Status status = Status::ok;
     int steps = 0;
   };
-  /// At most `most_steps` steps, fewer once the change is less than 1e-6, with which the next one's would be 1e-12.
+  /// At most `most_steps` steps, fewer once the change is less than 1e-4, with which the next one's would be 1e-8.
   /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads at the
   /// same s if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
   Result solve(const CombinedMaterial& material, std::span<const NormalRow> rows, std::optional<double> vertical_force,
@@ -65,8 +65,8 @@ private:
   std::vector<double> load_, log_kappa_, half_length_, width_, s_;
   std::vector<double> next_load_, change_; ///< of loads, and by how much ln(kappa) changes
   std::vector<char> in_contact_;
-  std::vector<std::size_t> near_;   ///< those of the equations: the others have no part in a step
-  std::vector<std::size_t> chosen_; ///< the next ones
+  std::vector<std::size_t> near_; ///< those of the equations: the others have no part in a step
+  std::vector<char> is_near_;
   std::vector<std::size_t> active_; ///< those of the equations that are in contact
   std::vector<double> system_, right_, per_lowering_, constant_;
 };
