@@ -81,7 +81,8 @@ template <class Solve> void ProfiledWheelset::solve_contacts(const Solve& solve)
   contact_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   contacts_ += 2;
   if (found_.status != microslip::Status::ok && found_.status != microslip::Status::no_contact)
-    throw std::runtime_error("the contacts are " + std::string(to_string(found_.status)));
+    throw std::runtime_error("the contacts are " + std::string(to_string(found_.status)) + ": " +
+                             std::string(to_string(found_.reason)));
 }
 
 ProfiledWheelset::State ProfiledWheelset::standing(double displacement) {

@@ -17,8 +17,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Share of the largest load below which a row's half-length in the influences falls no further.
 constexpr double least_load = 3e-3;
-/// Shares of a neighbour's load between which a row's kappa becomes its own.
-constexpr double held_share = 0.05, free_share = 0.3;
+/// Share of a neighbour's load at which half of a row's kappa is its own.
+constexpr double half_share = 0.2;
+constexpr double smoothing = 0.02; // of kappa, times a half-length over the distance of rows
 /// Share of the largest load below which it does so less and less.
 constexpr double small_load = 2e-3;
 
@@ -114,34 +115,64 @@ void RowEquations::find_neighbours() {
   }
 }
 
-/// It rises with u = q/q', q' the load of the neighbour, or of the lesser one if both bear more than the row. If one
-/// bears less, q", the row is free earlier: u = q^2/(q'(q - q")). Rows with next to no load are held in any case,
-/// unless they bear hardly less than their neighbours.
+/// It is u/(u + 0.2), where u = q^2/(q'(q - q")) beside a neighbour that bears more, q', and one that bears less, q",
+/// and q/(q' - q) between two that bear more, q' the lesser load; less for rows with next to no load, and more for
+/// those that bear hardly less than their neighbours.
 RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
   const Neighbours& n = neighbours_[j];
-  const std::size_t first = n.share[0] > 0 && !(n.share[1] > 0 && load_[n.row[1]] < load_[n.row[0]]) ? 0 : 1;
-  const double load = load_[j], above = load_[n.row[first]], back = load_[n.row[1 - first]],
-               rest = back < load ? back : 0;
+  const double load = load_[j];
   if (!(load > 0)) return {0};
-  const double u = load * load / (above * (load - rest));
-  const double rise = std::clamp((u - held_share) / (free_share - held_share), 0.0, 1.0),
-               part = rise * rise * (3 - 2 * rise), small = small_load * largest_, size = load / (load + small);
-  const double both = n.rise + load, less = n.rise / both, held = 1 - part * size;
+  const bool valley = n.share[0] > 0 && n.share[1] > 0;
+  const std::size_t first = valley ? load_[n.row[1]] < load_[n.row[0]] : n.share[1] > 0, second = 1 - first;
+  const double above = load_[n.row[first]];
+  double u = 0, by_load = 0; // and its logarithmic derivatives
+  std::array<double, 2> by_neighbour{};
+  if (valley) {
+    u = load / (above - load);
+    by_load = 1 / load + 1 / (above - load), by_neighbour[first] = -1 / (above - load);
+  } else {
+    const bool has_other = n.row[second] != j;
+    const double rest = has_other ? load - load_[n.row[second]] : load;
+    u = load * load / (above * rest);
+    by_load = 2 / load - 1 / rest, by_neighbour[first] = -1 / above;
+    if (has_other) by_neighbour[second] = 1 / rest;
+  }
+  const double part = std::isfinite(u) ? u / (u + half_share) : 1, small = small_load * largest_,
+               size = load / (load + small), both = n.rise + load, less = n.rise / both, held = 1 - part * size;
   OwnShare own{1 - held * less};
   own.by_load = less * part * small / ((load + small) * (load + small)) + held * n.rise / (both * both);
+  const double by_u = std::isfinite(u) ? less * size * part * (1 - part) : 0;
+  own.by_load += by_u * by_load;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (!(n.share[side] > 0)) continue;
-    const double by_rise = held * load / (both * both);
-    own.by_neighbour[side] -= by_rise, own.by_load += by_rise;
+    const double by_rise = n.share[side] > 0 ? held * load / (both * both) : 0;
+    own.by_neighbour[side] = by_u * by_neighbour[side] - by_rise, own.by_load += by_rise;
   }
-  const double by_u = less * size * 6 * rise * (1 - rise) / (free_share - held_share) * u;
-  own.by_load += by_u * (2 / load - 1 / (load - rest));
-  own.by_neighbour[first] -= by_u / above;
-  if (rest > 0) own.by_neighbour[1 - first] += by_u / (load - rest);
   return own;
 }
 
+/// Rows much narrower than long have no kappa of their own either: a neighbour at the distance d holds it with
+/// 0.02 a/d, in proportion to its share of both loads.
+void RowEquations::smooth_kappa() {
+  for (std::size_t j = 0; j < count_; ++j) {
+    if (!(load_[j] > 0)) continue;
+    double sum = 0;
+    for (const std::size_t k : neighbours_[j].row) {
+      if (k == j || !(load_[k] > 0)) continue;
+      const double both = load_[j] + load_[k], apart = relative_kappa(j) - relative_kappa(k);
+      const double stiffness = smoothing * half_length_[j] / distance_[k * stride_ + j],
+                   held = stiffness * load_[k] / both;
+      sum += held * apart;
+      turn_by_kappa_[j * stride_ + j] += held, turn_by_kappa_[k * stride_ + j] -= held;
+      const double by_load = stiffness * apart / (both * both);
+      turn_by_load_[j * stride_ + j] -= by_load * load_[k], turn_by_load_[k * stride_ + j] += by_load * load_[j];
+    }
+    turn_[j] += sum;
+    turn_by_load_[j * stride_ + j] += sum * by_load_[j], turn_by_kappa_[j * stride_ + j] -= sum / 2;
+  }
+}
+
 void RowEquations::hold_to_neighbours() {
+  smooth_kappa();
   for (std::size_t j = 0; j < count_; ++j) {
     const Neighbours& n = neighbours_[j];
     if (!(n.rise > 0)) continue;

@@ -80,6 +80,7 @@ private:
 
   void find_half_lengths(bool held);
   void find_neighbours();
+  void smooth_kappa();
   OwnShare own_share(std::size_t j) const;
 
   detail::FindRowPairs find_pairs_;

@@ -204,7 +204,7 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
 
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
-  constexpr double enough = 1e-4, most_turn = 0.5;
+  constexpr double enough = 1e-5, enough_turn = 1e-4, most_turn = 0.5;
   constexpr int settling_steps = 12;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
@@ -240,7 +240,7 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     }
     ++result.steps;
     if (!(largest > 0) || !std::isfinite(result.change)) start(rows), warm = false;
-    if (found && !alone && result.change < enough && turned < 1e-3 && !touch_elsewhere(rows, result.lowering))
+    if (found && !alone && result.change < enough && turned < enough_turn && !touch_elsewhere(rows, result.lowering))
       result.status = Status::ok;
   }
   if (result.status != Status::ok && !(result.change > enough)) result.change = 1; // the active set has not settled

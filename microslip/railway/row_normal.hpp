@@ -22,8 +22,9 @@ namespace microslip {
 /// are those of centres. Neighbouring patches influence one another as rows do, whatever their distance.
 ///
 /// Unknowns are q and ln(kappa), kappa = (2 q/(pi a))/a the peak pressure over a, which is Hertz's for all rows of an
-/// ellipse. Rows with less than 0.3 of a neighbour's load take part of their kappa from it, in proportion to A, all of
-/// it below 0.05: the outermost rows' are ill-defined. Newton's method for both, with active sets in each step.
+/// ellipse. Rows with less load than their neighbours take part of their kappa from these, in proportion to A, half of
+/// it at a fifth of the load at the end of a contact: there their own is ill-defined. So it is where rows are much
+/// narrower than long, and neighbours hold each other's kappa. Newton's method for both, with active sets in each step.
 ///
 /// All memory is taken in the constructor; solve() allocates nothing.
 class RowNormal {
@@ -37,7 +38,7 @@ public:
     Status status = Status::ok;
     int steps = 0;
   };
-  /// At most `most_steps` steps, fewer once the change is less than 1e-4, with which the next one's would be 1e-8.
+  /// At most `most_steps` steps, fewer once the change is less than 1e-5, with which the next one's would be 1e-10.
   /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads at the
   /// same s if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
   Result solve(const CombinedMaterial& material, std::span<const NormalRow> rows, std::optional<double> vertical_force,
