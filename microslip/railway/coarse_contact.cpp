@@ -280,7 +280,7 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
 
 /// The wheel lowered by a depth [m] that is given. Returns its vertical force [N].
 double CoarseContact::lower(const WheelState<double>& state, double depth, WheelRailSolution& out) {
-  constexpr int most_steps = 40;
+  constexpr int most_steps = 60;
   ++out.iterations;
   std::fill(shear_.begin(), shear_.end(), 0.0); // which matters for a vertical force only
   place_rows(state, depth);

@@ -204,8 +204,8 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
 
 RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<const NormalRow> rows,
                                    std::optional<double> vertical_force, bool warm, int most_steps) noexcept {
-  constexpr double enough = 1e-5, enough_turn = 1e-4, most_turn = 0.5;
-  constexpr int settling_steps = 12;
+  constexpr double enough = 1e-5, enough_turn = 1e-4, careful = 0.4, near = 0.01;
+  constexpr int settling_steps = 16;
   Result result;
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
   if (warm) warm = start_from_last(rows);
@@ -214,11 +214,12 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
   if (!warm) start(rows);
   near_.clear();
   std::fill_n(is_near_.begin(), count_, 0);
-  double part = 1, change_before = 0;
+  double part = 1, most_turn = 0.5;
+  int since_start = warm ? 2 : 0;
   result.status = Status::not_converged;
   while (result.steps < most_steps && result.status != Status::ok) {
     // The first two steps find loads and half-lengths in turn, each with the others held.
-    const bool alone = !warm && result.steps < 2;
+    const bool alone = since_start < 2;
     if (choose_rows()) equations_.set_rows(rows, near_, unit_);
     equations_.find(load_, log_kappa_, near_, alone);
     if (alone)
@@ -229,17 +230,17 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
     take_step(alone, result);
     double turned = 0;
     for (const std::size_t k : near_) turned = std::max(turned, std::abs(change_[k]));
-    // Where the steps do not settle, as rows come and go, less and less of each.
-    if (result.steps >= settling_steps && result.change > 0.5 * change_before) part *= 0.7;
-    change_before = result.change;
-    const double share = std::min(part, most_turn / std::max(turned, most_turn));
+    const double share = std::min(result.change < near ? 1 : part, most_turn / std::max(turned, most_turn));
     double largest = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       load_[k] += share * (next_load_[k] - load_[k]), log_kappa_[k] += share * change_[k];
       largest = std::max(largest, load_[k]);
     }
-    ++result.steps;
-    if (!(largest > 0) || !std::isfinite(result.change)) start(rows), warm = false;
+    ++result.steps, ++since_start;
+    // Where the steps do not settle, as rows come and go, a part of each, from the beginning.
+    const bool unsettled = result.steps == settling_steps && result.change > enough;
+    if (unsettled) part = careful, most_turn *= careful;
+    if (unsettled || !(largest > 0) || !std::isfinite(result.change)) start(rows), since_start = 0;
     if (found && !alone && result.change < enough && turned < enough_turn && !touch_elsewhere(rows, result.lowering))
       result.status = Status::ok;
   }
