@@ -62,6 +62,14 @@ TEST(WheelContinuity, ForcesOfTheExactLevelDoNotJumpWhereElementsComeAndGo) {
   }
 }
 
+/// Between two patches a third one loses its load there: without it the others' loads must not depend on its stiffness.
+TEST(WheelContinuity, APatchBetweenOthersThatLosesItsLoadLeavesThemAlone) {
+  WheelRailBodies bodies = s1002_on_60e1();
+  bodies.track.cant = 1.0 / 20;
+  WheelRail wheel(bodies, {.level = WheelRailLevel::exact});
+  EXPECT_LT(jump_near(wheel, 6.4635e-3, 2e-3, 150e3, 2), 1e-3);
+}
+
 /// The flange of a hollow wheel just touches, and the gap between it and the tread is deeper than the search reaches.
 TEST(WheelContinuity, ContactsWithADeepHoleBetweenThemAreTwoPatches) {
   WheelRail wheel(validation::worn_pairs()[1].bodies, {});

@@ -38,8 +38,8 @@ std::optional<ContactExtent> ContactGroup::extent(double depth) const {
   const auto touches = exact.extent(near * depth);
   if (!touches) return {};
   const PatchFrame& frame = group.outline.frame;
-  return ContactExtent{frame.origin.x + touches->x_low, frame.origin.x + touches->x_high,
-                       frame.rail_s + touches->s_low, frame.rail_s + touches->s_high};
+  return ContactExtent{frame.origin.x + touches->x_low, frame.origin.x + touches->x_high, frame.rail_s + touches->s_low,
+                       frame.rail_s + touches->s_high};
 }
 
 double greatest_overlap(std::span<const ContactGroup> groups) {
@@ -64,8 +64,10 @@ PatchOutline limited_to(const PatchOutline& whole, std::span<const ContactExtent
   const PatchFrame& frame = whole.frame;
   ContactExtent all{infinity, -infinity, infinity, -infinity}; // in the frame
   for (const ContactExtent& e : extents) {
-    const double x_low = std::max(whole.x_low, e.x_low - frame.origin.x), x_high = std::min(whole.x_high, e.x_high - frame.origin.x);
-    const double s_low = std::max(whole.s_low, e.s_low - frame.rail_s), s_high = std::min(whole.s_high, e.s_high - frame.rail_s);
+    const double x_low = std::max(whole.x_low, e.x_low - frame.origin.x),
+                 x_high = std::min(whole.x_high, e.x_high - frame.origin.x);
+    const double s_low = std::max(whole.s_low, e.s_low - frame.rail_s),
+                 s_high = std::min(whole.s_high, e.s_high - frame.rail_s);
     if (!(x_low < x_high && s_low < s_high)) continue;
     all.x_low = std::min(all.x_low, x_low), all.x_high = std::max(all.x_high, x_high);
     all.s_low = std::min(all.s_low, s_low), all.s_high = std::max(all.s_high, s_high);

@@ -88,7 +88,8 @@ void press(std::vector<ContactGroup>& groups, ContactGroup& one, double zeta, do
     const double secant = (one.pressed - *one.force_before) / (approach - one.approach_before);
     if (secant > 0.5 * one.stiffness && secant < 2 * one.stiffness) one.stiffness = secant;
   }
-  if (!(one.stiffness > 0)) one.stiffness = hertzian_stiffness(one, loads);
+  // Without contact it has no part in the next step; that it once had would let the others' forces diverge.
+  if (!(one.stiffness > 0) || !(one.pressed > 0)) one.stiffness = hertzian_stiffness(one, loads);
   one.force_before = one.pressed, one.approach_before = approach;
 }
 
