@@ -335,6 +335,13 @@ TEST(WheelRail, MovesAsCombinationsOfTheBasicNumbersDo) {
   }
 }
 
+/// As long as the derivatives' own at the exact level, where elements that come and go leave kinks in the forces.
+double exact_half_step(const StateQuantity& q, bool held) {
+  const double place = held ? 5e-6 : 1.4e-6;
+  if (q.name == "yaw" || q.name == "deflection_yaw") return 2e-5;
+  return q.unit == "m" ? place : q.unit == "rad" ? 2 * place : q.unit == "1/m" ? 2e-5 : q.unit == "m/s" ? 2e-4 : 4e-4;
+}
+
 TEST(WheelRail, HasDerivativesAtTheExactLevel) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right})
     for (const bool held : {false, true}) {
@@ -346,19 +353,46 @@ TEST(WheelRail, HasDerivativesAtTheExactLevel) {
       WheelRailSolution found;
       WheelRailDerivatives d;
       contact.differentiate(state, force, found, d);
-      int off = 0;
       for (std::size_t k = 0; k < state_numbers; ++k) {
         const StateQuantity& q = state_quantities()[k];
         SCOPED_TRACE(q.name);
-        const Compared wanted = difference(contact, state, force, q, half_step(q));
-        const double errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
-        off += size(d.force[k] - wanted.force) > 1e-4 * size(wanted.force) + errors ||
-               size(d.moment[k] - wanted.moment) > 1e-4 * size(wanted.moment) + errors;
-        EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 1e-6);
+        const Compared wanted = difference(contact, state, force, q, exact_half_step(q, held));
+        // Rail and axle turned together move the contact hardly, by a sum of ways on which kinks differ.
+        const bool is_sum = q.name == "deflection_roll" || q.name == "deviation_roll";
+        const double of_ways = is_sum ? 0.01 : 0, errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
+        EXPECT_LT(size(d.force[k] - wanted.force), 1e-3 * size(wanted.force) + of_ways * size(d.force[0]) + errors);
+        EXPECT_LT(size(d.moment[k] - wanted.moment), 1e-3 * size(wanted.moment) + of_ways * size(d.moment[0]) + errors);
+        EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 4e-6);
       }
-      EXPECT_LE(off, 1); // forces jump, where an element comes into contact or is taken for a sliding one
-      EXPECT_NEAR(d.force[state_numbers].z, held ? 1 : 0, 1e-6);
+      EXPECT_NEAR(d.force[state_numbers].z, held ? 1 : 0, 2e-6);
     }
+}
+
+/// Beside a line through forces within 0.05 mm, over the slope or, where that is less, mu times the load in a
+/// centimetre. Where elements come and go slopes differ by some hundredths, and at 4.76 mm a second lobe comes into
+/// contact.
+TEST(WheelRail, HasTheSlopesOfItsForcesAtTheExactLevel) {
+  constexpr double load = 80e3, least = 0.3 * load / 0.01, spacing = 1e-5;
+  constexpr int places = 20;
+  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
+  std::vector<double> errors;
+  for (int k = 0; k < places; ++k) {
+    const double y = -5.741e-3 + 0.7e-3 * k;
+    WheelRailSolution found;
+    WheelRailDerivatives d;
+    contact.differentiate(running(y, 2e-3), load, found, d);
+    double sum = 0, squares = 0;
+    for (int i = -5; i <= 5; ++i) {
+      sum += i * contact.solve(running(y + i * spacing, 2e-3), load).force.y;
+      squares += i * i * spacing;
+    }
+    const double slope = sum / squares;
+    errors.push_back(std::abs(d.force[0].y - slope) / (std::abs(slope) + least));
+    EXPECT_GT(d.force[0].y * slope, 0) << y;
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[places / 2], 0.006);
+  EXPECT_LT(errors[places * 9 / 10], 0.1);
 }
 
 TEST(WheelRail, VariablesOfDerivativesStandInTheOrderOfTheTable) {

@@ -110,14 +110,32 @@ bool ExactPatch::holds_contact() const {
   return !pressed_.touches_border;
 }
 
+std::optional<ExactPatch::Extent> ExactPatch::extent(double near) const {
+  if (!(pressed_.normal_force > 0)) return {};
+  int left = grid_.mx, right = 0, low = grid_.my, high = 0;
+  for (std::size_t k = 0; k < pressed_.gap.size(); ++k) {
+    if (!(pressed_.pressure[k] > 0 || pressed_.gap[k] < near)) continue;
+    const int i = static_cast<int>(k % grid_.mx), j = static_cast<int>(k / grid_.mx);
+    left = std::min(left, i), right = std::max(right, i), low = std::min(low, j), high = std::max(high, j);
+  }
+  return Extent{grid_.x(left) - 1.5 * grid_.dx, grid_.x(right) + 1.5 * grid_.dx, grid_.y(low) - 1.5 * grid_.dy,
+                grid_.y(high) + 1.5 * grid_.dy};
+}
+
 void ExactPatch::find_loads() {
-  constexpr int side = 6; // elements of a block along either axis: blocks stay where they are when the contact grows
-  const int columns = (grid_.mx + side - 1) / side, rows = (grid_.my + side - 1) / side;
+  constexpr int side = 6; // elements of a block along either axis
+  // Blocks stay where they are in the frame when the contact grows or the elements reach further.
+  const auto before = [](double centre, double size) {
+    const int number = static_cast<int>(std::lround(centre / size)) % side;
+    return number < 0 ? number + side : number;
+  };
+  const int i0 = before(grid_.x0, grid_.dx), j0 = before(grid_.y0, grid_.dy);
+  const int columns = (i0 + grid_.mx + side - 1) / side, rows = (j0 + grid_.my + side - 1) / side;
   loads_.assign(static_cast<std::size_t>(columns) * rows, {{}, 0, frame_.angle});
   for (std::size_t k = 0; k < pressed_.pressure.size(); ++k) {
     const double force = pressed_.pressure[k] * grid_.element_area();
     if (!(force > 0)) continue;
-    const std::size_t column = k % grid_.mx / side, row = k / grid_.mx / side;
+    const std::size_t column = (i0 + k % grid_.mx) / side, row = (j0 + k / grid_.mx) / side;
     PointLoad& sum = loads_[row * columns + column];
     sum.force += force, sum.place = sum.place + force * place(k);
   }

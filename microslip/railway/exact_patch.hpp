@@ -68,6 +68,12 @@ public:
   double unsettled() const { return unsettled_; }
   /// Returns whether the outline holds the contact, as the elements need it.
   bool holds_contact() const;
+  /// Sides, in the frame, of a rectangle around the contact and where the gap is less than `near` [m], with an element
+  /// to spare; nothing without contact.
+  struct Extent {
+    double x_low, x_high, s_low, s_high;
+  };
+  std::optional<Extent> extent(double near) const;
   /// The pressures as one load, that of none at the frame's origin; and as some loads over the patch.
   const PointLoad& load() const { return load_; }
   std::span<const PointLoad> loads() const { return loads_; }

@@ -103,20 +103,6 @@ struct BasicDerivatives {
 };
 constexpr auto height_number = static_cast<std::size_t>(WheelVariable::vertical);
 
-/// Of the force [N] and, with the wheel's radius, of the moment.
-double size(const Wrench& a) {
-  constexpr double radius = 0.5; // [m]
-  return std::sqrt(dot(a.force, a.force) + dot(a.moment, a.moment) / (radius * radius));
-}
-
-/// Of two differences, to one side and to the other: their mean or, where they are not alike, the one nearer to another
-/// derivative.
-Wrench continuous(const Wrench& up, const Wrench& down, const Wrench& other) {
-  constexpr double alike = 1e-3;
-  if (size(up - down) <= alike * size(up + down)) return 0.5 * (up + down);
-  return size(up - other) < size(down - other) ? up : down;
-}
-
 /// Difference by the state's number k, to the side of the step's sign.
 template <class Forces>
 Wrench difference(const WheelState<double>& state, std::size_t k, double step, const Wrench& here,
@@ -130,29 +116,46 @@ bool is_velocity(std::size_t basic) {
   return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
 }
 
-/// The step of a forward difference: a hundred-thousandth or less of an approach of 50 um and a creepage of 0.001.
-double difference_step(std::size_t basic, double speed) {
-  constexpr double place = 1e-10, yaw = 5e-9, creepage = 5e-10, radius = 0.5; // [m], [rad], [-], [m]
-  switch (static_cast<WheelVariable>(basic)) {
-  case WheelVariable::lateral:
-  case WheelVariable::vertical:
-    return place;
-  case WheelVariable::roll:
-    return place / radius;
-  case WheelVariable::yaw:
-    return yaw;
-  case WheelVariable::forward_velocity:
-  case WheelVariable::lateral_velocity:
-  case WheelVariable::vertical_velocity:
-    return creepage * speed;
-  default:
-    return creepage * speed / radius;
+/// Steps of differences.
+struct DifferenceSteps {
+  double place, yaw, creepage; ///< [m], [rad], [-]
+
+  double of(std::size_t basic, double speed) const {
+    constexpr double radius = 0.5; // [m]
+    switch (static_cast<WheelVariable>(basic)) {
+    case WheelVariable::lateral:
+    case WheelVariable::vertical:
+      return place;
+    case WheelVariable::roll:
+      return place / radius;
+    case WheelVariable::yaw:
+      return yaw;
+    case WheelVariable::forward_velocity:
+    case WheelVariable::lateral_velocity:
+    case WheelVariable::vertical_velocity:
+      return creepage * speed;
+    default:
+      return creepage * speed / radius;
+    }
   }
+};
+
+/// Forward differences at the coarse level: a hundred-thousandth or less of an approach of 50 um and a creepage of
+/// 0.001.
+constexpr DifferenceSteps coarse_steps = {1e-10, 5e-9, 5e-10};
+
+/// Central ones at the exact level. Elements come and go with every micrometre or so, each with a kink in the forces,
+/// and so do those that slide with the creepage: steps take some together. They are small beside the patch's approach
+/// [m], on which the load depends where the height is given, and beside creepages of 0.001.
+DifferenceSteps exact_steps(double approach, bool force_given) {
+  constexpr double of_approach = 0.02, of_approach_with_force = 0.08;
+  return {(force_given ? of_approach_with_force : of_approach) * approach, 2e-5, 1e-5};
 }
 
 /// Along the track [m], and of the wheel's pitch [rad]: surfaces vary slowly there.
 constexpr std::array<std::pair<std::size_t, double>, 2> place_steps = {std::pair{longitudinal_number, 1e-6},
                                                                        {pitch_number, 2e-6}};
+constexpr double longer_along = 20; ///< these steps of the exact level
 using PlaceDerivatives = std::array<Wrench, place_steps.size()>;
 
 /// From derivatives with the height held to those with the vertical force held, by the implicit function theorem.
@@ -332,8 +335,9 @@ private:
   void differentiate_left(WheelState<double> state, std::optional<double> vertical_force,
                           const WheelRailSolution& found, WheelRailDerivatives& d) {
     state.vertical = found.vertical;
-    double speed = 0;
-    for (const WheelRailPatch& patch : found.patches) speed = std::max(speed, patch.rolling_speed);
+    double speed = 0, approach = 0;
+    for (const WheelRailPatch& patch : found.patches)
+      speed = std::max(speed, patch.rolling_speed), approach = std::max(approach, patch.approach);
     const bool exact = method.level == WheelRailLevel::exact;
     Wrench coarse_here = Wrench::of(found);
     if (exact || vertical_force) {
@@ -343,7 +347,7 @@ private:
     BasicDerivatives basic = coarse_derivatives(state, speed, coarse_here);
     if (vertical_force) basic = with_force_held(basic);
     PlaceDerivatives by_place = place_derivatives(state, coarse_here, basic);
-    if (exact) basic = exact_derivatives(state, vertical_force, speed, basic, by_place);
+    if (exact) basic = exact_derivatives(state, vertical_force, speed, approach, basic, by_place);
     const auto motions = relative_motions(nominal, state);
     for (std::size_t k = 0; k < state_numbers; ++k) {
       const Wrench turned = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
@@ -387,7 +391,7 @@ private:
   BasicDerivatives coarse_derivatives(const WheelState<double>& state, double speed, const Wrench& here) {
     BasicDerivatives derivatives;
     for (std::size_t k = basic_motions; k-- > 0;) {
-      const double step = step_scale() * difference_step(k, speed);
+      const double step = step_scale() * coarse_steps.of(k, speed);
       if (!(step > 0)) continue;
       derivatives.by[k] = difference(state, k, step, here, [&](const WheelState<double>& there) {
         if (is_velocity(k)) {
@@ -403,37 +407,38 @@ private:
     return derivatives;
   }
 
-  /// Differences to both sides, with held what is given. Now and then the forces jump within one of them, as an element
-  /// is taken for a sliding one or not. Then the other one counts, which is nearer to the coarse level's.
+  /// Central differences, with held what is given.
   BasicDerivatives exact_derivatives(const WheelState<double>& state, std::optional<double> vertical_force,
-                                     double speed, const BasicDerivatives& coarse_level, PlaceDerivatives& by_place) {
-    constexpr double longer = 20;           // than the coarse level's, since its rounding is larger
-    constexpr double share_of_force = 3e-5; // of the load, as much as that of the approach
+                                     double speed, double approach, const BasicDerivatives& coarse_level,
+                                     PlaceDerivatives& by_place) {
+    constexpr double share_of_force = 1e-3;
+    const DifferenceSteps steps = exact_steps(approach, vertical_force.has_value());
     const auto forces = [&](const WheelState<double>& there, std::optional<double> force) {
       solve_left(there, force, trial);
       return Wrench::of(trial);
     };
-    const auto held = [&](const WheelState<double>& there) { return forces(there, vertical_force); };
-    const Wrench here = held(state);
+    const auto central = [&](std::size_t number, double step) {
+      WheelState<double> there = state;
+      double& x = *there.numbers()[number];
+      const double here = x;
+      x = here + step;
+      const Wrench up = forces(there, vertical_force);
+      x = here - step;
+      Wrench d = 0.5 / step * (up - forces(there, vertical_force));
+      if (!vertical_force) d.height = 0; // as it is given
+      return d;
+    };
     BasicDerivatives derivatives = coarse_level;
     for (std::size_t k = 0; k < basic_motions; ++k) {
-      const double step = longer * step_scale() * difference_step(k, speed);
-      if (!(step > 0) || (vertical_force && k == height_number)) continue;
-      derivatives.by[k] = continuous(difference(state, k, step, here, held), difference(state, k, -step, here, held),
-                                     coarse_level.by[k]);
-      if (!vertical_force) derivatives.by[k].height = 0; // as it is given
+      const double step = steps.of(k, speed);
+      if (step > 0 && !(vertical_force && k == height_number)) derivatives.by[k] = central(k, step);
     }
     if (is_general)
-      for (std::size_t k = 0; k < place_steps.size(); ++k) {
-        const auto& [number, step] = place_steps[k];
-        by_place[k] = continuous(difference(state, number, longer * step, here, held),
-                                 difference(state, number, -longer * step, here, held), by_place[k]);
-        if (!vertical_force) by_place[k].height = 0;
-      }
+      for (std::size_t k = 0; k < place_steps.size(); ++k)
+        by_place[k] = central(place_steps[k].first, longer_along * place_steps[k].second);
     if (!vertical_force) return derivatives;
     const double step = share_of_force * *vertical_force;
-    derivatives.by_force = continuous(1 / step * (forces(state, *vertical_force + step) - here),
-                                      1 / step * (here - forces(state, *vertical_force - step)), coarse_level.by_force);
+    derivatives.by_force = 0.5 / step * (forces(state, *vertical_force + step) - forces(state, *vertical_force - step));
     return derivatives;
   }
 };

@@ -82,8 +82,9 @@ public:
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
   /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
-  /// solves and are as accurate for the discrete problem; with one element more across each contact half of those by
-  /// positions differ by up to 5e-3, and by velocities by 1e-3. Derivatives of what is not solved are zero.
+  /// solves and are slopes over some micrometres, since forces have kinks where elements come and go; with one element
+  /// more across each contact half of those by positions differ by up to 1e-2, and by velocities by 5e-4. Derivatives
+  /// of what is not solved are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives, const Progress& progress = {});
 

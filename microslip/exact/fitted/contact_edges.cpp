@@ -1,213 +1,225 @@
 #include "microslip/exact/fitted/contact_edges.hpp"
 
 #include "microslip/exact/fitted/pressure_curvature.hpp"
+#include "microslip/numerics/fade.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <numbers>
 
 namespace microslip {
 namespace {
 
-constexpr double window = 1.2, window_in_line_contact = 3; // times the square root of the patch's number of elements
-constexpr double inward_window = 1.3;                      // times that
-constexpr int smallest_window = 3;                         // elements
-constexpr double rim_weight = 0.05;                        // of elements on the rim of the contact
-constexpr double pivot_limit = 1e-9; // of the normal equations, scaled to a unit diagonal: below, no unique fit
-constexpr double farthest_outward = 1.5, farthest_inward = 0.5; // from the outermost element's centre [elements]
+constexpr double window = 2, window_in_line_contact = 4; // times the square root of the contact's length [elements]
+constexpr double window_across = 1.6;                    // times that of its number of rows
+constexpr double inward_window = 1.3;                    // times the window outward
+constexpr double smallest_window = 3;                    // elements
+constexpr double rim_weight = 0.05;                      // of elements beside one without pressure
+constexpr double inner_square =
+    0.5;                       // p_n^2 of the neighbours, over its own, from which on an element is not on the rim
+constexpr double ridge = 1e-6; // of the fit's coefficients, over the sum of its weights
+constexpr double all_moments = 0.5, all_fit = 1.5; // half-lengths of runs [elements]
+constexpr double connecting_load = 0.02;           // of the mean row's, from which on a row connects those beside it
 
-/// A set of elements in contact that share sides.
-struct Patch {
-  int first_column, last_column, first_row, last_row;
+/// Elements of a row in contact with the edges of the semi-ellipse that has their load, centre and second moment.
+struct Run {
+  ContactRun elements;
+  double load = 0;          ///< sum of pressures
+  double low = 0, high = 0; ///< [columns]
 
-  int columns() const { return last_column - first_column + 1; }
-  int rows() const { return last_row - first_row + 1; }
+  double centre() const { return (low + high) / 2; }
+  double half() const { return (high - low) / 2; }
+  double peak() const { return 2 / std::numbers::pi * load / half(); }
 };
 
-int half_window(int elements, double factor) {
-  return std::max(smallest_window, static_cast<int>(std::lround(factor * std::sqrt(elements))));
-}
-
-/// Which patch each element is part of; -1 without pressure.
-struct Patches {
-  std::vector<int> of;
-  std::vector<Patch> list;
-};
-
-Patches find_patches(const ElementGrid& grid, std::span<const double> pressure) {
-  Patches patches{std::vector<int>(grid.count(), -1), {}};
-  std::vector<std::size_t> open;
-  for (std::size_t seed = 0; seed < grid.count(); ++seed) {
-    if (!(pressure[seed] > 0) || patches.of[seed] >= 0) continue;
-    const int label = static_cast<int>(patches.list.size());
-    Patch patch{grid.mx, 0, grid.my, 0};
-    const auto visit = [&](std::size_t k) {
-      if (!(pressure[k] > 0) || patches.of[k] >= 0) return;
-      patches.of[k] = label;
-      open.push_back(k);
-    };
-    visit(seed);
-    while (!open.empty()) {
-      const std::size_t k = open.back();
-      open.pop_back();
-      const int i = static_cast<int>(k % grid.mx), j = static_cast<int>(k / grid.mx);
-      patch.first_column = std::min(patch.first_column, i), patch.last_column = std::max(patch.last_column, i);
-      patch.first_row = std::min(patch.first_row, j), patch.last_row = std::max(patch.last_row, j);
-      if (i > 0) visit(k - 1);
-      if (i + 1 < grid.mx) visit(k + 1);
-      if (j > 0) visit(k - grid.mx);
-      if (j + 1 < grid.my) visit(k + grid.mx);
-    }
-    patches.list.push_back(patch);
+/// A semi-ellipse of half-length a has the variance a^2/4, and a constant element 1/12.
+Run run_from(const ElementGrid& grid, std::span<const double> pressure, int row, int first) {
+  const double* p = &pressure[static_cast<std::size_t>(row) * grid.mx];
+  Run found{{row, first, first, 0, 0}};
+  double sum = 0, squares = 0;
+  for (int i = first; i < grid.mx && p[i] > 0; ++i) {
+    const double x = i - first;
+    found.load += p[i], sum += p[i] * x, squares += p[i] * x * x;
+    found.elements.last = i;
   }
-  return patches;
+  const double centre = sum / found.load;
+  const double half = 2 * std::sqrt(std::max(squares / found.load - centre * centre, 0.0) + 1.0 / 12);
+  found.low = first + centre - half, found.high = first + centre + half;
+  return found;
 }
 
-/// The polynomials that are fitted, by their number of coefficients.
-enum class Polynomial { quadratic_in_u = 3, cubic_in_u = 4, cubic_in_u_and_v = 10 };
-
-/// A weighted least-squares fit.
-class EdgeFit {
+/// A weighted least-squares fit by a cubic polynomial, drawn a little towards zero: so it exists for any points.
+class CubicFit {
 public:
-  explicit EdgeFit(Polynomial polynomial)
-      : functions_(static_cast<std::size_t>(polynomial)), spare_(polynomial == Polynomial::cubic_in_u_and_v ? 2 : 0) {}
-
-  /// Sums along a row of points: of w u^k and of w z u^k for the values z and weights w.
-  struct RowSums {
-    std::array<double, 7> weights{};
-    std::array<double, 4> values{};
-    std::size_t points = 0;
-
-    void add(double u, double value, double weight) {
-      double power = weight;
-      for (std::size_t k = 0; k < weights.size(); ++k, power *= u) {
-        weights[k] += power;
-        if (k < values.size()) values[k] += power * value;
-      }
-      ++points;
-    }
-  };
-
-  void add(double v, const RowSums& row) {
-    points_ += row.points;
-    double power = 1;
-    for (std::size_t j = 0; j < weights_.size(); ++j, power *= v) {
-      for (std::size_t i = 0; i + j < weights_.size(); ++i) weights_[j][i] += power * row.weights[i];
-      for (std::size_t i = 0; i + j < values_.size(); ++i) values_[j][i] += power * row.values[i];
+  void add(double u, double value, double weight) {
+    double power = weight;
+    for (std::size_t k = 0; k < weights_.size(); ++k, power *= u) {
+      weights_[k] += power;
+      if (k < values_.size()) values_[k] += power * value;
     }
   }
 
-  /// The coefficients of 1, u, u^2, u^3 at v = 0; nothing if there are too few points or they do not determine it.
-  std::optional<std::array<double, 4>> along_row() const {
-    if (points_ < functions_ + spare_) return {};
-    std::array<std::array<double, most_functions + 1>, most_functions> a{};
-    std::array<double, most_functions> diagonal{};
-    for (std::size_t r = 0; r < functions_; ++r) {
-      const auto [ru, rv] = exponents[r];
-      for (std::size_t c = 0; c < functions_; ++c) a[r][c] = weights_[rv + exponents[c].v][ru + exponents[c].u];
-      a[r][most_functions] = values_[rv][ru];
-      diagonal[r] = a[r][r];
+  std::array<double, 4> coefficients() const {
+    std::array<std::array<double, 4>, 4> a{};
+    std::array<double, 4> b = values_;
+    for (std::size_t r = 0; r < b.size(); ++r) {
+      for (std::size_t c = 0; c < b.size(); ++c) a[r][c] = weights_[r + c];
+      a[r][r] += ridge * weights_[0];
     }
-    for (std::size_t k = 0; k < functions_; ++k) {
-      if (!(a[k][k] > pivot_limit * diagonal[k])) return {};
-      for (std::size_t r = 0; r < functions_; ++r) {
-        if (r == k) continue;
+    for (std::size_t k = 0; k < b.size(); ++k)
+      for (std::size_t r = k + 1; r < b.size(); ++r) {
         const double factor = a[r][k] / a[k][k];
-        for (std::size_t c = k; c <= most_functions; ++c) a[r][c] -= factor * a[k][c];
+        for (std::size_t c = k; c < b.size(); ++c) a[r][c] -= factor * a[k][c];
+        b[r] -= factor * b[k];
       }
+    for (std::size_t k = b.size(); k-- > 0;) {
+      for (std::size_t c = k + 1; c < b.size(); ++c) b[k] -= a[k][c] * b[c];
+      b[k] /= a[k][k];
     }
-    std::array<double, 4> coefficients{};
-    for (std::size_t k = 0; k < std::min<std::size_t>(functions_, 4); ++k)
-      coefficients[k] = a[k][most_functions] / a[k][k];
-    return coefficients;
+    return b;
   }
 
 private:
-  static constexpr std::size_t most_functions = 10;
-  struct Exponents {
-    std::size_t u, v;
-  };
-  static constexpr std::array<Exponents, most_functions> exponents = {
-      {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 1}, {0, 2}, {1, 1}, {2, 1}, {1, 2}, {0, 3}}};
-
-  std::size_t functions_, spare_, points_ = 0;
-  std::array<std::array<double, 7>, 7> weights_{}; ///< sums of w u^i v^j in [j][i], i + j <= 6
-  std::array<std::array<double, 4>, 4> values_{};  ///< of w z u^i v^j, i + j <= 3
+  std::array<double, 7> weights_{}; ///< sums of w u^k
+  std::array<double, 4> values_{};  ///< of w z u^k
 };
 
-/// Where a polynomial falls through zero, by Newton's method from 0 on.
-std::optional<double> falling_zero(const std::array<double, 4>& c) {
+/// Where a polynomial falls through zero, near 0: steps of Newton's method, whose number and least slope are fixed so
+/// that the place is a continuous function of the coefficients.
+double falling_zero(const std::array<double, 4>& c) {
+  constexpr int steps = 6;
+  constexpr double least_slope = 0.3, farthest = 1;
   double u = 0;
-  for (int k = 0; k < 50; ++k) {
-    const double slope = c[1] + u * (2 * c[2] + u * 3 * c[3]);
-    if (!(slope < 0)) return {};
-    const double step = (c[0] + u * (c[1] + u * (c[2] + u * c[3]))) / slope;
-    u -= step;
-    if (std::abs(step) < 1e-12) return u;
+  for (int k = 0; k < steps; ++k) {
+    const double slope = std::min(c[1] + u * (2 * c[2] + u * 3 * c[3]), -least_slope);
+    u = std::clamp(u - (c[0] + u * (c[1] + u * (c[2] + u * c[3]))) / slope, -farthest, farthest);
   }
-  return {};
+  return u;
+}
+
+/// 1 at 0, falling to 0 at +-1.
+double bell(double t) {
+  const double s = std::max(1 - t * t, 0.0);
+  return s * s;
 }
 
 /// Finds the edges of the runs of one contact.
 class EdgeSearch {
 public:
   EdgeSearch(const ElementGrid& grid, std::span<const double> pressure)
-      : grid_(grid), line_(grid.my == 1), patches_(find_patches(grid, pressure)), square_(pressure.size()),
-        weight_(pressure.size()) {
-    const double weight_power = line_ ? 4 : 0.5;
+      : grid_(grid), line_(grid.my == 1), square_(pressure.size()), weight_(pressure.size()) {
+    find_runs(pressure);
     const double peak = *std::max_element(pressure.begin(), pressure.end());
     const std::vector<double> curvature = pressure_curvature(grid, pressure);
     for (std::size_t k = 0; k < pressure.size(); ++k) {
       if (!(pressure[k] > 0)) continue;
-      const double p = pressure[k] / peak;
-      square_[k] = p * (p + curvature[k] / peak / 12);
-      weight_[k] = std::pow(p, weight_power) * (on_rim(grid, pressure, k) ? rim_weight : 1);
+      const double p = pressure[k] / peak, all = line_ ? p * p * p * p : p;
+      square_[k] = pressure[k] * (pressure[k] + curvature[k] / 12);
+      weight_[k] = all * std::lerp(rim_weight, 1, inside(pressure, k));
     }
   }
 
-  /// How far the edge is outward of the centre of the run's outermost element (`side` 1: high x, -1: low) [elements].
-  double edge(const ContactRun& run, int side) const {
-    const int column = side > 0 ? run.last : run.first;
-    const Patch& patch = patches_.list[static_cast<std::size_t>(patches_.of[at(column, run.row)])];
-    const Polynomial first = line_ ? Polynomial::cubic_in_u : Polynomial::cubic_in_u_and_v;
-    for (const Polynomial polynomial : {first, Polynomial::quadratic_in_u}) {
-      const auto place = fitted_edge(column, run.row, side, patch, polynomial);
-      if (place && *place >= -2 * farthest_outward && *place <= 2 * farthest_outward)
-        return std::clamp(*place, -farthest_inward, farthest_outward);
-    }
-    return 0.5;
+  const std::vector<Run>& runs() const { return runs_; }
+
+  /// Where the edge of a run is [columns] (`side` 1: high x, -1: low).
+  double edge(const Run& run, int side) const {
+    constexpr double largest_share = 0.7, largest_of_none = 0.5, largest_growth = 0.1; // limits of the correction
+    const double half = run.half(), share = 1 - fade(half, all_moments, all_fit);
+    const double from = side > 0 ? run.high : run.low;
+    if (!(share > 0)) return from;
+    const double width = half_window(length_, line_ ? window_in_line_contact : window);
+    CubicFit fit;
+    add_elements(fit, run, run, side, width, 1);
+    if (!line_)
+      for (const int way : {-1, 1}) add_neighbours(fit, run, way, side, width);
+    std::array<double, 4> c = fit.coefficients();
+    c[1] -= 1, c[2] -= width / (2 * half);
+    const double limit = std::min(largest_share * half, largest_of_none + largest_growth * half);
+    return from + side * share * std::clamp(falling_zero(c) * width, -limit, limit);
   }
 
 private:
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(j) * grid_.mx + i; }
+  static double half_window(double elements, double factor) {
+    return std::max(smallest_window, factor * std::sqrt(elements));
+  }
 
-  std::optional<double> fitted_edge(int column, int row, int side, const Patch& patch, Polynomial polynomial) const {
-    const int label = patches_.of[at(column, row)];
-    const int columns = half_window(patch.columns(), line_ ? window_in_line_contact : window);
-    const int rows = polynomial == Polynomial::cubic_in_u_and_v ? half_window(patch.rows(), window) : 0;
-    const int inward = column - side * static_cast<int>(std::lround(inward_window * columns)),
-              outward = column + side * columns;
-    const int low = std::max(std::min(inward, outward), 0), high = std::min(std::max(inward, outward), grid_.mx - 1);
-    EdgeFit fit(polynomial);
-    for (int j = std::max(row - rows, 0); j <= std::min(row + rows, grid_.my - 1); ++j) {
-      EdgeFit::RowSums sums;
-      for (int i = low; i <= high; ++i)
-        if (patches_.of[at(i, j)] == label)
-          sums.add(double(side * (i - column)) / columns, square_[at(i, j)], weight_[at(i, j)]);
-      fit.add(rows > 0 ? double(j - row) / rows : 0, sums);
+  /// The contact's length is the mean of its runs' by their loads; the number of rows that of a parabola, as loads of
+  /// rows are for Hertz, with as large a sum of squares.
+  void find_runs(std::span<const double> pressure) {
+    double load = 0, lengths = 0, squares = 0;
+    for (int j = 0; j < grid_.my; ++j) {
+      first_.push_back(runs_.size());
+      double of_row = 0;
+      for (int i = 0; i < grid_.mx; ++i) {
+        if (!(pressure[at(i, j)] > 0)) continue;
+        const Run& run = runs_.emplace_back(run_from(grid_, pressure, j, i));
+        i = run.elements.last;
+        of_row += run.load, lengths += run.load * 2 * run.half();
+      }
+      load += of_row, squares += of_row * of_row;
     }
-    const auto c = fit.along_row();
-    const auto zero = c ? falling_zero(*c) : std::nullopt;
-    if (!zero) return {};
-    return *zero * columns;
+    first_.push_back(runs_.size());
+    length_ = lengths / load, rows_ = 1.2 * load * load / squares, mean_load_ = squares / load;
+  }
+
+  /// 0 of an element on the rim of the contact, 1 further inside.
+  double inside(std::span<const double> pressure, std::size_t k) const {
+    const auto loaded = [&](std::size_t neighbour) {
+      const double ratio = pressure[neighbour] / pressure[k];
+      return 1 - fade(ratio * ratio, 0, inner_square);
+    };
+    const std::size_t mx = grid_.mx, i = k % mx;
+    double share = i > 0 && i + 1 < mx ? loaded(k - 1) * loaded(k + 1) : 0;
+    if (!line_) share *= k >= mx && k + mx < pressure.size() ? loaded(k - mx) * loaded(k + mx) : 0;
+    return share;
+  }
+
+  /// Adds what p_n^2 of a run differs from its semi-ellipse's, stretched to the length of the run whose edge is sought.
+  /// With u the distance beyond the edge over the window's width w, and a the half-length, the semi-ellipse has
+  /// p_n^2/p_0^2 a/(2 w) = -u - w/(2 a) u^2.
+  void add_elements(CubicFit& fit, const Run& of, const Run& run, int side, double width, double weight) const {
+    const double half = run.half(), stretch = half / (of.half() * width), bend = width / (2 * half);
+    const double edge = side > 0 ? of.high : of.low, scale = half / (2 * width * of.peak() * of.peak());
+    const double reach = (side > 0 ? inward_window : 1) / stretch,
+                 other_reach = (side > 0 ? 1 : inward_window) / stretch;
+    const int low = std::max(of.elements.first, static_cast<int>(std::ceil(edge - reach)));
+    const int high = std::min(of.elements.last, static_cast<int>(std::floor(edge + other_reach)));
+    for (int i = low; i <= high; ++i) {
+      const std::size_t k = at(i, of.elements.row);
+      const double u = side * (i - edge) * stretch;
+      fit.add(u, square_[k] * scale + u + bend * u * u, weight * weight_[k] * bell(u < 0 ? u / inward_window : u));
+    }
+  }
+
+  /// Adds runs of the rows to one side, as far as rows with load connect them and they lie beside the run.
+  void add_neighbours(CubicFit& fit, const Run& run, int way, int side, double width) const {
+    const double rows = half_window(rows_, window_across);
+    double connected = 1;
+    for (int distance = 1; distance < rows && connected > 0; ++distance) {
+      const int j = run.elements.row + way * distance;
+      if (j < 0 || j >= grid_.my) return;
+      double borne = 0;
+      for (std::size_t k = first_[static_cast<std::size_t>(j)]; k < first_[static_cast<std::size_t>(j) + 1]; ++k) {
+        const Run& other = runs_[k];
+        const double common = std::min(run.high, other.high) - std::max(run.low, other.low);
+        const double beside = 1 - fade(common / (2 * std::min(run.half(), other.half())), 0.1, 0.5);
+        if (beside > 0) add_elements(fit, other, run, side, width, connected * beside * bell(distance / rows));
+        borne += beside * other.load;
+      }
+      connected *= 1 - fade(borne, 0, connecting_load * mean_load_);
+    }
   }
 
   const ElementGrid& grid_;
   bool line_; ///< one row
-  Patches patches_;
-  std::vector<double> square_, weight_; ///< p_n squared at the centres, what is fitted; both of the peak pressure's
+  std::vector<Run> runs_;
+  std::vector<std::size_t> first_;      ///< run of each row
+  double length_ = 0, rows_ = 0;        ///< of the contact [elements]
+  double mean_load_ = 0;                ///< of its rows, by their load
+  std::vector<double> square_, weight_; ///< p_n squared at the centres, what is fitted
 };
 
 } // namespace
@@ -215,24 +227,15 @@ private:
 std::vector<ContactRun> contact_runs(const ElementGrid& grid, std::span<const double> pressure) {
   const EdgeSearch search(grid, pressure);
   std::vector<ContactRun> runs;
-  for (int j = 0; j < grid.my; ++j) {
-    const auto in_contact = [&](int i) {
-      return i < grid.mx && pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0;
-    };
-    for (int i = 0; i < grid.mx; ++i) {
-      if (!in_contact(i)) continue;
-      ContactRun run{j, i, i, 0, 0};
-      while (in_contact(run.last + 1)) ++run.last;
-      run.low = grid.x(run.first) - search.edge(run, -1) * grid.dx;
-      run.high = grid.x(run.last) + search.edge(run, 1) * grid.dx;
-      if (!runs.empty() && runs.back().row == j) run.low = std::max(run.low, runs.back().high);
-      if (run.high - run.low < 0.5 * grid.dx) { // hardly in contact
-        run.low = grid.x(run.first) - grid.dx / 2;
-        run.high = grid.x(run.last) + grid.dx / 2;
-      }
-      runs.push_back(run);
-      i = run.last;
+  for (const Run& run : search.runs()) {
+    ContactRun found = run.elements;
+    found.low = grid.x0 + search.edge(run, -1) * grid.dx;
+    found.high = grid.x0 + search.edge(run, 1) * grid.dx;
+    if (!runs.empty() && runs.back().row == found.row) {
+      const double between = grid.x0 + (runs.back().last + found.first) / 2.0 * grid.dx;
+      runs.back().high = std::min(runs.back().high, between), found.low = std::max(found.low, between);
     }
+    runs.push_back(found);
   }
   return runs;
 }

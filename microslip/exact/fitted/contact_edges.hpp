@@ -14,18 +14,19 @@ struct ContactRun {
   double low = 0, high = 0; ///< where the edges cut the middle of the row [m]
 };
 
-/// All runs of elements with pressure, row by row and in each with x ascending. Near an edge p_n squared, at the
-/// elements' centres by (E38), falls linearly to zero. It is fitted by a cubic polynomial in x and y, and the edge is
-/// where that is zero. The fit takes the elements of the same patch around the run's last one, 1.2 sqrt(n) to either
-/// side and 1.3 times as many inward (n is the patch's number of elements along that axis; at least 3), by least
-/// squares with the weights sqrt(p_n), a twentieth of that on the rim of the contact, where discrete pressures jump
-/// from row to row if the edge is oblique to the grid. Polynomials along the row alone would follow those jumps;
-/// quadratic ones are better for Hertz, where p_n squared is one, but lose by far for other shapes. In a line contact
-/// there are no other rows: the fit is cubic in x, with p_n^4 as weights and 3 sqrt(n) elements.
+/// All runs of elements with pressure, row by row and in each with x ascending. A run's edges are first those of the
+/// semi-ellipse that has its load, centre and second moment. Near an edge p_n squared, at the elements' centres by
+/// (E38), falls linearly to zero: what it differs from the semi-ellipse's is fitted by a cubic polynomial over the
+/// distance from the edge, and the edge is where both together are zero. For Hertz the difference is nought. The fit
+/// takes elements up to 2 sqrt(n) beyond the edge and 1.3 times as many inward, of this run and of those beside it in
+/// 1.6 sqrt(m) rows to either side, each over its own semi-ellipse (n elements are the contact's mean length, m its
+/// rows; at least 3). Weights are the pressures, a twentieth of that on the rim of the contact, where discrete
+/// pressures jump from row to row if the edge is oblique to the grid. In a line contact they are p_n^4, over 4 sqrt(n)
+/// elements. Runs of less than three elements have the edges of their moments.
 ///
-/// Where a patch is too small for that fit, a quadratic one along the row replaces it, and for runs below three
-/// elements the edge is the outermost element's side. An edge lies at most 1.5 elements outward of the outermost centre
-/// and half of one inward. Cost O(N + e n), e being the number of runs. `pressure` is that of the normal problem.
+/// Edges are continuous functions of the pressures while elements come and go, with the exception of runs of one row
+/// that become one: all are sums over pressures whose weights vanish there. Cost O(N + e n m), e being the number of
+/// runs. `pressure` is that of the normal problem.
 std::vector<ContactRun> contact_runs(const ElementGrid& grid, std::span<const double> pressure);
 
 } // namespace microslip

@@ -4,6 +4,7 @@
 #include "microslip/exact/fitted/contact_edges.hpp"
 #include "microslip/exact/fitted/edge_element.hpp"
 #include "microslip/exact/fitted/pressure_curvature.hpp"
+#include "microslip/numerics/fade.hpp"
 
 #include <algorithm>
 #include <array>
@@ -161,63 +162,80 @@ void check_pressure(const ElementGrid& grid, std::span<const double> pressure) {
   if (!contact) throw Error("pressure: must be positive at an element at least");
 }
 
-/// The traction bound along a run: factor(x) sqrt((x - low)(high - x)), the factor constant on every element.
+/// The traction bound along a run: factor(x) sqrt((x - low)(high - x)), the factor constant on every element. An
+/// element's own factor, that of its pressure, counts from 1 to 2 elements inside on; nearer to the edge pressures are
+/// bad, and the factor is a straight line through those further inside.
 class RunProfile {
 public:
   /// `mean` pressures of the grid's elements.
-  RunProfile(const ElementGrid& grid, std::span<const double> mean, const ContactRun& run)
-      : grid_(grid), run_(run), first_(run.first) {
-    // Elements; nearer to the edge than that, an element's pressure is bad. Edges that are limited (contact_runs) have
-    // centres just 1.5 elements inside: rounding must not decide on which side these are.
-    constexpr double good_depth = 1.5 - 1e-6;
-    const double depth = good_depth * grid.dx;
-    int last = run.last;
-    while (first_ < last && grid.x(first_) < run.low + depth) ++first_;
-    while (last > first_ && grid.x(last) > run.high - depth) --last;
-    if (first_ == last) {
-      factors_ = {1};
-      return;
-    }
+  RunProfile(const ElementGrid& grid, std::span<const double> mean, const ContactRun& run) : grid_(grid), run_(run) {
+    first_ = column_of(run.low);
+    const int last = std::max(column_of(run.high), first_);
+    std::vector<double> own, good;
     for (int i = first_; i <= last; ++i) {
-      const double x = grid.x(i);
-      factors_.push_back(mean[static_cast<std::size_t>(run.row) * grid.mx + i] /
-                         shape_between(x - grid.dx / 2, x + grid.dx / 2));
+      const double x = grid.x(i), share = 1 - fade(inset(x), good_from, good_to);
+      const double shape = shape_between(x - grid.dx / 2, x + grid.dx / 2);
+      good.push_back(share);
+      own.push_back(share > 0 ? mean[static_cast<std::size_t>(run.row) * grid.mx + i] / shape : 0);
     }
-    extend_to_edges();
+    const double all = mean_factor(own, good);
+    const Line low = line(own, good, all, -1), high = line(own, good, all, 1);
+    for (int i = first_; i <= last; ++i) {
+      const double x = grid.x(i), share = good[i - first_];
+      const double nearer_low = fade((x - (run.low + run.high) / 2) / grid.dx, -1, 1);
+      const double beside =
+          nearer_low * low.at((x - run.low) / grid.dx) + (1 - nearer_low) * high.at((run.high - x) / grid.dx);
+      factors_.push_back(share * own[i - first_] + (1 - share) * std::max(beside, smallest_share * all));
+    }
   }
 
   /// The integral from `from` to `to`; infinite ones are the edges.
   double integral(double from, double to) const {
     double sum = 0;
     const int last = first_ + static_cast<int>(factors_.size()) - 1;
-    const double place = (from - grid_.x(first_)) / grid_.dx;
-    const int begin = place > 0 ? std::min(first_ + static_cast<int>(place), last) : first_;
-    for (int i = begin; i <= last; ++i) {
+    for (int i = from > run_.low ? std::clamp(column_of(from), first_, last) : first_; i <= last; ++i) {
       const double low = i == first_ ? -infinity : grid_.x(i) - grid_.dx / 2;
       const double high = i == last ? infinity : grid_.x(i) + grid_.dx / 2;
       if (low >= to) break;
-      if (high <= from) continue;
       sum += factors_[static_cast<std::size_t>(i - first_)] * shape_between(std::max(low, from), std::min(high, to));
     }
     return sum;
   }
 
 private:
-  /// Linearly, to the element beyond the run's outermost one on either side.
-  void extend_to_edges() {
-    constexpr std::size_t reach = 2;       // elements that the slope is taken over
-    constexpr double smallest_share = 0.2; // of the last good factor that is left at an edge
-    const std::size_t over = std::min(reach, factors_.size() / 2), size = factors_.size();
-    const int before = first_ - run_.first + 1, after = run_.last + 1 - (first_ + static_cast<int>(size) - 1);
-    const auto extrapolated = [&](double edge, double inside, int elements) {
-      return std::max(edge + (edge - inside) / static_cast<double>(over) * elements, smallest_share * edge);
-    };
-    std::vector<double> extended;
-    for (int k = before; k > 0; --k) extended.push_back(extrapolated(factors_.front(), factors_[over], k));
-    extended.insert(extended.end(), factors_.begin(), factors_.end());
-    for (int k = 1; k <= after; ++k) extended.push_back(extrapolated(factors_.back(), factors_[size - 1 - over], k));
-    factors_ = std::move(extended);
-    first_ -= before;
+  static constexpr double good_from = 1, good_to = 2; // elements from the edge
+  static constexpr double reach = 6;                  // elements from the edge, of the straight line
+  static constexpr double smallest_share = 0.2;       // of the run's mean factor, that is left at an edge
+  static constexpr double trust = 1e-2;               // weight of the run's mean factor without a slope, in elements
+
+  /// Of the factor over the distance from an edge [elements].
+  struct Line {
+    double value, slope;
+    double at(double distance) const { return value + slope * (distance - good_to); }
+  };
+
+  int column_of(double x) const { return static_cast<int>(std::floor((x - grid_.x0) / grid_.dx + 0.5)); }
+  double inset(double x) const { return std::min(x - run_.low, run_.high - x) / grid_.dx; }
+
+  double mean_factor(const std::vector<double>& own, const std::vector<double>& good) const {
+    double sum = 0, weights = 0;
+    for (std::size_t k = 0; k < own.size(); ++k) sum += good[k] * own[k], weights += good[k];
+    return weights > 0 ? sum / weights : 1;
+  }
+
+  /// Least squares over the elements beside an edge.
+  Line line(const std::vector<double>& own, const std::vector<double>& good, double all, int side) const {
+    double weights = trust, first = 0, second = trust, values = 0, products = 0;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const double x = grid_.x(first_ + static_cast<int>(k));
+      const double distance = (side > 0 ? run_.high - x : x - run_.low) / grid_.dx;
+      const double w = good[k] * fade(distance, good_to, reach), d = distance - good_to;
+      weights += w, first += w * d, second += w * d * d;
+      values += w * (own[k] - all), products += w * d * (own[k] - all);
+    }
+    const double determinant = weights * second - first * first;
+    return {all + (second * values - first * products) / determinant,
+            (weights * products - first * values) / determinant};
   }
 
   double shape_between(double from, double to) const {
@@ -227,7 +245,7 @@ private:
 
   const ElementGrid& grid_;
   const ContactRun& run_;
-  int first_;
+  int first_ = 0;
   std::vector<double> factors_;
 };
 

@@ -49,10 +49,11 @@ FittedContact fit_line(double a, int n, double length = 1);
 /// Any contact area, from the pressure [Pa] of the normal problem at a grid's elements (only its shape matters); the
 /// edges by contact_runs. Every run of elements in contact is a separate row, as in contacts of several patches. The
 /// bound has along a run the shape sqrt((x - x_t)(x_l - x)) times a factor that is the pressure's (its mean over the
-/// element, E38) 1.5 elements or more inside, and goes on linearly from there to the edges, where the pressures of
-/// elements are bad; a run's share of the load is the normal problem's, so that the shares times the areas have the sum
-/// 1 to rounding. An element that would overlap the leading element of a run behind is left out and its load counts for
-/// the next one: across a gap shorter than an element or two the bodies are discretised, but not at second order.
+/// element, E38) 2 elements or more inside, and passes into a straight line from there to 1 element from the edges,
+/// where the pressures of elements are bad; a run's share of the load is the normal problem's, so that the shares times
+/// the areas have the sum 1 to rounding. An element that would overlap the leading element of a run behind is left out
+/// and its load counts for the next one: across a gap shorter than an element or two the bodies are discretised, but
+/// not at second order.
 ///
 /// Throws Error for pressures below zero or not finite, without any contact, for bilinear elements, and unless the grid
 /// has three columns to spare ahead of the contact and one behind.

@@ -2,7 +2,6 @@
 
 #include "microslip/contact/element_grid.hpp"
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -11,11 +10,9 @@ namespace microslip {
 /// Estimates the pressure itself from the pressures p of the normal problem's constant elements. With
 /// c = dx^2 d^2p/dx^2 + dy^2 d^2p/dy^2 it is p + c/24 at an element's centre and has the mean p + c/12 over it (E38).
 ///
-/// c [Pa] of each element, by differences of p^2, which is smooth up to the edge; without the part of an axis along
-/// which an element lacks a neighbour in contact, at most 6 p in size, and 0 outside the contact. Cost O(N).
+/// c [Pa] of each element, by differences of p^2, which is smooth up to the edge, at most 6 p in size, and 0 outside
+/// the contact. The part of an axis fades out where a neighbour's p^2 is less than a tenth of the element's own, so
+/// that neighbours come into contact without a jump. Cost O(N).
 std::vector<double> pressure_curvature(const ElementGrid& grid, std::span<const double> pressure);
-
-/// Whether an element in contact lacks a neighbour in contact: along x, or along y unless there is one row only.
-bool on_rim(const ElementGrid& grid, std::span<const double> pressure, std::size_t element);
 
 } // namespace microslip
