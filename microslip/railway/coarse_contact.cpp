@@ -308,11 +308,12 @@ bool CoarseContact::settle(const WheelState<double>& state, double vertical_forc
   constexpr int most_iterations = 12;
   Descent descent;
   while (out.iterations < most_iterations) {
-    const bool first = ++out.iterations == 1;
+    ++out.iterations;
     place_rows(state, depth);
     if (normal_rows_.empty() || !complete_) return false;
-    const RowNormal::Result found =
-        find_loads(vertical_force, first ? 4 : 2); // rows move with the height: a few steps are enough
+    // Rows move with the height: a few steps are enough, unless they do not settle.
+    const int steps = out.iterations == 1 ? 4 : out.iterations < 5 ? 2 : 12;
+    const RowNormal::Result found = find_loads(vertical_force, steps);
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;
