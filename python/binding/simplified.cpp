@@ -67,31 +67,9 @@ DerivativeArrays differentiate_batch(const RowSolver& solver, const ContactBatch
   for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
     std::array<ContactDerivatives, 256> derivatives;
     mine.differentiate(contacts, std::span(derivatives).first(contacts.size()));
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      out.forces.put(first + i, derivatives[i].forces);
-      const double* jacobian = &derivatives[i].jacobian[0][0];
-      std::copy(jacobian, jacobian + 12, out.jacobian.begin() + static_cast<std::ptrdiff_t>(12 * (first + i)));
-    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) out.put(first + i, derivatives[i]);
   });
   return out;
-}
-
-/// A batch method: the contact that the others are like, and arrays.
-template <class Solve> auto batch_method(const Solve& solve) {
-  return [solve](const RowSolver& self, const EllipticContact& like, const py::object& longitudinal,
-                 const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
-                 const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
-                 const py::object& friction, const py::object& rolling_speed, const py::object& dissimilarity,
-                 int threads) {
-    const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
-                                    friction, rolling_speed, dissimilarity});
-    return solve(self, batch, thread_count(threads));
-  };
-}
-
-EllipticContact moved(EllipticContact contact, double longitudinal, double lateral, double spin) {
-  contact.creepage = {longitudinal, lateral, spin};
-  return contact;
 }
 
 RealArray pressures(const py::object& pressure, std::size_t rows) {
@@ -127,42 +105,30 @@ constexpr const char* batch_text =
     "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
     "of range have Status.invalid_input and NaN.";
 
-void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& method, const std::string& text) {
-  const auto none = py::none();
-  solver.def(name, batch_method(method), "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
-             py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
-             "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
-             "threads"_a = 0, text.c_str());
-}
-
 void bind_row_solver(py::module_& module) {
   auto solver = py::class_<RowSolver>(module, "RowSolver",
                                       "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
                                       "then it is used again and again.");
+  const auto def_call = [&](const char* name, const auto& call, const char* text) {
+    solver.def(name, call, "contact"_a, text)
+        .def(
+            name,
+            [call](RowSolver& self, EllipticContact contact, double longitudinal, double lateral, double spin) {
+              contact.creepage = {longitudinal, lateral, spin};
+              return call(self, contact);
+            },
+            "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
+            "The same with other creepages [-], [-] and spin [1/m] than those of the contact.");
+  };
+  def_call(
+      "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); },
+      "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives\n"
+      "Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).");
+  def_call(
+      "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
+      "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
+      "as ContactDerivatives: forward differentiation of the same code.");
   solver
-      .def(
-          "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); }, "contact"_a,
-          "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives\n"
-          "Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).")
-      .def(
-          "solve",
-          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
-            return self.solve(moved(contact, longitudinal, lateral, spin));
-          },
-          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
-      .def(
-          "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
-          "contact"_a,
-          "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
-          "as ContactDerivatives: forward differentiation of the same code.")
-      .def(
-          "differentiate",
-          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
-            return self.differentiate(moved(contact, longitudinal, lateral, spin));
-          },
-          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
       .def(
           "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
           "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
