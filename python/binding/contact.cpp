@@ -47,10 +47,8 @@ void bind_creepage(py::module_& module) {
       module, "Creepage",
       "Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x).");
   creepage
-      .def(py::init([](double longitudinal, double lateral, double spin) {
-             return Creepage{longitudinal, lateral, spin};
-           }),
-           "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0, "From xi [-], eta [-] and phi [1/m].")
+      .def(init_fields<Creepage>(), "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0,
+           "From xi [-], eta [-] and phi [1/m].")
       .def_readwrite("longitudinal", &Creepage::longitudinal, "xi [-]; of a braked wheel positive. For a shift [m].")
       .def_readwrite("lateral", &Creepage::lateral, "eta [-]. For a shift [m].")
       .def_readwrite("spin", &Creepage::spin, "phi [1/m]. For a shift [rad].")

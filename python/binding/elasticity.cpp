@@ -15,10 +15,7 @@ using namespace py::literals;
 void bind_materials(py::module_& module) {
   auto material = py::class_<Material>(module, "Material", "A linearly elastic, isotropic body.");
   material
-      .def(py::init([](double shear_modulus, double poisson_ratio) {
-             return Material{shear_modulus, poisson_ratio};
-           }),
-           "shear_modulus"_a, "poisson_ratio"_a,
+      .def(init_fields<Material>(), "shear_modulus"_a, "poisson_ratio"_a,
            "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],\n"
            "in [0, 0.5]. Values are checked where they are used.")
       .def_static("from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
@@ -31,10 +28,7 @@ void bind_materials(py::module_& module) {
       module, "CombinedMaterial",
       "The constants of two bodies in contact, as half-space theory needs them; combine() makes them.");
   combined
-      .def(py::init([](double shear_modulus, double poisson_ratio, double dissimilarity) {
-             return CombinedMaterial{shear_modulus, poisson_ratio, dissimilarity};
-           }),
-           "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
+      .def(init_fields<CombinedMaterial>(), "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
            "From combined constants: G [Pa], nu [-], K [-].")
       .def_readonly("shear_modulus", &CombinedMaterial::shear_modulus, "Combined shear modulus G [Pa].")
       .def_readonly("poisson_ratio", &CombinedMaterial::poisson_ratio, "Combined Poisson's ratio nu [-].")
@@ -52,7 +46,7 @@ void bind_materials(py::module_& module) {
 void bind_hertz(py::module_& module) {
   auto gap = py::class_<GapCurvatures>(
       module, "GapCurvatures", "Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2.");
-  gap.def(py::init([](double x, double y) { return GapCurvatures{x, y}; }), "x"_a, "y"_a, "From A and B [1/m].");
+  gap.def(init_fields<GapCurvatures>(), "x"_a, "y"_a, "From A and B [1/m].");
   add_fields(gap, {"A [1/m], along the rolling direction.", "B [1/m], lateral."});
   add_value(gap);
 
@@ -108,10 +102,8 @@ void bind_bodies(py::module_& module) {
       module, "MaterialCreep",
       "What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by "
       "the share f (1 - exp(-t/tau)).");
-  creep.def(py::init([](double ratio, double time) {
-              return MaterialCreep{ratio, time};
-            }),
-            "ratio"_a, "time"_a, "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.");
+  creep.def(init_fields<MaterialCreep>(), "ratio"_a, "time"_a,
+            "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.");
   add_fields(creep, {"f [-].", "tau [s]."});
   add_value(creep);
 
@@ -120,12 +112,8 @@ void bind_bodies(py::module_& module) {
       "A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G;\n"
       "beyond the yield stress tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms\n"
       "plastically.");
-  layer.def(py::init([](double flexibility, double yield_stress, double hardening) {
-              const InterfaceLayer made{flexibility, yield_stress, hardening};
-              check(made);
-              return made;
-            }),
-            "flexibility"_a, "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
+  layer.def(init_fields<InterfaceLayer>([](const InterfaceLayer& made) { check(made); }), "flexibility"_a,
+            "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
             "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
             "gets softer. Error for numbers out of range.");
   add_fields(layer, {"h/G [m/Pa].", "tau_c0 [Pa].", "k [Pa/m]."});

@@ -76,12 +76,8 @@ void bind_friction(py::module_& module) {
   auto effect = py::class_<TemperatureEffect>(module, "TemperatureEffect",
                                               "What the temperature T of the surfaces adds to a friction coefficient: "
                                               "change min(1, max(0, (T - begin)/range)).");
-  effect.def(py::init([](double change, double begin, double range) {
-               const TemperatureEffect made{change, begin, range};
-               check(made);
-               return made;
-             }),
-             "change"_a, "begin"_a, "range"_a,
+  effect.def(init_fields<TemperatureEffect>([](const TemperatureEffect& made) { check(made); }), "change"_a, "begin"_a,
+             "range"_a,
              "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
              "> 0 over which it grows. Error for numbers out of range.");
   add_fields(effect,
@@ -89,10 +85,8 @@ void bind_friction(py::module_& module) {
   add_value(effect);
 
   auto thermal = py::class_<ThermalBody>(module, "ThermalBody", "What a body is for heat.");
-  thermal.def(py::init([](double bulk_temperature, double conductivity, double density, double heat_capacity) {
-                const ThermalBody made{bulk_temperature, conductivity, density, heat_capacity};
+  thermal.def(init_fields<ThermalBody>([](const ThermalBody& made) {
                 check(ThermalBodies{made, made});
-                return made;
               }),
               "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
               "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"

@@ -186,6 +186,22 @@ template <class T, class... Options> void add_value(pybind11::class_<T, Options.
   add_value(of, names);
 }
 
+/// A constructor from all fields in their order, whose values `check` may refuse.
+template <class T, class Check> auto init_fields(const Check& check) {
+  return std::apply(
+      [&]<class... Member>(const Field<Member T::*>&...) {
+        return pybind11::init([check](Member... values) {
+          T made{std::move(values)...};
+          check(made);
+          return made;
+        });
+      },
+      fields<T>);
+}
+template <class T> auto init_fields() {
+  return init_fields<T>([](const T&) {});
+}
+
 /// A member that is shown under its name, with its text.
 template <auto member> struct Shown { const char* text; };
 

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double least = 1e-10; ///< deviations below it are none, and not printed
 
-std::string columns(std::initializer_list<double> values) {
-  return "  " + general(values, 12, 4) + "\n";
-}
-
 std::string digits_text(const Case& c) {
   const Digits& d = c.digits;
   const WheelRailDigits& own = c.wheel_rail->digits;
