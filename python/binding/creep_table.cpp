@@ -38,30 +38,18 @@ CreepForceTable own_creep_table(double poisson_ratio) {
 
 namespace {
 
-/// Works on all contacts of a batch, a thousand at a time.
-template <class Work>
-void for_batch(const CreepForceTable& table, const ContactBatch& batch, int threads, const Work& work) {
-  run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
-    return [&](std::size_t first, std::size_t n, const Progress&) {
-      for (std::size_t i = first; i < first + n; ++i) work(table, batch[i], i);
-    };
-  });
-}
-
-ForceArrays solve_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
-  ForceArrays out(batch);
-  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
-    out.put(i, own.solve(contact));
-  });
-  return out;
-}
-
-DerivativeArrays differentiate_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
-  DerivativeArrays out(batch);
-  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
-    out.put(i, own.differentiate(contact));
-  });
-  return out;
+/// Answers all contacts of a batch, a thousand at a time.
+template <class Arrays, class Answer>
+auto batch_by(Answer (CreepForceTable::*answer)(const EllipticContact&) const noexcept) {
+  return [answer](const CreepForceTable& table, const ContactBatch& batch, int threads) {
+    Arrays out(batch);
+    run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
+      return [&](std::size_t first, std::size_t n, const Progress&) {
+        for (std::size_t i = first; i < first + n; ++i) out.put(i, (table.*answer)(batch[i]));
+      };
+    });
+    return out;
+  };
 }
 
 constexpr const char* batch_text =
@@ -105,8 +93,10 @@ void bind_creep_table(py::module_& module) {
       .def_property_readonly(
           "poisson_ratios", [](const CreepForceTable& self) { return py::tuple(py::cast(self.axes().poisson_ratios)); },
           "Poisson's ratios of the nodes [-].");
-  def_batch(table, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
-  def_batch(table, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve),
+            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(table, "differentiate_batch", batch_by<DerivativeArrays>(&CreepForceTable::differentiate),
+            std::string(batch_text) + " Returns DerivativeArrays.");
 }
 
 } // namespace microslip::python

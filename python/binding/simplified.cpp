@@ -38,38 +38,24 @@ std::size_t chunk_of(const RowSolver& solver) {
   return std::clamp<std::size_t>(1000000 / cells, 1, 256);
 }
 
-/// Works on all contacts of a batch with a copy of the solver for each thread; `work(solver, contacts, first)`.
-template <class Work>
-void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
-  const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
-  run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
-    return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
-                                                                                 const Progress&) mutable {
-      contacts.clear();
-      for (std::size_t i = 0; i < n; ++i) contacts.push_back(batch[first + i]);
-      work(mine, std::span<const EllipticContact>(contacts), first);
-    };
-  });
-}
-
-ForceArrays solve_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
-  ForceArrays out(batch);
-  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
-    std::array<ContactForces, 256> forces;
-    mine.solve(contacts, std::span(forces).first(contacts.size()));
-    for (std::size_t i = 0; i < contacts.size(); ++i) out.put(first + i, forces[i]);
-  });
-  return out;
-}
-
-DerivativeArrays differentiate_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
-  DerivativeArrays out(batch);
-  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
-    std::array<ContactDerivatives, 256> derivatives;
-    mine.differentiate(contacts, std::span(derivatives).first(contacts.size()));
-    for (std::size_t i = 0; i < contacts.size(); ++i) out.put(first + i, derivatives[i]);
-  });
-  return out;
+/// Answers all contacts of a batch, each thread with a copy of the solver.
+template <class Arrays, class Answer>
+auto batch_by(void (RowSolver::*answer)(std::span<const EllipticContact>, std::span<Answer>) noexcept) {
+  return [answer](const RowSolver& solver, const ContactBatch& batch, int threads) {
+    Arrays out(batch);
+    const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
+    run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
+      return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
+                                                                                   const Progress&) mutable {
+        contacts.clear();
+        for (std::size_t i = 0; i < n; ++i) contacts.push_back(batch[first + i]);
+        std::array<Answer, 256> answers;
+        (mine.*answer)(contacts, std::span(answers).first(n));
+        for (std::size_t i = 0; i < n; ++i) out.put(first + i, answers[i]);
+      };
+    });
+    return out;
+  };
 }
 
 RealArray pressures(const py::object& pressure, std::size_t rows) {
@@ -146,8 +132,10 @@ void bind_row_solver(py::module_& module) {
       .def("__repr__", [](const py::object& self) {
         return py::str("{}({}, {})").format(py::type::of(self).attr("__name__"), self.attr("mx"), self.attr("my"));
       });
-  def_batch(solver, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
-  def_batch(solver, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve),
+            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(solver, "differentiate_batch", batch_by<DerivativeArrays, ContactDerivatives>(&RowSolver::differentiate),
+            std::string(batch_text) + " Returns DerivativeArrays.");
 }
 
 constexpr const char* options_text =

@@ -93,6 +93,20 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
   return {{0, *number.data()}};
 }
 
+WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                            const ProfileValue& wheel, const Material& material, const py::object& friction,
+                            const SurfaceStrength& strength) {
+  return {.rail = rail.profile(),
+          .wheel = wheel.profile(),
+          .track = track,
+          .wheelset = wheelset,
+          .material = combine(material, material),
+          .friction = inclined_friction_from(friction),
+          .strength = strength,
+          .rail_surface = rail.surface,
+          .wheel_surface = wheel.surface};
+}
+
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio) {
@@ -116,18 +130,10 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                                                  const std::string& theory, const std::optional<std::string>& shape,
                                                  int grid, double tolerance, const SurfaceStrength& strength,
                                                  bool fields, const std::optional<CreepForceTable>& table) {
-  WheelRailBodies bodies{.rail = rail.profile(),
-                         .wheel = wheel.profile(),
-                         .track = track,
-                         .wheelset = wheelset,
-                         .side = io::from_word<TrackSide>("side", side),
-                         .material = combine(material, material),
-                         .friction = inclined_friction_from(friction),
-                         .strength = strength,
-                         .rail_surface = rail.surface,
-                         .wheel_surface = wheel.surface};
-  return std::make_unique<PythonWheelRail>(std::move(bodies), method_from(theory, shape, grid, tolerance, fields, table,
-                                                                          combine(material, material).poisson_ratio));
+  WheelRailBodies bodies = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
+  bodies.side = io::from_word<TrackSide>("side", side);
+  const auto method = method_from(theory, shape, grid, tolerance, fields, table, bodies.material.poisson_ratio);
+  return std::make_unique<PythonWheelRail>(std::move(bodies), method);
 }
 
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {

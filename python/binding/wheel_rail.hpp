@@ -2,6 +2,7 @@
 
 #include "binding/arrays.hpp"
 #include "binding/long_work.hpp"
+#include "binding/profile.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -35,6 +36,10 @@ pybind11::tuple tuple_of(const std::vector<std::string_view>& names);
 
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
+/// Of a left wheel, both bodies of one material.
+WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                            const ProfileValue& wheel, const Material& material, const pybind11::object& friction,
+                            const SurfaceStrength& strength);
 /// The creep-force table that microslip has, for one Poisson's ratio.
 CreepForceTable own_creep_table(double poisson_ratio);
 /// With theory "table" and no table the one that microslip has, for the bodies' Poisson's ratio.

@@ -80,15 +80,7 @@ std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileV
                                               const std::optional<std::string>& shape, int grid, double tolerance,
                                               const SurfaceStrength& strength, bool fields,
                                               const std::optional<CreepForceTable>& table) {
-  const WheelRailBodies left{.rail = rail.profile(),
-                             .wheel = wheel.profile(),
-                             .track = track,
-                             .wheelset = wheelset,
-                             .material = combine(material, material),
-                             .friction = inclined_friction_from(friction),
-                             .strength = strength,
-                             .rail_surface = rail.surface,
-                             .wheel_surface = wheel.surface};
+  const WheelRailBodies left = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
   WheelRailBodies right = left;
   if (right_rail != nullptr) right.rail = right_rail->profile(), right.rail_surface = right_rail->surface;
   if (right_wheel != nullptr) right.wheel = right_wheel->profile(), right.wheel_surface = right_wheel->surface;
