@@ -1,4 +1,4 @@
-#include "app/batch.hpp"
+#include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
@@ -8,6 +8,7 @@
 #include "io/contact_table.hpp"
 #include "io/creep_table_file.hpp"
 #include "io/csv_line.hpp"
+#include "io/input_file.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -35,7 +35,6 @@
 #include <string>
 #include <system_error>
 #include <thread>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -133,11 +132,7 @@ fs::path output_file(const fs::path& path) {
 class Input {
 public:
   explicit Input(const fs::path& path) {
-    if (is_standard(path)) return;
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) throw Error(path.string() + ": cannot be read: it is a folder");
-    file_.open(path, std::ios::binary);
-    if (!file_) throw Error(path.string() + ": cannot be read: " + std::generic_category().message(errno));
+    if (!is_standard(path)) file_ = io::open_input(path);
   }
   std::istream& stream() { return file_.is_open() ? file_ : std::cin; }
 
@@ -502,66 +497,57 @@ int batch(const BatchArguments& arguments) {
   return ExitCode::not_met;
 }
 
+constexpr const char* footer =
+    R"(IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have
+dissimilarity [-], the combined K of bodies of different materials, which needs --theory exact, and
+rolling_speed [m/s], which forces under a constant coefficient of friction do not depend on. Behind a name
+there may be another unit: normal_force [kN]. Commas, semicolons or tabs separate columns; with the latter two
+numbers may have decimal commas. OUT.csv has commas and points, repeats these and any further columns, and adds
+fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-]
+and iterations; those that IN.csv has of these are replaced. Forces act on body 1. A bad row is named by line
+and column, and OUT.csv appears only when it is complete. With --json the numbers of contacts, of those not
+solved and of bad rows. Exit code 1: some contacts have another status than ok, or rows were left out.
+
+Example:
+  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10)";
+
 } // namespace
 
 void add_batch_command(Command& program, int& exit_code) {
-  Command command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV");
-  const auto arguments = std::make_shared<BatchArguments>();
+  Command command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV", footer);
+  BatchArguments& arguments = command.arguments(exit_code, batch);
   const auto option = [&](const char* name, std::string& value, const std::string& type, const char* what) {
-    command.add_option(name, value, what).type_name(type).capture_default_str();
+    command.add_option(std::string(name) + " " + type, value, what).capture_default_str();
   };
-  command.add_option("IN.csv", arguments->input, "table of contacts; -: standard input").required().type_name("");
-  command.add_option("-o,--output", arguments->output, "table of results; -: standard output")
-      .required()
-      .type_name("OUT.csv");
-  command
-      .add_option("--errors", arguments->errors,
-                  "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then")
-      .type_name("FILE.csv");
-  command.add_flag("--skip-bad", arguments->skip_bad, "leave bad rows out of OUT.csv");
-  option("--theory", arguments->theory, choices<Theory>(), "what the contacts are solved by");
-  command
-      .add_option("--table", arguments->table,
-                  "a creep-force table made by `microslip table make`; default: the one that microslip has")
-      .type_name("FILE");
-  option("--grid", arguments->grid, "MXxMY",
+  command.add_option("IN.csv", arguments.input, "table of contacts; -: standard input").required();
+  command.add_option("-o,--output OUT.csv", arguments.output, "table of results; -: standard output").required();
+  command.add_option("--errors FILE.csv", arguments.errors,
+                     "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then");
+  command.add_flag("--skip-bad", arguments.skip_bad, "leave bad rows out of OUT.csv");
+  option("--theory", arguments.theory, choices<Theory>(), "what the contacts are solved by");
+  command.add_option("--table FILE", arguments.table,
+                     "a creep-force table made by `microslip table make`; default: the one that microslip has");
+  option("--grid", arguments.grid, "MXxMY",
          "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
-  option("--bound", arguments->bound, choices<TractionBound>(),
+  option("--bound", arguments.bound, choices<TractionBound>(),
          "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
-  option("--flexibility", arguments->flexibility, choices<FlexibilityModel>(),
+  option("--flexibility", arguments.flexibility, choices<FlexibilityModel>(),
          "flexibilities of the simplified theory; default: three, with fastrip blended");
-  option("--coefficients", arguments->coefficients, choices<CreepageTable>(),
+  option("--coefficients", arguments.coefficients, choices<CreepageTable>(),
          "table of creepage coefficients of the simplified theory; default: kalker");
-  option("--precision", arguments->precision, choices<Precision>(),
+  option("--precision", arguments.precision, choices<Precision>(),
          "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn");
-  option("--direction", arguments->direction, choices<RollingDirection>(), "of rolling, along +x or -x");
-  option("--discretisation", arguments->discretisation, choices<Discretisation>(),
+  option("--direction", arguments.direction, choices<RollingDirection>(), "of rolling, along +x or -x");
+  option("--discretisation", arguments.discretisation, choices<Discretisation>(),
          "of the exact theory; default: second_order, for dissimilar bodies classical");
-  option("--elements", arguments->elements, choices<ElementShape>(),
+  option("--elements", arguments.elements, choices<ElementShape>(),
          "of the exact theory's classical discretisation; default: constant");
-  command
-      .add_option("--tolerance", arguments->tolerance,
-                  "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6")
-      .type_name("VALUE");
-  command
-      .add_option("--threads", arguments->threads,
-                  "threads, 1 to 1024; results do not depend on it; default: one for each processor")
-      .type_name("COUNT");
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "IN.csv names its columns in the first line, in any order: a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-      "friction [-], normal_force [N], creepage_longitudinal [-], creepage_lateral [-], spin [1/m]. It may have\n"
-      "dissimilarity [-], the combined K of bodies of different materials, which needs --theory exact, and\n"
-      "rolling_speed [m/s], which forces under a constant coefficient of friction do not depend on. Behind a name\n"
-      "there may be another unit: normal_force [kN]. Commas, semicolons or tabs separate columns; with the latter two\n"
-      "numbers may have decimal commas. OUT.csv has commas and points, repeats these and any further columns, and "
-      "adds\n"
-      "fx [N], fy [N], mz [N m], adhesion_area [m^2], slip_area [m^2], status, and with --theory exact residual [-]\n"
-      "and iterations; those that IN.csv has of these are replaced. Forces act on body 1. A bad row is named by line\n"
-      "and column, and OUT.csv appears only when it is complete. With --json the numbers of contacts, of those not\n"
-      "solved and of bad rows. Exit code 1: some contacts have another status than ok, or rows were left out.\n\n"
-      "Example:\n  microslip batch contacts.csv -o forces.csv --theory fastsim2 --grid 10x10");
-  command.callback([arguments, &exit_code] { exit_code = batch(*arguments); });
+  command.add_option("--tolerance VALUE", arguments.tolerance,
+                     "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6");
+  command.add_option("--threads COUNT", arguments.threads,
+                     "threads, 1 to 1024; results do not depend on it; default: one for each processor");
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

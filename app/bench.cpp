@@ -1,4 +1,4 @@
-#include "app/bench.hpp"
+#include "app/commands.hpp"
 
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
@@ -252,16 +252,20 @@ void bench(bool json) {
     print_rows(rows);
 }
 
+constexpr const char* footer =
+    R"(Each line is the median of runs for a second on one core, and its ratio to another line: times depend on
+the machine and on what else it does, ratios hardly. docs/performance.md has more.
+
+Example:
+  microslip bench)";
+
 } // namespace
 
 void add_bench_command(Command& program) {
-  Command command = program.add_subcommand("bench", "Print what a contact costs on this machine, within a minute");
+  Command command =
+      program.add_subcommand("bench", "Print what a contact costs on this machine, within a minute", footer);
   const auto json = std::make_shared<bool>(false);
   add_json_flag(command, *json);
-  command.footer(
-      "Each line is the median of runs for a second on one core, and its ratio to another line: times depend on\n"
-      "the machine and on what else it does, ratios hardly. docs/performance.md has more.\n\n"
-      "Example:\n  microslip bench");
   command.callback([json] { bench(*json); });
 }
 

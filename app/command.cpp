@@ -1,5 +1,7 @@
 #include "app/command.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -8,11 +10,6 @@
 #include <CLI/CLI.hpp>
 
 namespace microslip::app {
-
-CommandOption& CommandOption::type_name(const std::string& name) {
-  option_->type_name(name);
-  return *this;
-}
 
 CommandOption& CommandOption::required() {
   option_->required();
@@ -54,13 +51,18 @@ CommandOption& CommandOption::excludes(const std::string& name) {
   return *this;
 }
 
-Command Command::add_subcommand(const std::string& name, const std::string& what) {
-  return Command(*command_->add_subcommand(name, what));
+Command Command::add_subcommand(const std::string& name, const std::string& what, const std::string& footer) {
+  CLI::App* command = command_->add_subcommand(name, what);
+  command->footer(footer); // else it would be that of the program
+  return Command(*command);
 }
 
 template <class Value>
 CommandOption Command::add_option(const std::string& names, Value& value, const std::string& what) {
-  return CommandOption(*command_->add_option(names, value, what));
+  const std::size_t end = std::min(names.find(' '), names.size());
+  CLI::Option* option = command_->add_option(names.substr(0, end), value, what);
+  option->type_name(end < names.size() ? names.substr(end + 1) : "");
+  return CommandOption(*option);
 }
 
 template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace CLI {
@@ -16,8 +17,6 @@ class CommandOption {
 public:
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
 
-  /// What stands in place of its value in texts; see OptionText. Empty: the name of the argument says it.
-  CommandOption& type_name(const std::string& name);
   CommandOption& required();
   /// How many values follow it.
   CommandOption& expected(int count);
@@ -39,14 +38,27 @@ class Command {
 public:
   explicit Command(CLI::App& command) : command_(&command) {}
 
-  Command add_subcommand(const std::string& name, const std::string& what);
-  /// `names`: "-o,--output", or the name of an argument, "FILE". For texts, paths and numbers, several of them, and
-  /// some that need not be there: the list is in command.cpp.
+  /// `footer`: what help and man page say at the end, with an example.
+  Command add_subcommand(const std::string& name, const std::string& what, const std::string& footer = "");
+  /// `names`: "-o,--output FOLDER", with what stands in place of its value in texts, see OptionText; or the name of an
+  /// argument, "FILE". For texts, paths and numbers, several of them, and some that need not be there: the list is in
+  /// command.cpp.
   template <class Value> CommandOption add_option(const std::string& names, Value& value, const std::string& what);
   CommandOption add_flag(const std::string& name, bool& value, const std::string& what);
-  /// What help and man page say at the end, with an example.
   void footer(const std::string& text);
   void callback(std::function<void()> run);
+  /// Arguments for `run`, which live as long as the command.
+  template <class Arguments> Arguments& arguments(void (*run)(const Arguments& arguments)) {
+    const auto kept = std::make_shared<Arguments>();
+    callback([kept, run] { run(*kept); });
+    return *kept;
+  }
+  /// The same where `run` gives the exit code.
+  template <class Arguments> Arguments& arguments(int& exit_code, int (*run)(const Arguments& arguments)) {
+    const auto kept = std::make_shared<Arguments>();
+    callback([kept, run, &exit_code] { exit_code = run(*kept); });
+    return *kept;
+  }
   void require_subcommand(int count);
 
   const CLI::App& parser() const { return *command_; }

@@ -1,4 +1,4 @@
-#include "app/completion.hpp"
+#include "app/commands.hpp"
 
 #include "app/init.hpp"
 #include "app/option_text.hpp"
@@ -64,6 +64,21 @@ Candidates candidates(const OptionText& option) {
   return {};
 }
 
+/// How a shell is told of them: `words` and `files` have braces for these words and this ending.
+std::string said(const Candidates& candidates, const char* words, const char* files, const char* folders,
+                 const char* none) {
+  switch (candidates.kind) {
+  case Candidates::Kind::words:
+    return fmt::format(fmt::runtime(words), fmt::join(candidates.words, " "));
+  case Candidates::Kind::files:
+    return fmt::format(fmt::runtime(files), candidates.ending);
+  case Candidates::Kind::folders:
+    return folders;
+  default:
+    return none;
+  }
+}
+
 Words names_of(const std::vector<OptionText>& options) {
   Words names;
   for (const OptionText& option : options)
@@ -116,16 +131,7 @@ complete -F _microslip microslip
 )";
 
 std::string in_bash(const Candidates& candidates) {
-  switch (candidates.kind) {
-  case Candidates::Kind::words:
-    return fmt::format("_microslip_words '{}'", fmt::join(candidates.words, " "));
-  case Candidates::Kind::files:
-    return "_microslip_files " + candidates.ending;
-  case Candidates::Kind::folders:
-    return "_microslip_folders";
-  default:
-    return ":";
-  }
+  return said(candidates, "_microslip_words '{}'", "_microslip_files {}", "_microslip_folders", ":");
 }
 
 std::string bash_values(const CommandText& command) {
@@ -186,16 +192,7 @@ std::string zsh_text(std::string text) {
 }
 
 std::string in_zsh(const Candidates& candidates) {
-  switch (candidates.kind) {
-  case Candidates::Kind::words:
-    return fmt::format("({})", fmt::join(candidates.words, " "));
-  case Candidates::Kind::files:
-    return "_files -g \"*." + candidates.ending + "\"";
-  case Candidates::Kind::folders:
-    return "_files -/";
-  default:
-    return " ";
-  }
+  return said(candidates, "({})", "_files -g \"*.{}\"", "_files -/", " ");
 }
 
 /// `--name[what]:VALUE:candidates` for each of its names; one excludes the others unless it may be given again.
@@ -245,16 +242,8 @@ std::string fish_quoted(const std::string& text) {
 }
 
 std::string in_fish(const Candidates& candidates) {
-  switch (candidates.kind) {
-  case Candidates::Kind::words:
-    return fmt::format(" -a '{}'", fmt::join(candidates.words, " "));
-  case Candidates::Kind::files:
-    return " -k -a '(__fish_complete_suffix ." + candidates.ending + ")'";
-  case Candidates::Kind::folders:
-    return " -a '(__fish_complete_directories)'";
-  default:
-    return "";
-  }
+  return said(candidates, " -a '{}'", " -k -a '(__fish_complete_suffix .{})'", " -a '(__fish_complete_directories)'",
+              "");
 }
 
 std::string fish_option(const OptionText& option) {
@@ -296,17 +285,21 @@ void print_completion(const CommandText& program, const std::string& word) {
   fmt::print("{}", shell->script(program));
 }
 
+constexpr const char* footer =
+    R"(cmake --install puts the scripts where the shells look for them; without it, load one where the shell starts:
+~/.bashrc, ~/.zshrc or ~/.config/fish/config.fish.
+
+Example:
+  source <(microslip completion bash)
+  microslip completion fish | source)";
+
 } // namespace
 
 void add_completion_command(Command& program) {
   Command command =
-      program.add_subcommand("completion", "Print a script that completes commands and options in a shell");
+      program.add_subcommand("completion", "Print a script that completes commands and options in a shell", footer);
   const auto shell = std::make_shared<std::string>();
-  command.add_option("SHELL", *shell, "bash, zsh or fish").required().type_name("bash|zsh|fish");
-  command.footer(
-      "cmake --install puts the scripts where the shells look for them; without it, load one where the shell starts:\n"
-      "~/.bashrc, ~/.zshrc or ~/.config/fish/config.fish.\n\n"
-      "Example:\n  source <(microslip completion bash)\n  microslip completion fish | source");
+  command.add_option("SHELL bash|zsh|fish", *shell, "bash, zsh or fish").required();
   command.callback([&program, shell] { print_completion(command_text(program.parser()), *shell); });
 }
 

@@ -1,4 +1,4 @@
-#include "app/conicity.hpp"
+#include "app/commands.hpp"
 
 #include "app/command_line.hpp"
 #include "app/hertz.hpp"
@@ -16,8 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -250,9 +248,7 @@ std::vector<std::string> write_files(const ConicityArguments& arguments, const P
   write_result(arguments, profiles, result, path);
   std::vector<std::string> files{path.string()};
   if (arguments.no_pictures) return files;
-  const auto pictures = draw_pictures(path, arguments.folder);
-  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
-  files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+  for (const auto& picture : draw_pictures(path, arguments.folder)) files.push_back(picture);
   return files;
 }
 
@@ -273,70 +269,67 @@ void run(const ConicityArguments& arguments) {
 
 void add_options(Command& command, ConicityArguments& arguments) {
   const auto path = [&](const char* name, fs::path& value, const char* what) {
-    return command.add_option(name, value, what).type_name("");
+    return command.add_option(name, value, what);
   };
   path("WHEEL", arguments.wheel, "profile of both wheels, or of the left one: .prw, .whl or columns of y and z")
       .required();
   path("RAIL", arguments.rail, "profile of both rails, or of the left one: .prr, .ban or columns of y and z")
       .required();
-  path("--right-wheel", arguments.right_wheel, "profile of the right wheel, if it is another one; read as WHEEL is")
-      .type_name("FILE");
-  path("--right-rail", arguments.right_rail, "profile of the right rail, if it is another one; read as RAIL is")
-      .type_name("FILE");
+  path("--right-wheel FILE", arguments.right_wheel,
+       "profile of the right wheel, if it is another one; read as WHEEL is");
+  path("--right-rail FILE", arguments.right_rail, "profile of the right rail, if it is another one; read as RAIL is");
   const auto number = [&](const char* name, double& value, const char* what) {
-    command.add_option(name, value, what).type_name("VALUE").capture_default_str();
+    command.add_option(std::string(name) + " VALUE", value, what).capture_default_str();
   };
-  command.add_option("--gauge", arguments.gauges, "distance of the rails' gauge points [m]; several make a map")
+  command
+      .add_option("--gauge GAUGE...", arguments.gauges, "distance of the rails' gauge points [m]; several make a map")
       .expected(1, 100)
-      .type_name("GAUGE...")
       .default_str("1.435");
   number("--gauge-height", arguments.track.gauge_height, "where the gauge is measured, below the rails' tops [m]");
   number("--cant", arguments.track.cant, "inclination of the rails to the track's middle [rad]; 0 if the file has it");
   number("--nominal-radius", arguments.wheelset.nominal_radius, "radius of the wheels where the profile's z is 0 [m]");
   command
-      .add_option("--tape-circle", arguments.tape_circle, "y of the profile where the radius is nominal [m], not z = 0")
-      .expected(1)
-      .type_name("Y");
+      .add_option("--tape-circle Y", arguments.tape_circle,
+                  "y of the profile where the radius is nominal [m], not z = 0")
+      .expected(1);
   number("--flange-back-distance", arguments.wheelset.flange_back_distance, "distance of the flanges' backs [m]");
   number("--flange-back-position", arguments.wheelset.flange_back_position,
          "y of the flange's back in the profile [m]");
   number("--contact-distance", arguments.contact_distance, "distance e of the contacts of both wheels [m]");
   command
-      .add_option("--roll", arguments.roll, "roll of the wheelset: so that both wheels touch, or none as in EN 15302")
-      .type_name(choices<RollRule>())
+      .add_option("--roll " + choices<RollRule>(), arguments.roll,
+                  "roll of the wheelset: so that both wheels touch, or none as in EN 15302")
       .capture_default_str();
-  command.add_option("--amplitudes", arguments.amplitudes, "first and last amplitude and step [m]")
+  command.add_option("--amplitudes FROM TO STEP", arguments.amplitudes, "first and last amplitude and step [m]")
       .expected(3)
-      .type_name("FROM TO STEP")
       .default_str("0.001 0.007 0.0001");
   command
-      .add_option("--curve-radius", arguments.curve_radius,
+      .add_option("--curve-radius RADIUS", arguments.curve_radius,
                   "radius of a curve [m], for the radial steering index at TO")
-      .expected(1)
-      .type_name("RADIUS");
+      .expected(1);
   add_profile_options(command, arguments.wheel_options, "wheel-", "the wheel's file");
   add_profile_options(command, arguments.rail_options, "rail-", "the rail's file");
-  command.add_option("-o,--output", arguments.folder, "folder for result.h5 and pictures; default: none is written")
-      .type_name("FOLDER");
+  command.add_option("-o,--output FOLDER", arguments.folder,
+                     "folder for result.h5 and pictures; default: none is written");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   add_json_flag(command, arguments.json);
 }
+
+constexpr const char* footer =
+    R"(Prints the equivalent conicity (EN 15302) [-] over the amplitude [mm] and the nonlinearity parameter [1/mm]. With
+--json the same in SI units, equivalent_conicity as pairs of amplitude [m] and conicity, and the rolling radius
+difference [m], the contact angle difference [rad], roll [rad] and height [m] over the lateral displacement.
+
+Example:
+  microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025)";
 
 } // namespace
 
 void add_conicity_command(Command& program) {
   Command command =
-      program.add_subcommand("conicity", "Rolling radius difference and equivalent conicity of a wheelset");
-  const auto arguments = std::make_shared<ConicityArguments>();
-  add_options(command, *arguments);
-  command.footer(
-      "Prints the equivalent conicity (EN 15302) [-] over the amplitude [mm] and the nonlinearity parameter [1/mm]. "
-      "With\n"
-      "--json the same in SI units, equivalent_conicity as pairs of amplitude [m] and conicity, and the rolling "
-      "radius\n"
-      "difference [m], the contact angle difference [rad], roll [rad] and height [m] over the lateral displacement.\n\n"
-      "Example:\n  microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025");
-  command.callback([arguments] { run(*arguments); });
+      program.add_subcommand("conicity", "Rolling radius difference and equivalent conicity of a wheelset", footer);
+  ConicityArguments& arguments = command.arguments(run);
+  add_options(command, arguments);
 }
 
 } // namespace microslip::app

@@ -1,18 +1,16 @@
-#include "app/convert.hpp"
+#include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "compat/contact/toml.hpp"
+#include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -48,11 +46,7 @@ void print_document(const ConvertArguments& arguments, const io::Json& written, 
 }
 
 int convert(const ConvertArguments& arguments) {
-  std::error_code ignored;
-  if (fs::is_directory(arguments.input, ignored))
-    throw Error(arguments.input.string() + ": cannot be read: it is a folder");
-  std::ifstream input(arguments.input, std::ios::binary);
-  if (!input) throw Error(arguments.input.string() + ": cannot be read: " + std::generic_category().message(errno));
+  std::ifstream input = io::open_input(arguments.input);
   contact_program::InputReader reader(input, arguments.input.string());
   io::create_folder(arguments.folder);
   const std::string name = arguments.input.stem().string();
@@ -74,24 +68,22 @@ int convert(const ConvertArguments& arguments) {
   return refused.empty() ? ExitCode::done : ExitCode::not_met;
 }
 
+constexpr const char* footer =
+    R"(Writes a case file for microslip solve for each case that is an independent contact with an elliptic area. Cases
+that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not written.
+
+Example:
+  microslip convert examples/sphere_on_plane.inp -o results)";
+
 } // namespace
 
 void add_convert_command(Command& program, int& exit_code) {
   Command command =
-      program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML");
-  const auto arguments = std::make_shared<ConvertArguments>();
-  command.add_option("FILE.inp", arguments->input, "input file, module 3").required().type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for FILE.0001.toml, ...")
-      .type_name("FOLDER")
-      .capture_default_str();
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "Writes a case file for microslip solve for each case that is an independent contact with an elliptic area. "
-      "Cases\n"
-      "that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not "
-      "written.\n\n"
-      "Example:\n  microslip convert examples/sphere_on_plane.inp -o results");
-  command.callback([arguments, &exit_code] { exit_code = convert(*arguments); });
+      program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML", footer);
+  ConvertArguments& arguments = command.arguments(exit_code, convert);
+  command.add_option("FILE.inp", arguments.input, "input file, module 3").required();
+  command.add_option("-o,--output FOLDER", arguments.folder, "folder for FILE.0001.toml, ...").capture_default_str();
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

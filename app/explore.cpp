@@ -1,4 +1,4 @@
-#include "app/explore.hpp"
+#include "app/commands.hpp"
 
 #include "app/child_process.hpp"
 #include "io/case_file.hpp"
@@ -14,7 +14,6 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -107,25 +106,26 @@ void explore(const ExploreArguments& arguments) {
     fmt::print(stderr, "microslip: no browser could be started: open the address above in one\n");
 }
 
+constexpr const char* footer = R"(The page computes by itself, without a server or a network.
+
+Example:
+  microslip explore examples/wheel_on_rail.toml)";
+
 } // namespace
 
 void add_explore_command(Command& program) {
-  Command command =
-      program.add_subcommand("explore", "Open the explorer, a page to see and feel rolling contact, in a browser");
-  const auto arguments = std::make_shared<ExploreArguments>();
-  arguments->page = "explorer.html";
-  const CommandOption file =
-      command
-          .add_option("FILE", arguments->files, "a case file (.toml), or profiles of a wheel and a rail, to start with")
-          .type_name("");
-  command.add_option("-o,--output", arguments->page, "page that leads to the explorer with FILE, to keep or to send")
-      .type_name("PAGE.html")
+  Command command = program.add_subcommand(
+      "explore", "Open the explorer, a page to see and feel rolling contact, in a browser", footer);
+  ExploreArguments& arguments = command.arguments(explore);
+  arguments.page = "explorer.html";
+  const CommandOption file = command.add_option(
+      "FILE", arguments.files, "a case file (.toml), or profiles of a wheel and a rail, to start with");
+  command
+      .add_option("-o,--output PAGE.html", arguments.page,
+                  "page that leads to the explorer with FILE, to keep or to send")
       .needs(file)
       .capture_default_str();
-  command.add_flag("--no-browser", arguments->no_browser, "print the address only");
-  command.footer("The page computes by itself, without a server or a network.\n\n"
-                 "Example:\n  microslip explore examples/wheel_on_rail.toml");
-  command.callback([arguments] { explore(*arguments); });
+  command.add_flag("--no-browser", arguments.no_browser, "print the address only");
 }
 
 } // namespace microslip::app

@@ -1,5 +1,6 @@
 #include "app/hertz.hpp"
 
+#include "app/commands.hpp"
 #include "app/json_document.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/case_file.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -127,22 +127,21 @@ void hertz(const HertzArguments& arguments) {
 }
 
 void add_options(Command& command, HertzArguments& arguments) {
-  const auto option = [&](const char* name, std::vector<double>& values, int fewest, int most, const char* value,
-                          const char* what) {
-    command.add_option(name, values, what).expected(fewest, most).type_name(value);
+  const auto option = [&](const char* names, std::vector<double>& values, int fewest, int most, const char* what) {
+    command.add_option(names, values, what).expected(fewest, most);
   };
-  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below").type_name("");
-  option("--rolling-radius", arguments.rolling_radius, 2, 2, "R1 R2",
+  command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below");
+  option("--rolling-radius R1 R2", arguments.rolling_radius, 2, 2,
          "radii of body 1 and 2 in the plane of rolling [m]; inf: flat, negative: concave");
-  option("--transverse-radius", arguments.transverse_radius, 2, 2, "R1 R2",
+  option("--transverse-radius R1 R2", arguments.transverse_radius, 2, 2,
          "radii of body 1 and 2 in the lateral plane [m]; inf: flat, negative: concave");
-  option("--young-modulus", arguments.young_modulus, 1, 2, "E1 [E2]",
+  option("--young-modulus E1 [E2]", arguments.young_modulus, 1, 2,
          "Young's modulus of both bodies or of each [Pa]; inf: rigid");
-  option("--shear-modulus", arguments.shear_modulus, 1, 2, "G1 [G2]", "shear modulus [Pa], instead of Young's modulus");
-  option("--poisson-ratio", arguments.poisson_ratio, 1, 2, "NU1 [NU2]",
+  option("--shear-modulus G1 [G2]", arguments.shear_modulus, 1, 2, "shear modulus [Pa], instead of Young's modulus");
+  option("--poisson-ratio NU1 [NU2]", arguments.poisson_ratio, 1, 2,
          "Poisson's ratio of both bodies or of each [-], 0 to 0.5");
-  option("--normal-force", arguments.normal_force, 1, 1, "FN", "normal force [N]");
-  option("--approach", arguments.approach, 1, 1, "DELTA", "approach of distant points [m], instead of the load");
+  option("--normal-force FN", arguments.normal_force, 1, 1, "normal force [N]");
+  option("--approach DELTA", arguments.approach, 1, 1, "approach of distant points [m], instead of the load");
   add_json_flag(command, arguments.json);
 }
 
@@ -160,16 +159,18 @@ void print_warnings(const std::string& of, const std::vector<std::string>& warni
   for (const auto& warning : warnings) fmt::print(stderr, "microslip: warning: {}: {}\n", of, warning);
 }
 
+constexpr const char* footer =
+    R"(Prints semi-axes, peak pressure, approach, stiffness and curvatures of the gap, in units that fit; with --json in
+SI units, by the names that they have in result files.
+
+Example:
+  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \
+    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3)";
+
 void add_hertz_command(Command& program) {
-  Command command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness");
-  const auto arguments = std::make_shared<HertzArguments>();
-  add_options(command, *arguments);
-  command.footer("Prints semi-axes, peak pressure, approach, stiffness and curvatures of the gap, in units that fit; "
-                 "with --json in\n"
-                 "SI units, by the names that they have in result files.\n\n"
-                 "Example:\n  microslip hertz --rolling-radius 0.46 inf --transverse-radius inf 0.3 \\\n"
-                 "    --young-modulus 210e9 --poisson-ratio 0.28 --normal-force 80e3");
-  command.callback([arguments] { hertz(*arguments); });
+  Command command = program.add_subcommand("hertz", "Contact ellipse, peak pressure, approach and stiffness", footer);
+  HertzArguments& arguments = command.arguments(hertz);
+  add_options(command, arguments);
 }
 
 } // namespace microslip::app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/command.hpp"
 #include "app/quantity_table.hpp"
 #include "microslip/elasticity/hertz.hpp"
 
@@ -8,9 +7,6 @@
 #include <vector>
 
 namespace microslip::app {
-
-/// Adds `microslip hertz`.
-void add_hertz_command(Command& program);
 
 /// The ellipse, pressure, approach and stiffness of a contact, with units.
 void add_hertz(QuantityTable& table, const HertzContact& hertz);

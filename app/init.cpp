@@ -1,5 +1,6 @@
 #include "app/init.hpp"
 
+#include "app/commands.hpp"
 #include "app/input_list.hpp"
 #include "examples.hpp"
 #include "io/nearest_word.hpp"
@@ -11,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -106,25 +106,24 @@ std::vector<std::string_view> example_names() {
   return names;
 }
 
+constexpr const char* footer =
+    R"(There are hertzian_contact, a case of two bodies by their radii, and wheel_on_rail, of a wheel on a rail by
+their profiles, both with every key, its unit, range and default in a comment; further two_rollers,
+starting_to_roll, lateral_sweep, wheelset_in_curve; and creep_sweep and wheel_rail_sample for `microslip sweep`.
+Profiles and case files that an example names are written beside it.
+
+Example:
+  microslip init wheel.toml && microslip solve wheel.toml
+  microslip init --example wheel_on_rail rail.toml && microslip solve rail.toml)";
+
 void add_init_command(Command& program) {
-  Command command = program.add_subcommand("init", "Write an annotated case file to start from");
-  const auto arguments = std::make_shared<InitArguments>();
-  command.add_option("CASE.toml", arguments->file, "name of the case file").type_name("").capture_default_str();
-  command.add_option("--example", arguments->example, "which example it is").type_name("EXAMPLE").capture_default_str();
-  command
-      .add_option("--keys", arguments->keys,
-                  "print the keys of case files in place of writing one: unit, default, range and meaning of each")
-      .type_name("bodies|wheel|wheelset");
-  command.add_flag("--force", arguments->force, "replace files of these names");
-  command.footer(
-      "There are hertzian_contact, a case of two bodies by their radii, and wheel_on_rail, of a wheel on a rail by\n"
-      "their profiles, both with every key, its unit, range and default in a comment; further two_rollers,\n"
-      "starting_to_roll, lateral_sweep, wheelset_in_curve; and creep_sweep and wheel_rail_sample for `microslip "
-      "sweep`.\n"
-      "Profiles and case files that an example names are written beside it.\n\n"
-      "Example:\n  microslip init wheel.toml && microslip solve wheel.toml\n"
-      "  microslip init --example wheel_on_rail rail.toml && microslip solve rail.toml");
-  command.callback([arguments] { init(*arguments); });
+  Command command = program.add_subcommand("init", "Write an annotated case file to start from", footer);
+  InitArguments& arguments = command.arguments(init);
+  command.add_option("CASE.toml", arguments.file, "name of the case file").capture_default_str();
+  command.add_option("--example EXAMPLE", arguments.example, "which example it is").capture_default_str();
+  command.add_option("--keys bodies|wheel|wheelset", arguments.keys,
+                     "print the keys of case files in place of writing one: unit, default, range and meaning of each");
+  command.add_flag("--force", arguments.force, "replace files of these names");
 }
 
 } // namespace microslip::app

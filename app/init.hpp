@@ -1,7 +1,5 @@
 #pragma once
 
-#include "app/command.hpp"
-
 #include <string_view>
 #include <vector>
 
@@ -9,8 +7,5 @@ namespace microslip::app {
 
 /// Names of the case files that `microslip init` writes, first that by default.
 std::vector<std::string_view> example_names();
-
-/// Adds `microslip init`.
-void add_init_command(Command& program);
 
 } // namespace microslip::app

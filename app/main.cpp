@@ -1,23 +1,16 @@
-#include "app/batch.hpp"
-#include "app/bench.hpp"
-#include "app/completion.hpp"
-#include "app/conicity.hpp"
-#include "app/convert.hpp"
-#include "app/explore.hpp"
-#include "app/hertz.hpp"
-#include "app/init.hpp"
-#include "app/manual.hpp"
-#include "app/plot.hpp"
-#include "app/profile.hpp"
+#include "app/commands.hpp"
 #include "app/program.hpp"
-#include "app/run.hpp"
-#include "app/solve.hpp"
-#include "app/sweep.hpp"
-#include "app/table.hpp"
 #include "app/validate.hpp"
 
 namespace microslip::app {
 namespace {
+
+constexpr const char* footer =
+    R"(Exit codes: 0 done, 1 a result is not converged or figures are not met, 2 bad input, 130 interrupted.
+microslip COMMAND --help describes a command.
+
+Example:
+  microslip init wheel.toml && microslip solve wheel.toml)";
 
 void add_commands(Command& program, int& exit_code) {
   add_solve_command(program, exit_code);
@@ -38,10 +31,7 @@ void add_commands(Command& program, int& exit_code) {
   add_bench_command(program);
   add_completion_command(program);
   add_manual_command(program);
-  program.footer(
-      "Exit codes: 0 done, 1 a result is not converged or figures are not met, 2 bad input, 130 interrupted.\n"
-      "microslip COMMAND --help describes a command.\n\n"
-      "Example:\n  microslip init wheel.toml && microslip solve wheel.toml");
+  program.footer(footer);
 }
 
 } // namespace

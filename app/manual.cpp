@@ -1,4 +1,4 @@
-#include "app/manual.hpp"
+#include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
 #include "app/option_text.hpp"
@@ -119,14 +119,17 @@ std::string manual(const CommandText& program) {
   return page + ".SH ENVIRONMENT\n" + environment;
 }
 
+constexpr const char* manual_footer =
+    R"(The man page has all commands with their options, the exit codes and the environment. It is installed with the
+program, for man microslip.
+
+Example:
+  microslip manual | man -l -)";
+
 } // namespace
 
 void add_manual_command(Command& program) {
-  Command command = program.add_subcommand("manual", "Print the man page of this program");
-  command.footer(
-      "The man page has all commands with their options, the exit codes and the environment. It is installed with the\n"
-      "program, for man microslip.\n\n"
-      "Example:\n  microslip manual | man -l -");
+  Command command = program.add_subcommand("manual", "Print the man page of this program", manual_footer);
   command.callback([&program] { fmt::print("{}", manual(command_text(program.parser()))); });
 }
 

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace microslip::app {
 namespace {
 
@@ -100,8 +102,10 @@ Pictures draw_pictures(const std::vector<std::string>& arguments) {
   return pictures;
 }
 
-Pictures draw_pictures(const fs::path& result_file, const fs::path& folder) {
-  return draw_pictures({result_file.string(), "-o", folder.string()});
+std::vector<std::string> draw_pictures(const fs::path& result_file, const fs::path& folder) {
+  const Pictures pictures = draw_pictures({result_file.string(), "-o", folder.string()});
+  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  return pictures.files;
 }
 
 } // namespace microslip::app

@@ -1,4 +1,4 @@
-#include "app/plot.hpp"
+#include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
 #include "app/json_document.hpp"
@@ -6,7 +6,6 @@
 #include "io/output_file.hpp"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,50 +58,43 @@ int plot(const PlotArguments& arguments) {
   return ExitCode::bad_input;
 }
 
+constexpr const char* drawn_fields =
+    " pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess";
+
+constexpr const char* footer =
+    R"(Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and stresses are of two
+bodies and of wheels on rails in one state, the others of two bodies. Creep curves, convergence and stresses are
+computed by the Python module. Prints the names of the PNG files.
+
+Example:
+  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0)";
+
 } // namespace
 
 void add_plot_command(Command& program, int& exit_code) {
-  Command command = program.add_subcommand("plot", "Draw the pictures of a result file");
-  const auto arguments = std::make_shared<PlotArguments>();
-  command
-      .add_option("RESULT.h5", arguments->result, "a result file of solve, run, sweep, profile, conicity or validate")
-      .required()
-      .type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for the pictures; default: beside RESULT.h5")
-      .type_name("FOLDER");
-  const auto field_option = [&](const char* name, std::vector<std::string>& fields, const char* what) {
-    command.add_option(name, fields, what)
-        .expected(1)
-        .take_all()
-        .type_name("pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess");
+  Command command = program.add_subcommand("plot", "Draw the pictures of a result file", footer);
+  PlotArguments& arguments = command.arguments(exit_code, plot);
+  command.add_option("RESULT.h5", arguments.result, "a result file of solve, run, sweep, profile, conicity or validate")
+      .required();
+  command.add_option("-o,--output FOLDER", arguments.folder, "folder for the pictures; default: beside RESULT.h5");
+  const auto field_option = [&](const std::string& name, std::vector<std::string>& fields, const char* what) {
+    command.add_option(name + drawn_fields, fields, what).expected(1).take_all();
   };
-  field_option("--field", arguments->fields, "a field as a map; may be given again");
-  field_option("--surface", arguments->surfaces, "a field as a surface; may be given again");
+  field_option("--field", arguments.fields, "a field as a map; may be given again");
+  field_option("--surface", arguments.surfaces, "a field as a surface; may be given again");
   command
-      .add_option("--cut", arguments->cut,
+      .add_option("--cut Y", arguments.cut,
                   "tractions with their bound and slip along the row at y [mm], on a rail in the frame of each patch")
-      .expected(1)
-      .type_name("Y");
+      .expected(1);
   command
-      .add_option("--stresses", arguments->stresses,
+      .add_option("--stresses Y", arguments.stresses,
                   "stresses inside both bodies in the plane of y [mm], on a rail below each patch")
-      .expected(1)
-      .type_name("Y");
-  command
-      .add_option("--creep-curves", arguments->spins,
-                  "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
-      .type_name("SPINS");
-  command.add_flag("--convergence", arguments->convergence, "errors of the exact theory over the number of elements");
-  command.add_option("--compare", arguments->other, "another result file, side by side with this one")
-      .type_name("OTHER.h5");
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and stresses are of two\n"
-      "bodies and of wheels on rails in one state, the others of two bodies. Creep curves, convergence and stresses "
-      "are\n"
-      "computed by the Python module. Prints the names of the PNG files.\n\n"
-      "Example:\n  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0");
-  command.callback([arguments, &exit_code] { exit_code = plot(*arguments); });
+      .expected(1);
+  command.add_option("--creep-curves SPINS", arguments.spins,
+                     "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4");
+  command.add_flag("--convergence", arguments.convergence, "errors of the exact theory over the number of elements");
+  command.add_option("--compare OTHER.h5", arguments.other, "another result file, side by side with this one");
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

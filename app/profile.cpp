@@ -1,4 +1,4 @@
-#include "app/profile.hpp"
+#include "app/commands.hpp"
 
 #include "app/command_line.hpp"
 #include "app/hertz.hpp"
@@ -17,7 +17,6 @@
 #include "microslip/error.hpp"
 
 #include <filesystem>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -150,9 +149,7 @@ std::vector<std::string> write_files(const ProfileArguments& arguments, const ca
   write_result(arguments, findings, path);
   files.push_back(path.string());
   if (arguments.no_pictures) return files;
-  const auto pictures = draw_pictures(path, arguments.folder);
-  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
-  files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+  for (const auto& picture : draw_pictures(path, arguments.folder)) files.push_back(picture);
   return files;
 }
 
@@ -182,40 +179,39 @@ void run(const ProfileArguments& arguments) {
   print_warnings(arguments.file.string(), findings.prepared.report.warnings);
 }
 
+constexpr const char* footer =
+    R"(Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, and the flange's
+dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same in SI units.
+Axes of a profile: y to the field side, z up.
+
+Example:
+  microslip profile examples/profiles/s1002.prw -o results/s1002)";
+
 } // namespace
 
 void add_profile_command(Command& program) {
-  Command command = program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail");
-  const auto arguments = std::make_shared<ProfileArguments>();
+  Command command =
+      program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail", footer);
+  ProfileArguments& arguments = command.arguments(run);
   command
-      .add_option("FILE", arguments->file,
+      .add_option("FILE", arguments.file,
                   "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
-      .required()
-      .type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for result.h5 and profile.png; default: none is written")
-      .type_name("FOLDER");
-  command.add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
+      .required();
+  command.add_option("-o,--output FOLDER", arguments.folder,
+                     "folder for result.h5 and profile.png; default: none is written");
+  command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
+  command.add_option("--convert OUT", arguments.converted,
+                     "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending");
+  command.add_option("--role " + choices<ProfileRole>(), arguments.role,
+                     "what it is; default: by the file or its name");
+  add_profile_options(command, arguments.options);
+  command.add_option("--tape-line Y", arguments.tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
+      .expected(1);
   command
-      .add_option("--convert", arguments->converted,
-                  "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending")
-      .type_name("OUT");
-  command.add_option("--role", arguments->role, "what it is; default: by the file or its name")
-      .type_name(choices<ProfileRole>());
-  add_profile_options(command, arguments->options);
-  command.add_option("--tape-line", arguments->tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
-      .expected(1)
-      .type_name("Y");
-  command.add_option("--gauge-height", arguments->gauge_height, "where a rail's gauge is measured, below its top [m]")
-      .type_name("HEIGHT")
+      .add_option("--gauge-height HEIGHT", arguments.gauge_height,
+                  "where a rail's gauge is measured, below its top [m]")
       .capture_default_str();
-  add_json_flag(command, arguments->json);
-  command.footer("Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, "
-                 "and the flange's\n"
-                 "dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same "
-                 "in SI units.\n"
-                 "Axes of a profile: y to the field side, z up.\n\n"
-                 "Example:\n  microslip profile examples/profiles/s1002.prw -o results/s1002");
-  command.callback([arguments] { run(*arguments); });
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

@@ -9,7 +9,7 @@ namespace microslip::app {
 void add_profile_options(Command& command, ProfileOptions& options, const std::string& prefix, const std::string& of) {
   options.prefix = "--" + prefix;
   const auto add = [&](const char* name, auto& value, const std::string& what, const std::string& type) {
-    return command.add_option(options.prefix + name, value, what).type_name(type);
+    return command.add_option(options.prefix + std::string(name) + " " + type, value, what);
   };
   add("format", options.format, "grammar of " + of + "; default: by its first lines and its name",
       choices<io::ProfileFormat>());

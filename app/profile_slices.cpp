@@ -4,7 +4,6 @@
 #include "app/json_document.hpp"
 #include "app/quantity_table.hpp"
 #include "io/sliced_profile.hpp"
-#include "microslip/error.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "app/run.hpp"
+#include "app/commands.hpp"
 
 #include "app/command_line.hpp"
 #include "app/contact_tables.hpp"
@@ -12,12 +12,11 @@
 #include "compat/contact/run.hpp"
 #include "compat/contact/run_file.hpp"
 #include "compat/contact/wheel_rail/own_solution.hpp"
+#include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "io/result_json.hpp"
 #include "microslip/error.hpp"
 
-#include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
@@ -25,11 +24,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -51,12 +48,8 @@ struct RunArguments {
 
 /// The file is read twice: once to see that all of it is right.
 std::ifstream open(const fs::path& path) {
-  const auto fail = [&](const std::string& why) { throw Error(path.string() + ": cannot be read: " + why); };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) fail("it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(std::generic_category().message(errno));
-  if (!fs::is_regular_file(path, ignored)) fail("it is not a regular file");
+  std::ifstream file = io::open_input(path);
+  if (!fs::is_regular_file(path)) throw Error(path.string() + ": cannot be read: it is not a regular file");
   return file;
 }
 
@@ -369,31 +362,32 @@ int run(const RunArguments& arguments) {
   return Run(arguments).run() ? ExitCode::done : ExitCode::not_met;
 }
 
+constexpr const char* footer =
+    R"(Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints
+CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and
+the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,
+and the others run; docs/contact-input.md has the list. With --json the totals of all cases in SI units, by the
+names that they have in FILE.h5. Exit code 1: some cases are not run or not solved.
+
+Example:
+  microslip run examples/sphere_on_plane.inp -o results)";
+
 } // namespace
 
 void add_run_command(Command& program, int& exit_code) {
-  Command command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT");
-  const auto arguments = std::make_shared<RunArguments>();
-  command.add_option("FILE.inp", arguments->input, "input file, modules 1 and 3").required().type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for FILE.h5").type_name("FOLDER").capture_default_str();
-  command.add_flag("--out", arguments->out, "also FILE.out, CONTACT's output file");
+  Command command = program.add_subcommand("run", "Run the cases of an input file of the program CONTACT", footer);
+  RunArguments& arguments = command.arguments(exit_code, run);
+  command.add_option("FILE.inp", arguments.input, "input file, modules 1 and 3").required();
+  command.add_option("-o,--output FOLDER", arguments.folder, "folder for FILE.h5").capture_default_str();
+  command.add_flag("--out", arguments.out, "also FILE.out, CONTACT's output file");
   command.add_flag(
-      "--mat", arguments->mat,
+      "--mat", arguments.mat,
       "also FILE.0001.mat, ... in CONTACT's layout for cases with A > 0, and .subs for points inside the bodies");
   command.add_flag(
-      "--accurate", arguments->accurate,
+      "--accurate", arguments.accurate,
       "also solves wheels on rails by microslip's geometry, patches and elements of second order, and prints "
       "both beside each other");
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "Reads the whole file, then runs its cases in order, each with what the ones before it have left. Prints\n"
-      "CONTACT's quantities with its names and units for each case and writes FILE.h5 (SI): totals of all cases and\n"
-      "the fields that digit A asks for. A case with something that is not supported is named with digit and meaning,\n"
-      "and the others run; docs/contact-input.md has the list. With --json the totals of all cases in SI units, by "
-      "the\n"
-      "names that they have in FILE.h5. Exit code 1: some cases are not run or not solved.\n\n"
-      "Example:\n  microslip run examples/sphere_on_plane.inp -o results");
-  command.callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

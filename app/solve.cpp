@@ -1,4 +1,4 @@
-#include "app/solve.hpp"
+#include "app/commands.hpp"
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -20,7 +20,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -315,13 +314,6 @@ void print_document(const Input& input, const Result& result, const io::Provenan
   print_json(document);
 }
 
-/// The pictures that could be drawn.
-std::vector<std::string> draw(const fs::path& result_file, const fs::path& folder) {
-  const auto pictures = draw_pictures(result_file, folder);
-  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
-  return pictures.files;
-}
-
 /// Pictures that lie in the folder and were not drawn now show another case.
 void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>& drawn) {
   std::vector<std::string> old;
@@ -344,7 +336,7 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
   const io::Provenance provenance = provenance_of(arguments, input, text);
   write(arguments, input, result, provenance, file);
   if (!arguments.json) print_file(file);
-  const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw(file, arguments.folder);
+  const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw_pictures(file, arguments.folder);
   if (arguments.json)
     print_document(input, result, provenance, file, pictures);
   else
@@ -356,7 +348,8 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
   return ExitCode::not_met;
 }
 
-int solve(SolveArguments arguments) {
+int solve(const SolveArguments& given) {
+  SolveArguments arguments = given;
   if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
   const auto text = io::read_case_text(arguments.case_file);
   const auto name = arguments.case_file.string();
@@ -365,33 +358,29 @@ int solve(SolveArguments arguments) {
   return solve(arguments, io::parse_case(text, name), text);
 }
 
+constexpr const char* footer =
+    R"(Of a wheel on a rail ([track], [rail], [wheelset], [wheel]) finds the patches between the profiles and solves
+each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a
+[sweep]; with side = "both" those of a wheelset with its height, roll and rolling speed. Of two bodies with
+radii ([body1], [body2]) solves Hertz's problem and then the theory that the file
+asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the moment,
+areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers of
+result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.
+
+Example:
+  microslip solve examples/wheel_on_rail.toml -o results/wheel)";
+
 } // namespace
 
 void add_solve_command(Command& program, int& exit_code) {
-  Command command =
-      program.add_subcommand("solve", "Solve a wheel on a rail or a Hertzian contact: forces, fields and pictures");
-  const auto arguments = std::make_shared<SolveArguments>();
-  command.add_option("CASE.toml", arguments->case_file, "case file (microslip init writes one)")
-      .required()
-      .type_name("");
-  command
-      .add_option("-o,--output", arguments->folder,
-                  "folder for result.h5 and the pictures; default: results/NAME for NAME.toml")
-      .type_name("FOLDER");
-  command.add_flag("--no-pictures", arguments->no_pictures, "write result.h5 only");
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "Of a wheel on a rail ([track], [rail], [wheelset], [wheel]) finds the patches between the profiles and solves\n"
-      "each. Prints the forces on the wheel in track axes and a column for each patch, or a row for each state of a\n"
-      "[sweep]; with side = \"both\" those of a wheelset with its height, roll and rolling speed. Of two bodies with\n"
-      "radii ([body1], [body2]) solves Hertz's problem and then the theory that the file\n"
-      "asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the "
-      "moment,\n"
-      "areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers "
-      "of\n"
-      "result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.\n\n"
-      "Example:\n  microslip solve examples/wheel_on_rail.toml -o results/wheel");
-  command.callback([arguments, &exit_code] { exit_code = solve(*arguments); });
+  Command command = program.add_subcommand(
+      "solve", "Solve a wheel on a rail or a Hertzian contact: forces, fields and pictures", footer);
+  auto& arguments = command.arguments<SolveArguments>(exit_code, solve);
+  command.add_option("CASE.toml", arguments.case_file, "case file (microslip init writes one)").required();
+  command.add_option("-o,--output FOLDER", arguments.folder,
+                     "folder for result.h5 and the pictures; default: results/NAME for NAME.toml");
+  command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

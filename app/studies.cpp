@@ -59,9 +59,7 @@ std::vector<std::string> draw(const Study& study, const std::filesystem::path& f
   std::replace(name.begin(), name.end(), '-', '_');
   const std::filesystem::path results = folder / (name + ".h5");
   if (!std::filesystem::exists(results)) return {}; // a study of numbers only
-  Pictures pictures = draw_pictures(results, folder);
-  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
-  return pictures.files;
+  return draw_pictures(results, folder);
 }
 
 /// Returns whether all figures are met; they are printed to `out` and added to `figures`.

@@ -1,4 +1,4 @@
-#include "app/sweep.hpp"
+#include "app/commands.hpp"
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <thread>
 
 #include <fmt/format.h>
@@ -155,36 +153,36 @@ int sweep(const SweepArguments& arguments) {
   }
 }
 
+constexpr const char* footer = R"(SPEC.toml names a case file of `solve` and the keys that vary:
+
+  case = "wheel_on_rail.toml"
+  [grid]                                  # all combinations; or [sample] with count and seed, or
+  wheel.lateral = { from = 0, to = 7e-3, count = 71 }              # [list] with file = "cases.csv"
+  solution.theory = ["fastsim2", "exact"]
+
+OUT.h5 has the parameters and all quantities of every case, in their order, and the reasons of those that are
+not solved. Finished chunks of cases are kept in OUT.h5.checkpoint until OUT.h5 is complete: after an
+interruption, a crash or a full disk the same command goes on with what is missing, and ends at once if nothing
+is. Started by mpirun all ranks share the cases. The results are the same to the last bit on any threads and
+ranks. Exit code 1: some cases have another status than ok.
+
+Example:
+  microslip sweep examples/creep_sweep.toml -o creep.h5
+  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5)";
+
 } // namespace
 
 void add_sweep_command(Command& program, int& exit_code) {
   Command command =
-      program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys");
-  const auto arguments = std::make_shared<SweepArguments>();
-  command.add_option("SPEC.toml", arguments->spec, "what varies in which case").required().type_name("");
-  command.add_option("-o,--output", arguments->output, "result file").required().type_name("OUT.h5");
-  command
-      .add_option("--threads", arguments->threads,
-                  "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "
-                  "for each rank")
-      .type_name("COUNT");
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "SPEC.toml names a case file of `solve` and the keys that vary:\n\n"
-      "  case = \"wheel_on_rail.toml\"\n"
-      "  [grid]                                  # all combinations; or [sample] with count and seed, or\n"
-      "  wheel.lateral = { from = 0, to = 7e-3, count = 71 }              # [list] with file = \"cases.csv\"\n"
-      "  solution.theory = [\"fastsim2\", \"exact\"]\n\n"
-      "OUT.h5 has the parameters and all quantities of every case, in their order, and the reasons of those that are\n"
-      "not solved. Finished chunks of cases are kept in OUT.h5.checkpoint until OUT.h5 is complete: after an\n"
-      "interruption, a crash or a full disk the same command goes on with what is missing, and ends at once if "
-      "nothing\n"
-      "is. Started by mpirun all ranks share the cases. The results are the same to the last bit on any threads and\n"
-      "ranks. Exit code 1: some cases have another status than ok.\n\n"
-      "Example:\n"
-      "  microslip sweep examples/creep_sweep.toml -o creep.h5\n"
-      "  mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5");
-  command.callback([arguments, &exit_code] { exit_code = sweep(*arguments); });
+      program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys", footer);
+  SweepArguments& arguments = command.arguments(exit_code, sweep);
+  command.add_option("SPEC.toml", arguments.spec, "what varies in which case").required();
+  command.add_option("-o,--output OUT.h5", arguments.output, "result file").required();
+  command.add_option(
+      "--threads COUNT", arguments.threads,
+      "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "
+      "for each rank");
+  add_json_flag(command, arguments.json);
 }
 
 } // namespace microslip::app

@@ -1,4 +1,4 @@
-#include "app/table.hpp"
+#include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
@@ -12,7 +12,6 @@
 #include "microslip/table/making/creep_table_maker.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -86,9 +85,9 @@ void print(const CreepTableNodes& nodes, const fs::path& file, bool json) {
     print_text(nodes);
 }
 
-int make(MakeArguments arguments) {
+int make(const MakeArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
-  CreepTableMaking& making = arguments.making;
+  CreepTableMaking making = arguments.making;
   if (!arguments.range.empty()) {
     making.axes.least_ratio = arguments.range[0];
     making.axes.largest_ratio = arguments.range[1];
@@ -115,15 +114,16 @@ int make(MakeArguments arguments) {
   return ExitCode::done;
 }
 
+void show(const ShowArguments& arguments) {
+  const fs::path file = io::creep_table_or_shipped(arguments.file);
+  print(io::read_creep_table(file), file, arguments.json);
+}
+
 void add_show(Command& table) {
   Command command = table.add_subcommand("show", "Print what a creep-force table covers and how it was computed");
-  const auto arguments = std::make_shared<ShowArguments>();
-  command.add_option("FILE", arguments->file, "a creep-force table; default: the one that microslip has").type_name("");
-  add_json_flag(command, arguments->json);
-  command.callback([arguments] {
-    const fs::path file = io::creep_table_or_shipped(arguments->file);
-    print(io::read_creep_table(file), file, arguments->json);
-  });
+  ShowArguments& arguments = command.arguments(show);
+  command.add_option("FILE", arguments.file, "a creep-force table; default: the one that microslip has");
+  add_json_flag(command, arguments.json);
 }
 
 int draw(const DrawArguments& arguments) {
@@ -158,66 +158,63 @@ int draw(const DrawArguments& arguments) {
   return ExitCode::done;
 }
 
+constexpr const char* draw_footer =
+    R"(Draws Fx over the longitudinal creepage, Fy and Mz over the lateral one: lines by the table, points by the exact
+theory on 24 x 24 elements, and writes their largest distance above.
+
+Example:
+  microslip table draw -o pictures --axis-ratio 2 --spin 0 1 2)";
+
 void add_draw(Command& table, int& exit_code) {
-  Command command = table.add_subcommand("draw", "Draw creep curves of a creep-force table beside the exact theory");
-  const auto arguments = std::make_shared<DrawArguments>();
-  command.add_option("FILE", arguments->file, "a creep-force table; default: the one that microslip has").type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for the picture")
-      .type_name("FOLDER")
+  Command command =
+      table.add_subcommand("draw", "Draw creep curves of a creep-force table beside the exact theory", draw_footer);
+  DrawArguments& arguments = command.arguments(exit_code, draw);
+  command.add_option("FILE", arguments.file, "a creep-force table; default: the one that microslip has");
+  command.add_option("-o,--output FOLDER", arguments.folder, "folder for the picture").capture_default_str();
+  command
+      .add_option("--axis-ratio RATIO", arguments.axis_ratio, "a/b of the ellipse, along over across the rolling [-]")
       .capture_default_str();
-  command.add_option("--axis-ratio", arguments->axis_ratio, "a/b of the ellipse, along over across the rolling [-]")
-      .type_name("RATIO")
+  command.add_option("--poisson-ratio NU", arguments.poisson_ratio, "Poisson's ratio [-]").capture_default_str();
+  command.add_option("--spin SPIN...", arguments.spins, "spins, scaled with G (a b)^(3/2)/(mu Fn) [-]")
       .capture_default_str();
-  command.add_option("--poisson-ratio", arguments->poisson_ratio, "Poisson's ratio [-]")
-      .type_name("NU")
-      .capture_default_str();
-  command.add_option("--spin", arguments->spins, "spins, scaled with G (a b)^(3/2)/(mu Fn) [-]")
-      .type_name("SPIN...")
-      .capture_default_str();
-  add_json_flag(command, arguments->json);
-  command.footer(
-      "Draws Fx over the longitudinal creepage, Fy and Mz over the lateral one: lines by the table, points by "
-      "the exact\ntheory on 24 x 24 elements, and writes their largest distance above.\n\n"
-      "Example:\n  microslip table draw -o pictures --axis-ratio 2 --spin 0 1 2");
-  command.callback([arguments, &exit_code] { exit_code = draw(*arguments); });
+  add_json_flag(command, arguments.json);
 }
 
 void add_make(Command& table, int& exit_code) {
   Command command = table.add_subcommand("make", "Compute a creep-force table by the exact theory");
-  const auto arguments = std::make_shared<MakeArguments>();
-  CreepTableMaking& making = arguments->making;
-  command.add_option("-o,--output", arguments->output, "the table").required().type_name("FILE");
-  command.add_option("--poisson-ratio", making.axes.poisson_ratios, "Poisson's ratios [-]")
-      .type_name("NU...")
-      .capture_default_str();
-  command.add_option("--axis-ratio", arguments->range, "least and largest a/b [-]; default: 0.05 20")
-      .expected(2)
-      .type_name("LEAST LARGEST");
+  MakeArguments& arguments = command.arguments(exit_code, make);
+  CreepTableMaking& making = arguments.making;
+  command.add_option("-o,--output FILE", arguments.output, "the table").required();
+  command.add_option("--poisson-ratio NU...", making.axes.poisson_ratios, "Poisson's ratios [-]").capture_default_str();
+  command.add_option("--axis-ratio LEAST LARGEST", arguments.range, "least and largest a/b [-]; default: 0.05 20")
+      .expected(2);
   const auto count = [&](const char* name, int& value, const char* what) {
-    command.add_option(name, value, what).type_name("COUNT").capture_default_str();
+    command.add_option(std::string(name) + " COUNT", value, what).capture_default_str();
   };
   count("--ratios", making.axes.ratios, "nodes of a/b");
   count("--levels", making.axes.levels, "nodes from no slip to full sliding");
   count("--elevations", making.axes.elevations, "nodes from no spin to nothing but spin");
   count("--azimuths", making.axes.azimuths, "nodes of the direction of the creepage");
   count("--elements", making.elements, "elements across the ellipse; half of them for the extrapolation");
-  command.add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor")
-      .type_name("COUNT");
-  add_json_flag(command, arguments->json);
-  command.callback([arguments, &exit_code] { exit_code = make(*arguments); });
+  command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
+  add_json_flag(command, arguments.json);
 }
+
+constexpr const char* table_footer =
+    R"(A creep-force table has results of the exact theory, between which --theory table interpolates. The one that
+microslip has was made by the defaults of table make.
+
+Example:
+  microslip table make -o steel.creep --poisson-ratio 0.28)";
 
 } // namespace
 
 void add_table_command(Command& program, int& exit_code) {
-  Command command = program.add_subcommand("table", "Show, draw or make a creep-force table");
+  Command command = program.add_subcommand("table", "Show, draw or make a creep-force table", table_footer);
   command.require_subcommand(1);
   add_show(command);
   add_draw(command, exit_code);
   add_make(command, exit_code);
-  command.footer("A creep-force table has results of the exact theory, between which --theory table interpolates. The "
-                 "one that\nmicroslip has was made by the defaults of table make.\n\n"
-                 "Example:\n  microslip table make -o steel.creep --poisson-ratio 0.28");
 }
 
 } // namespace microslip::app

@@ -5,7 +5,6 @@
 #include "io/program_files.hpp"
 #include "microslip/error.hpp"
 
-#include <memory>
 #include <system_error>
 
 namespace microslip::app {
@@ -21,34 +20,33 @@ int run_studies_program(const ValidateArguments&) {
   return code;
 }
 
+constexpr const char* footer =
+    R"(Runs studies that compute what has been published and print both, each figure with its unit. With --json a
+list of the same figures, as they are printed. Exit code: 0 all figures are met, 1 some are not, 2 bad
+input.
+
+Example:
+  microslip validate model-problem -o results)";
+
 void add_validate_command(Command& program, int& exit_code, int (*run)(const ValidateArguments& arguments)) {
-  Command command = program.add_subcommand("validate", "Print computed figures beside published ones");
-  const auto arguments = std::make_shared<ValidateArguments>();
-  command.add_option("STUDY", arguments->names, "studies to run; default: all").type_name("");
-  command.add_flag("--list", arguments->list, "print the names of the studies and what they show");
-  command.add_option("-o,--output", arguments->output, "folder for the result files and the pictures")
-      .type_name("FOLDER")
+  Command command = program.add_subcommand("validate", "Print computed figures beside published ones", footer);
+  ValidateArguments& arguments = command.arguments(exit_code, run);
+  command.add_option("STUDY", arguments.names, "studies to run; default: all");
+  command.add_flag("--list", arguments.list, "print the names of the studies and what they show");
+  command.add_option("-o,--output FOLDER", arguments.output, "folder for the result files and the pictures")
       .capture_default_str();
-  command.add_option("--threads", arguments->threads, "threads, 1 to 1024; default: one for each processor")
-      .type_name("COUNT");
+  command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
   command.add_flag(
-      "--thorough", arguments->thorough,
+      "--thorough", arguments.thorough,
       "do in full what studies sample: wheel-rail sweeps all displacements at the exact level, for 20 minutes");
-  command.add_flag("--no-pictures", arguments->no_pictures, "write the result files only");
-  add_json_flag(command, arguments->json);
+  command.add_flag("--no-pictures", arguments.no_pictures, "write the result files only");
+  add_json_flag(command, arguments.json);
   command
-      .add_option("--report", arguments->report,
+      .add_option("--report FOLDER", arguments.report,
                   "write one page of all figures and pictures into this folder, validation.html, and as PDF\nwhere "
                   "Chromium is at hand; result files, too")
-      .type_name("FOLDER")
       .excludes("--json")
       .excludes("--output");
-  command.footer(
-      "Runs studies that compute what has been published and print both, each figure with its unit. With --json a\n"
-      "list of the same figures, as they are printed. Exit code: 0 all figures are met, 1 some are not, 2 bad\n"
-      "input.\n\n"
-      "Example:\n  microslip validate model-problem -o results");
-  command.callback([arguments, &exit_code, run] { exit_code = run(*arguments); });
 }
 
 } // namespace microslip::app

@@ -4,7 +4,6 @@
 #include "app/command_line.hpp"
 #include "app/machine.hpp"
 #include "io/output_file.hpp"
-#include "microslip/error.hpp"
 #include "microslip/version.hpp"
 
 #include <algorithm>

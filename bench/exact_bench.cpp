@@ -6,6 +6,7 @@
 
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "validation/clock.hpp"
 #include "validation/test_set.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -21,13 +21,7 @@
 namespace {
 
 using namespace microslip;
-
-/// Processor time of all threads [s].
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+using validation::processor_time;
 
 /// The most memory that was resident [MB]. Not getrusage's, which counts what the parent had before it started us.
 double peak_megabytes() {

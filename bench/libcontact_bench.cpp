@@ -5,11 +5,11 @@
 #include "compat/contact/input.hpp"
 #include "compat/contact/run.hpp"
 #include "contact_addon.h"
+#include "validation/clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <sstream>
@@ -20,15 +20,10 @@
 namespace {
 
 using namespace microslip::contact_program;
+using microslip::validation::thread_time;
 
 constexpr int states = 10, rounds = 20;
 const std::string folder = MICROSLIP_EXAMPLES "/profiles/";
-
-double processor_time() {
-  std::timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 double y_of(int state) {
   return 0.7 * state;
@@ -143,9 +138,9 @@ int main() {
                   {"cntc_getglobalforces", many, get_many}};
   for (int k = 0; k < rounds; ++k)
     for (Turn& turn : turns) {
-      const double begin = processor_time();
+      const double begin = thread_time();
       turn.run();
-      turn.shortest = std::min(turn.shortest, 1e6 * (processor_time() - begin) / turn.calls);
+      turn.shortest = std::min(turn.shortest, 1e6 * (thread_time() - begin) / turn.calls);
     }
   std::printf("%-24s %12s %12s\n", "", "us per call", "over C++");
   for (const Turn& turn : turns)

@@ -8,12 +8,12 @@
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/interior/interior_grid.hpp"
+#include "validation/clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -24,6 +24,7 @@
 namespace {
 
 using namespace microslip;
+using validation::processor_time;
 
 /// What a problem takes. Where nothing is kept from one problem to the next the time of setting up is 0.
 struct Figures {
@@ -35,6 +36,9 @@ struct Figures {
   bool solved = false;
 
   double total() const { return set_up + solve; }
+  void take(std::size_t in_contact, int steps, long of_matrix, bool is_solved) {
+    elements = in_contact, newton_steps = steps, products = of_matrix, solved = is_solved;
+  }
 };
 
 struct Problem {
@@ -42,13 +46,6 @@ struct Problem {
   std::vector<int> sizes;                ///< elements across the contact
   std::function<Figures(int)> solve_one; ///< with so many
 };
-
-/// Processor time of all threads [s].
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Seconds for what `make` does and then for `use` of what it has made: the shortest of some runs of each.
 template <class Make, class Use> void measure(Figures& figures, const Make& make, const Use& use) {
@@ -106,10 +103,8 @@ Figures ellipse(int n) {
       figures, [&] { return HertzianRolling(semi_axis_x, semi_axis_y, steel, n, n); },
       [&](HertzianRolling& rolling) {
         const SecondOrderSolution s = rolling.solve(contact, {}, {}, 1e-6);
-        figures.elements = rolling.contact().elements.size();
-        figures.newton_steps = s.friction.newton_steps;
-        figures.products = s.friction.products;
-        figures.solved = s.friction.status == Status::ok;
+        figures.take(rolling.contact().elements.size(), s.friction.newton_steps, s.friction.products,
+                     s.friction.status == Status::ok);
       });
   return figures;
 }
@@ -156,10 +151,7 @@ Figures normal_problem(int n) {
       figures, [&] { return NormalProblem(steel, grid); },
       [&](NormalProblem& problem) {
         const NormalSolution s = problem.solve(gap, {NormalLoad::Given::force, load});
-        figures.elements = static_cast<std::size_t>(s.contact_elements);
-        figures.newton_steps = s.iterations;
-        figures.products = s.products;
-        figures.solved = s.status == Status::ok;
+        figures.take(static_cast<std::size_t>(s.contact_elements), s.iterations, s.products, s.status == Status::ok);
       });
   return figures;
 }
@@ -192,10 +184,7 @@ Figures rough_normal_problem(int n) {
       figures, [&] { return NormalProblem(steel, grid); },
       [&](NormalProblem& problem) {
         const NormalSolution s = problem.solve(gap, {NormalLoad::Given::force, 10e3});
-        figures.elements = grid.count();
-        figures.newton_steps = s.iterations;
-        figures.products = s.products;
-        figures.solved = s.status == Status::ok;
+        figures.take(grid.count(), s.iterations, s.products, s.status == Status::ok);
       });
   return figures;
 }
@@ -211,22 +200,25 @@ Figures patch(int n, double skewness) {
       },
       [&](PatchRolling& rolling) {
         const ContactSolution s = rolling.solve({.friction = friction, .creepage = creepage});
-        figures.elements = rolling.contact()->elements.size();
-        figures.newton_steps = s.report.newton_steps;
-        figures.products = s.report.products;
-        figures.solved = s.report.status == Status::ok;
+        figures.take(rolling.contact()->elements.size(), s.report.newton_steps, s.report.products,
+                     s.report.status == Status::ok);
       });
   return figures;
 }
 
-/// The classical discretisation. Solved twice, the second time with what the first has left.
-Figures classical(int n, double skewness) {
+ContactStep pressed(int n, double skewness) {
   ContactStep step;
   step.grid = grid_of(n, skewness);
   step.bodies = steel;
   step.gap = gap_on(step.grid, skewness);
   step.load = {NormalLoad::Given::force, load};
   step.friction = {FrictionLaw::coulomb(friction)};
+  return step;
+}
+
+/// The classical discretisation. Solved twice, the second time with what the first has left.
+Figures classical(int n, double skewness) {
+  ContactStep step = pressed(n, skewness);
   step.motion.creepage = creepage;
   step.motion.tolerance = 1e-8;
   Figures figures;
@@ -239,10 +231,8 @@ Figures classical(int n, double skewness) {
       },
       [&](ContactSequence& sequence) {
         const ContactStepSolution s = sequence.solve(step);
-        figures.elements = static_cast<std::size_t>(s.contact_elements);
-        figures.newton_steps = s.tangential.newton_steps;
-        figures.products = s.tangential.products;
-        figures.solved = s.status == Status::ok;
+        figures.take(static_cast<std::size_t>(s.contact_elements), s.tangential.newton_steps, s.tangential.products,
+                     s.status == Status::ok);
       });
   figures.set_up -= figures.solve;
   return figures;
@@ -264,10 +254,8 @@ Figures shift(int n) {
       figures, [&] { return TangentialProblem(steel, grid); },
       [&](TangentialProblem& problem) {
         const TangentialSolution s = problem.solve(bound, input);
-        figures.elements = static_cast<std::size_t>(normal.contact_elements);
-        figures.newton_steps = s.newton_steps;
-        figures.products = s.products;
-        figures.solved = s.forces.status == Status::ok;
+        figures.take(static_cast<std::size_t>(normal.contact_elements), s.newton_steps, s.products,
+                     s.forces.status == Status::ok);
       });
   return figures;
 }
@@ -298,12 +286,7 @@ template <class Change> Figures sequence(ContactStep step, int steps, const Chan
 
 /// From Cattaneo's shift to Carter's rolling: 57 steps of an element with the force given.
 Figures onset_of_rolling(int n) {
-  ContactStep step;
-  step.grid = grid_of(n, 0);
-  step.bodies = steel;
-  step.gap = gap_on(step.grid, 0);
-  step.load = {NormalLoad::Given::force, load};
-  step.friction = {FrictionLaw::coulomb(friction)};
+  ContactStep step = pressed(n, 0);
   step.force_x = -0.657 * friction;
   step.motion.tolerance = 1e-7;
   return sequence(step, 57, [](ContactStep& s, int k) {
@@ -362,14 +345,9 @@ Figures stresses_inside(int n, int depths, bool all_rows) {
 
 /// The ellipse with a layer that hardens, from a tenth of the friction's peak on.
 ContactStep on_a_layer(int n) {
-  ContactStep step;
-  step.grid = grid_of(n, 0);
-  step.bodies = steel;
+  ContactStep step = pressed(n, 0);
   step.bodies.layer = {
       .flexibility = 2.5e-14, .yield_stress = 0.1 * friction * hertz().peak_pressure, .hardening = 5e12};
-  step.gap = gap_on(step.grid, 0);
-  step.load = {NormalLoad::Given::force, load};
-  step.friction = {FrictionLaw::coulomb(friction)};
   step.motion.tolerance = 1e-8;
   return step;
 }

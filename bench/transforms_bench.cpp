@@ -7,13 +7,13 @@
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 #include "microslip/numerics/transforms.hpp"
+#include "validation/clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,13 +26,7 @@
 namespace {
 
 using namespace microslip;
-
-/// Processor time [s].
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+using validation::processor_time;
 
 /// Falls like 1/distance, as displacements do.
 double kernel(int i, int j) {

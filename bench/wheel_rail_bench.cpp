@@ -11,14 +11,13 @@
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
 #include "microslip/table/creep_force_table.hpp"
+#include "validation/clock.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -28,16 +27,10 @@
 namespace {
 
 using namespace microslip;
+using validation::processor_time;
 
 constexpr CombinedMaterial steel{82e9, 0.28, 0};
 constexpr double vertical_force = 10e3, friction = 0.3, speed = 2;
-
-/// Processor time of all threads [s].
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Processor time [s] of a contact with nothing kept but its coefficients, the shortest of some runs.
 double yardstick() {

@@ -16,35 +16,26 @@ microslip_build microslip_build_info(void) {
 }
 
 const char* microslip_code_text(int code) {
-  switch (code) {
-  case MICROSLIP_OK:
-    return "ok";
-  case MICROSLIP_INVALID_INPUT:
-    return "a contact is not a number or out of range";
-  case MICROSLIP_NOT_CONVERGED:
-    return "not converged to the tolerance";
-  case MICROSLIP_NO_CONTACT:
-    return "the bodies do not touch";
-  case MICROSLIP_NO_SOLUTION:
-    return "prescribed force exceeds mu Fn";
-  case MICROSLIP_OUT_OF_RANGE:
-    return "beyond the range of the creep-force table";
-  case MICROSLIP_IMPLAUSIBLE:
-    return "solved, but it cannot be meant";
-  case MICROSLIP_NULL_POINTER:
-    return "a pointer is NULL";
-  case MICROSLIP_WRONG_SIZE:
-    return "an array or a struct has the wrong size";
-  case MICROSLIP_INVALID_OPTION:
-    return "an option or argument is out of range";
-  case MICROSLIP_OUT_OF_MEMORY:
-    return "not enough memory";
-  case MICROSLIP_NO_RESULT:
-    return "there is no such result yet";
-  case MICROSLIP_INTERNAL_ERROR:
-    return "a fault of the library";
-  case MICROSLIP_IN_USE:
-    return "the handle is in use by another thread";
-  }
+  constexpr struct {
+    int code;
+    const char* text;
+  } texts[] = {
+      {MICROSLIP_OK, "ok"},
+      {MICROSLIP_INVALID_INPUT, "a contact is not a number or out of range"},
+      {MICROSLIP_NOT_CONVERGED, "not converged to the tolerance"},
+      {MICROSLIP_NO_CONTACT, "the bodies do not touch"},
+      {MICROSLIP_NO_SOLUTION, "prescribed force exceeds mu Fn"},
+      {MICROSLIP_OUT_OF_RANGE, "beyond the range of the creep-force table"},
+      {MICROSLIP_IMPLAUSIBLE, "solved, but it cannot be meant"},
+      {MICROSLIP_NULL_POINTER, "a pointer is NULL"},
+      {MICROSLIP_WRONG_SIZE, "an array or a struct has the wrong size"},
+      {MICROSLIP_INVALID_OPTION, "an option or argument is out of range"},
+      {MICROSLIP_OUT_OF_MEMORY, "not enough memory"},
+      {MICROSLIP_NO_RESULT, "there is no such result yet"},
+      {MICROSLIP_INTERNAL_ERROR, "a fault of the library"},
+      {MICROSLIP_IN_USE, "the handle is in use by another thread"},
+  };
+  for (const auto& known : texts)
+    if (known.code == code) return known.text;
   return "no code of this library";
 }

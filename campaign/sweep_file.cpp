@@ -13,7 +13,6 @@
 #include <span>
 #include <sstream>
 #include <string>
-#include <string_view>
 
 namespace microslip::campaign {
 namespace {

@@ -4,7 +4,6 @@
 #include "campaign/rows.hpp"
 #include "io/case_file.hpp"
 #include "io/csv_line.hpp"
-#include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
 #include "io/units.hpp"
 #include "microslip/error.hpp"

@@ -2,7 +2,6 @@
 
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
-#include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastrip.hpp"

@@ -2,7 +2,6 @@
 
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
-#include "io/option_words.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/railway/surface_hits.hpp"
 #include "microslip/railway/wheel_locus.hpp"
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <span>
 
 namespace microslip::cases {

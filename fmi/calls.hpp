@@ -69,15 +69,22 @@ inline void differentiate(Unit& unit, const ValueReference unknowns[], std::size
   unit.differentiate();
 }
 
+/// result[r] = sum over c of entry(r, c) weights[c].
+template <class Entry>
+void multiply(std::size_t rows, std::size_t columns, const Entry& entry, const double weights[], double result[]) {
+  for (std::size_t r = 0; r < rows; ++r) {
+    result[r] = 0;
+    for (std::size_t c = 0; c < columns; ++c) result[r] += entry(r, c) * weights[c];
+  }
+}
+
 /// Changes of outputs by changes of inputs.
 inline void directional_derivative(Unit& unit, const ValueReference unknowns[], std::size_t unknown_count,
                                    const ValueReference knowns[], std::size_t known_count, const double changes[],
                                    double result[]) {
   differentiate(unit, unknowns, unknown_count, knowns, known_count);
-  for (std::size_t i = 0; i < unknown_count; ++i) {
-    result[i] = 0;
-    for (std::size_t k = 0; k < known_count; ++k) result[i] += unit.derivative(unknowns[i], knowns[k]) * changes[k];
-  }
+  const auto entry = [&](std::size_t i, std::size_t k) { return unit.derivative(unknowns[i], knowns[k]); };
+  multiply(unknown_count, known_count, entry, changes, result);
 }
 
 /// The transpose: by inputs, of a sum of outputs with weights.
@@ -85,10 +92,8 @@ inline void adjoint_derivative(Unit& unit, const ValueReference unknowns[], std:
                                const ValueReference knowns[], std::size_t known_count, const double weights[],
                                double result[]) {
   differentiate(unit, unknowns, unknown_count, knowns, known_count);
-  for (std::size_t k = 0; k < known_count; ++k) {
-    result[k] = 0;
-    for (std::size_t i = 0; i < unknown_count; ++i) result[k] += unit.derivative(unknowns[i], knowns[k]) * weights[i];
-  }
+  const auto entry = [&](std::size_t k, std::size_t i) { return unit.derivative(unknowns[i], knowns[k]); };
+  multiply(known_count, unknown_count, entry, weights, result);
 }
 
 /// Keeps the unit's state in new memory, or in that of an older one.

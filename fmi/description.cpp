@@ -1,5 +1,6 @@
 #include "fmi/description.hpp"
 
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
 
@@ -27,11 +28,6 @@ std::string escaped(const std::string& text) {
       out += c;
   }
   return out;
-}
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// The name of a unit in a description: of products with dots, of powers without a sign, 1 for none.
@@ -119,7 +115,7 @@ std::string common_attributes(const Variable& v, std::size_t reference) {
 /// Unit, range and start of a number.
 std::string number_attributes(const Variable& v) {
   const auto printed = [&](double value) {
-    return v.kind == Kind::integer ? std::to_string(std::lround(value)) : number(value);
+    return v.kind == Kind::integer ? std::to_string(std::lround(value)) : shortest_text(value);
   };
   std::string text = v.kind == Kind::real ? " unit=\"" + unit_name(v.unit) + "\"" : "";
   if (std::isfinite(v.min)) text += " min=\"" + printed(v.min) + "\"";
@@ -238,11 +234,12 @@ namespace {
 
 std::string range_of(const Variable& v) {
   if (!std::isfinite(v.min) && !std::isfinite(v.max)) return "";
-  return (std::isfinite(v.min) ? number(v.min) : "") + " to " + (std::isfinite(v.max) ? number(v.max) : "");
+  return (std::isfinite(v.min) ? shortest_text(v.min) : "") + " to " +
+         (std::isfinite(v.max) ? shortest_text(v.max) : "");
 }
 
 std::string row_of(const Variable& v) {
-  const std::string start = v.kind == Kind::text ? escaped(v.start_text) : has_start(v) ? number(v.start) : "";
+  const std::string start = v.kind == Kind::text ? escaped(v.start_text) : has_start(v) ? shortest_text(v.start) : "";
   return "<tr><td>" + escaped(v.name) + "</td><td>" + (v.kind == Kind::real ? escaped(v.unit) : "") + "</td><td>" +
          start + "</td><td>" + range_of(v) + "</td><td>" + escaped(v.description) + "</td></tr>\n";
 }

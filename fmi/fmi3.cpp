@@ -65,6 +65,12 @@ fmi3Instance refuse_type(fmi3InstanceEnvironment environment, fmi3LogMessageCall
 
 } // namespace
 
+/// A function of the interface that a unit does not have; what follows `why` are its further arguments.
+#define REFUSED(function, why, ...)                                                                                    \
+  fmi3Status function(fmi3Instance instance __VA_OPT__(, ) __VA_ARGS__) {                                              \
+    return refuse(instance, why);                                                                                      \
+  }
+
 const char* fmi3GetVersion(void) {
   return "3.0";
 }
@@ -136,12 +142,8 @@ fmi3Status fmi3Reset(fmi3Instance instance) {
   return fmi3OK;
 }
 
-fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance) {
-  return refuse(instance, "the unit has no structural parameters");
-}
-fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance) {
-  return refuse(instance, "the unit has no structural parameters");
-}
+REFUSED(fmi3EnterConfigurationMode, "the unit has no structural parameters")
+REFUSED(fmi3ExitConfigurationMode, "the unit has no structural parameters")
 
 // The independent variable follows those of the table.
 fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], size_t count, fmi3Float64 values[],
@@ -219,13 +221,10 @@ fmi3Status fmi3SetClock(fmi3Instance instance, const fmi3ValueReference[], size_
   return none_of_this_type(instance, __func__, count);
 }
 
-fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference, size_t*) {
-  return refuse(instance, "all variables are scalars: modelDescription.xml has their dependencies");
-}
-fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference, size_t[], fmi3ValueReference[],
-                                       size_t[], fmi3DependencyKind[], size_t) {
-  return refuse(instance, "all variables are scalars: modelDescription.xml has their dependencies");
-}
+REFUSED(fmi3GetNumberOfVariableDependencies, "all variables are scalars: modelDescription.xml has their dependencies",
+        fmi3ValueReference, size_t*)
+REFUSED(fmi3GetVariableDependencies, "all variables are scalars: modelDescription.xml has their dependencies",
+        fmi3ValueReference, size_t[], fmi3ValueReference[], size_t[], fmi3DependencyKind[], size_t)
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
                                         size_t unknown_count, const fmi3ValueReference knowns[], size_t known_count,
@@ -261,15 +260,9 @@ fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* state) {
   return fmi3OK;
 }
 
-fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState, size_t*) {
-  return refuse(instance, no_bytes);
-}
-fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState, fmi3Byte[], size_t) {
-  return refuse(instance, no_bytes);
-}
-fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte[], size_t, fmi3FMUState*) {
-  return refuse(instance, no_bytes);
-}
+REFUSED(fmi3SerializedFMUStateSize, no_bytes, fmi3FMUState, size_t*)
+REFUSED(fmi3SerializeFMUState, no_bytes, fmi3FMUState, fmi3Byte[], size_t)
+REFUSED(fmi3DeserializeFMUState, no_bytes, const fmi3Byte[], size_t, fmi3FMUState*)
 
 fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step, fmi3Boolean, fmi3Boolean* event_needed,
                       fmi3Boolean* terminate, fmi3Boolean* early_return, fmi3Float64* last_time) {
@@ -281,83 +274,34 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
     *last_time = unit.time;
   });
 }
-fmi3Status fmi3EnterStepMode(fmi3Instance instance) {
-  return refuse(instance, "the unit has no event mode");
-}
-fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
-  return refuse(instance, "the unit has no event mode");
-}
-fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Int32[],
-                                    fmi3Float64[], size_t) {
-  return refuse(instance, "outputs have no derivatives with respect to time");
-}
+REFUSED(fmi3EnterStepMode, "the unit has no event mode")
+REFUSED(fmi3EnterEventMode, "the unit has no event mode")
+REFUSED(fmi3GetOutputDerivatives, "outputs have no derivatives with respect to time", const fmi3ValueReference[],
+        size_t, const fmi3Int32[], fmi3Float64[], size_t)
 
-fmi3Status fmi3GetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Float64[],
-                                  fmi3IntervalQualifier[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3GetIntervalFraction(fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3UInt64[],
-                                   fmi3UInt64[], fmi3IntervalQualifier[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3GetShiftDecimal(fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3Float64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3GetShiftFraction(fmi3Instance instance, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3SetIntervalDecimal(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Float64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3SetIntervalFraction(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3UInt64[],
-                                   const fmi3UInt64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3SetShiftDecimal(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3Float64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3SetShiftFraction(fmi3Instance instance, const fmi3ValueReference[], size_t, const fmi3UInt64[],
-                                const fmi3UInt64[]) {
-  return refuse(instance, no_clocks);
-}
-fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference, fmi3Float64) {
-  return refuse(instance, no_clocks);
-}
+REFUSED(fmi3GetIntervalDecimal, no_clocks, const fmi3ValueReference[], size_t, fmi3Float64[], fmi3IntervalQualifier[])
+REFUSED(fmi3GetIntervalFraction, no_clocks, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[],
+        fmi3IntervalQualifier[])
+REFUSED(fmi3GetShiftDecimal, no_clocks, const fmi3ValueReference[], size_t, fmi3Float64[])
+REFUSED(fmi3GetShiftFraction, no_clocks, const fmi3ValueReference[], size_t, fmi3UInt64[], fmi3UInt64[])
+REFUSED(fmi3SetIntervalDecimal, no_clocks, const fmi3ValueReference[], size_t, const fmi3Float64[])
+REFUSED(fmi3SetIntervalFraction, no_clocks, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
+REFUSED(fmi3SetShiftDecimal, no_clocks, const fmi3ValueReference[], size_t, const fmi3Float64[])
+REFUSED(fmi3SetShiftFraction, no_clocks, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
+REFUSED(fmi3ActivateModelPartition, no_clocks, fmi3ValueReference, fmi3Float64)
 
-fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
-                                    fmi3Boolean*, fmi3Float64*) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean, fmi3Boolean*, fmi3Boolean*) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64[], size_t) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64[], size_t) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetEventIndicators(fmi3Instance instance, fmi3Float64[], size_t) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64[], size_t) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64[], size_t) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t*) {
-  return refuse(instance, no_states);
-}
-fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t*) {
-  return refuse(instance, no_states);
-}
+REFUSED(fmi3EvaluateDiscreteStates, no_states)
+REFUSED(fmi3UpdateDiscreteStates, no_states, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
+        fmi3Float64*)
+REFUSED(fmi3EnterContinuousTimeMode, no_states)
+REFUSED(fmi3CompletedIntegratorStep, no_states, fmi3Boolean, fmi3Boolean*, fmi3Boolean*)
+REFUSED(fmi3SetTime, no_states, fmi3Float64)
+REFUSED(fmi3SetContinuousStates, no_states, const fmi3Float64[], size_t)
+REFUSED(fmi3GetContinuousStateDerivatives, no_states, fmi3Float64[], size_t)
+REFUSED(fmi3GetEventIndicators, no_states, fmi3Float64[], size_t)
+REFUSED(fmi3GetContinuousStates, no_states, fmi3Float64[], size_t)
+REFUSED(fmi3GetNominalsOfContinuousStates, no_states, fmi3Float64[], size_t)
+REFUSED(fmi3GetNumberOfEventIndicators, no_states, size_t*)
+REFUSED(fmi3GetNumberOfContinuousStates, no_states, size_t*)
+
+#undef REFUSED

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 /// Any text is either a case that makes a contact or refused with a message that begins with the file's name.

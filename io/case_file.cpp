@@ -1,5 +1,6 @@
 #include "io/case_file.hpp"
 
+#include "io/input_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
@@ -12,7 +13,6 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
-#include <vector>
 
 namespace microslip::io {
 namespace {
@@ -291,10 +291,7 @@ PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2) {
 std::string read_case_text(const std::filesystem::path& path) {
   constexpr std::streamsize longest = 1 << 20;
   const auto fail = [&](const std::string& reason) { throw Error(path.string() + ": cannot be read: " + reason); };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(std::generic_category().message(errno));
+  std::ifstream file = open_input(path);
   std::string text(static_cast<std::size_t>(longest) + 1, '\0');
   file.read(text.data(), longest + 1);
   if (file.bad()) fail(std::generic_category().message(errno));

@@ -6,7 +6,6 @@
 #include "microslip/error.hpp"
 
 #include <cerrno>
-#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>

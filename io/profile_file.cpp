@@ -1,5 +1,6 @@
 #include "io/profile_file.hpp"
 
+#include "io/input_file.hpp"
 #include "io/nearest_word.hpp"
 #include "io/profile_formats.hpp"
 #include "io/text_line.hpp"
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cmath>
 #include <fstream>
 #include <system_error>
 
@@ -29,15 +28,8 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 }
 
 std::string_view name_of(ProfileFormat format) {
-  switch (format) {
-  case ProfileFormat::simpack:
-    return "Simpack";
-  case ProfileFormat::miniprof:
-    return "MiniProf";
-  case ProfileFormat::columns:
-    break;
-  }
-  return "columns";
+  constexpr std::array<std::string_view, 3> names = {"Simpack", "MiniProf", "columns"};
+  return names[static_cast<std::size_t>(format)];
 }
 
 /// By what the first lines say, else by the name.
@@ -259,10 +251,8 @@ PreparedProfile parse_profile(std::string_view text, const std::string& name, co
 std::string read_profile_text(const fs::path& path) {
   const auto name = path.string();
   const auto fail = [&](const std::string& what) { throw Error(name + ": " + what); };
+  std::ifstream stream = open_input(path);
   std::error_code error;
-  if (fs::is_directory(path, error)) fail("cannot be read: it is a folder");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail("cannot be read: " + std::generic_category().message(errno));
   const auto time_before = fs::last_write_time(path, error);
   std::string text;
   std::array<char, 65536> chunk{};

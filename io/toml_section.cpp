@@ -6,7 +6,6 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>

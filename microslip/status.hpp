@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <iterator>
 #include <string_view>
 
 namespace microslip {
@@ -15,24 +17,13 @@ enum class Status {
   implausible,   ///< solved, but it cannot be meant, as its warnings say: pressures beyond elasticity, a mistaken file
 };
 
+/// Its name; empty for what is no status.
 constexpr std::string_view to_string(Status status) {
-  switch (status) {
-  case Status::ok:
-    return "ok";
-  case Status::invalid_input:
-    return "invalid_input";
-  case Status::not_converged:
-    return "not_converged";
-  case Status::no_contact:
-    return "no_contact";
-  case Status::no_solution:
-    return "no_solution";
-  case Status::out_of_range:
-    return "out_of_range";
-  case Status::implausible:
-    return "implausible";
-  }
-  return "";
+  constexpr std::string_view names[] = {"ok",          "invalid_input", "not_converged", "no_contact",
+                                        "no_solution", "out_of_range",  "implausible"};
+  static_assert(std::size(names) == static_cast<std::size_t>(Status::implausible) + 1);
+  const auto k = static_cast<std::size_t>(status);
+  return k < std::size(names) ? names[k] : "";
 }
 
 /// Codes and names, as files of results state them.

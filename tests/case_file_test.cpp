@@ -27,24 +27,9 @@
 namespace microslip {
 namespace {
 
-const std::string good = R"(title = "t"
-[body1]
-rolling_radius = 0.46
-transverse_radius = inf
-young_modulus = 210e9
-poisson_ratio = 0.28
-[body2]
-rolling_radius = inf
-transverse_radius = 0.3
-shear_modulus = 82e9
-poisson_ratio = 0.3
-[load]
-normal_force = 80e3
-[friction]
-coefficient = 0.3
-[motion]
-rolling_speed = 30
-)";
+/// Of materials with different elastic constants.
+const std::string good = "title = \"t\"\n" + with(two_bodies_text, "0.3\nyoung_modulus = 210e9\npoisson_ratio = 0.28",
+                                                  "0.3\nshear_modulus = 82e9\npoisson_ratio = 0.3");
 
 /// The good text with one part replaced.
 std::string with(const std::string& part, const std::string& replacement) {

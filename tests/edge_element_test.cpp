@@ -2,8 +2,8 @@
 
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"
-#include "validation/edge_constants.hpp"
 #include "validation/half_line.hpp"
+#include "validation/studies.hpp"
 
 #include <algorithm>
 #include <array>

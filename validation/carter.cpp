@@ -1,4 +1,4 @@
-#include "validation/carter.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "validation/hertzian_solve.hpp"
@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -67,7 +66,7 @@ void report_second_order(Report& report) {
                             g == 0 ? "" : fmt::format("{:.3f}", error[g - 1] / error[g])));
   }
   const double order = std::log2(std::abs(error.front() / error.back())) / double(grids.size() - 1);
-  report.figure("mean order", fmt::format("{:.3f}", order), ">= 1.8", order >= 1.8);
+  report.bounded("mean order", "{:.3f}", order, ">= 1.8");
 }
 
 } // namespace
@@ -95,13 +94,11 @@ bool run_carter(const StudyOptions& options, std::ostream& out) {
   const std::size_t last = grids.size() - 1;
   const double order = std::log2(error[0] / error[last]) / double(last);
   const double extrapolated = limit(force[last - 1], grids[last - 1], force[last], grids[last]);
-  report.figure("mean order", fmt::format("{:.3f}", order), "1", std::abs(order - 1) <= 0.1);
-  report.figure("Fx extrapolated from the last two", fmt::format("{:.6f}", extrapolated),
-                fmt::format("{:.2f}", exact_force), std::abs(extrapolated - exact_force) <= 1e-4);
+  report.near("mean order", "{:.3f}", order, "1", 0.1);
+  report.near("Fx extrapolated from the last two", "{:.6f}", extrapolated, "{:.2f}", exact_force, 1e-4);
   report.figure("adhesion half-width, on all grids", adhesion_fits ? "fits" : "does not fit", "0.6 a +- dx",
                 adhesion_fits);
-  report.figure("rolling along -x: largest difference of Fx", fmt::format("{:.1e}", worst_mirror), "<= 1e-8",
-                worst_mirror <= 1e-8);
+  report.bounded("rolling along -x: largest difference of Fx", "{:.1e}", worst_mirror, "<= 1e-8");
 
   report_second_order(report);
 
@@ -109,9 +106,9 @@ bool run_carter(const StudyOptions& options, std::ostream& out) {
   const ElementGrid as_contact{55, 1, -1.05e-3, 0, 0.04e-3, 0.2, true};
   const Outcome same = roll(as_contact, RollingDirection::forward);
   report.heading("On the grid of CONTACT's example: 50 elements of 0.04 mm, shifted by 0.01 mm; computed, CONTACT");
-  report.figure("Fx", fmt::format("{:.4f}", same.force), "0.6480", std::abs(same.force - 0.6480) <= 2e-4);
-  report.figure("elements in adhesion", std::to_string(same.adhering), "30", same.adhering == 30);
-  report.figure("elements in slip", std::to_string(same.sliding), "20", same.sliding == 20);
+  report.near("Fx", "{:.4f}", same.force, "0.6480", 2e-4);
+  report.count("elements in adhesion", same.adhering, 30);
+  report.count("elements in slip", same.sliding, 20);
   return report.all_met();
 }
 

@@ -1,4 +1,4 @@
-#include "validation/conicity.hpp"
+#include "validation/studies.hpp"
 
 #include "io/profile_file.hpp"
 #include "microslip/railway/conicity.hpp"
@@ -56,8 +56,7 @@ void report_closed_forms(Report& report) {
     const auto motion = kinematic_oscillation(of_cones, k * 1e-3, base);
     worst = std::max(worst, motion ? std::abs(motion->conicity - inclination) : 1);
   }
-  report.figure("conicity of a cone 1:40 less 0.025, 1 to 7 mm", fmt::format("{:.1e}", worst), "<= 1e-7",
-                worst <= 1e-7);
+  report.bounded("conicity of a cone 1:40 less 0.025, 1 to 7 mm", "{:.1e}", worst, "<= 1e-7");
 
   // sin delta = sin delta0 +- y/(Rw - Rr), dr = Rw (cos delta of the right less that of the left wheel)
   constexpr double rw = 0.4, rr = 0.25, delta0 = 0.04;
@@ -70,8 +69,7 @@ void report_closed_forms(Report& report) {
     const double expected = rw * (std::cos(angle(-1)) - std::cos(angle(1)));
     worst = std::max(worst, std::abs(arcs.solve(y, 0, RollRule::none).rolling_radius_difference() - expected));
   }
-  report.figure("arcs on arcs: rolling radius difference, largest error [m]", fmt::format("{:.1e}", worst), "<= 1e-10",
-                worst <= 1e-10);
+  report.bounded("arcs on arcs: rolling radius difference, largest error [m]", "{:.1e}", worst, "<= 1e-10");
 }
 
 struct Row {

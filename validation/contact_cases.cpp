@@ -1,4 +1,4 @@
-#include "validation/contact_cases.hpp"
+#include "validation/studies.hpp"
 
 #include "compat/contact/run.hpp"
 #include "compat/contact/set_up.hpp"
@@ -287,9 +287,8 @@ private:
       if (std::abs(value - printed) <= 0.501e-3)
         ++stresses_to_the_digit_;
       else
-        report_.figure(fmt::format("case {}, {}", number, name), fmt::format("{:.4f}", value),
-                       fmt::format("{:.3f}", printed),
-                       std::abs(value - printed) <= relative_difference * std::abs(printed) + 0.5e-3);
+        report_.near(fmt::format("case {}, {}", number, name), "{:.4f}", value, "{:.3f}", printed,
+                     relative_difference * std::abs(printed) + 0.5e-3);
     }
   }
 
@@ -308,8 +307,7 @@ private:
   }
 
   void finish() {
-    report_.figure("cases solved that run", fmt::format("{}", converged_), fmt::format("{}", solved_),
-                   converged_ == solved_);
+    report_.count("cases solved that run", converged_, solved_);
     for (const auto& [reason, count] : refused_)
       report_.remark(fmt::format("not run: {} of {} cases", count, cases_), "", "", reason);
     if (quantities_ == 0) return;

@@ -1,4 +1,4 @@
-#include "validation/contact_wheel_rail.hpp"
+#include "validation/studies.hpp"
 
 #include "compat/contact/input.hpp"
 #include "compat/contact/run.hpp"

@@ -1,11 +1,9 @@
-#include "validation/creep_curve.hpp"
+#include "validation/studies.hpp"
 
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
 #include <array>
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,18 +64,17 @@ bool run_creep_curve(const StudyOptions& options, std::ostream& out) {
   report.line(fmt::format("a = {:.4f} mm, b = {:.4f} mm, mu = 0.33; -Fx/(mu Fn)", hertz.a * 1e3, hertz.b * 1e3));
   HertzianSolve coarse = contact_on(hertz, 1), fine = contact_on(hertz, 2);
   const int elements = coarse.normal().contact_elements;
-  report.figure("elements in contact", std::to_string(elements), "1384", elements == 1384);
+  report.count("elements in contact", elements, 1384);
   const double peak = coarse.normal().peak_pressure * 1e-6, approach = coarse.normal().approach * 1e3;
-  report.figure("peak pressure [N/mm2]", fmt::format("{:.2f}", peak), "640.7", std::abs(peak - 640.7) <= 0.1);
-  report.figure("approach [mm]", fmt::format("{:.5f}", approach), "0.07651", std::abs(approach - 0.07651) <= 1e-5);
+  report.near("peak pressure [N/mm2]", "{:.2f}", peak, "640.7", 0.1);
+  report.near("approach [mm]", "{:.5f}", approach, "0.07651", 1e-5);
   const Curve f = forces(coarse);
   if (options.progress && !options.progress(0.15)) return false;
   const Curve f2 = forces(fine);
 
   report.heading("48 x 44 elements (40 across the ellipse's width): computed, CONTACT on the same grid");
   for (std::size_t k = 0; k < curve.size(); ++k)
-    report.figure(fmt::format("creepage {:.4f}", curve[k].creepage), fmt::format("{:.5f}", f[k]),
-                  fmt::format("{:.4f}", curve[k].published), std::abs(f[k] - curve[k].published) <= 1e-4);
+    report.near(fmt::format("creepage {:.4f}", curve[k].creepage), "{:.5f}", f[k], "{:.4f}", curve[k].published, 1e-4);
   report.heading("Creepage, 48 x 44, 96 x 88, limit by extrapolation");
   for (std::size_t k = 0; k < curve.size(); ++k)
     report.line(

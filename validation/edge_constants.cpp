@@ -1,4 +1,4 @@
-#include "validation/edge_constants.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/exact/fitted/edge_element.hpp"
 #include "validation/half_line.hpp"

@@ -1,4 +1,4 @@
-#include "validation/exact_112.hpp"
+#include "validation/studies.hpp"
 
 #include "validation/error_statistics.hpp"
 #include "validation/exact_cases.hpp"

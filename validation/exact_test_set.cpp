@@ -1,4 +1,4 @@
-#include "validation/exact_test_set.hpp"
+#include "validation/studies.hpp"
 
 #include "validation/exact_cases.hpp"
 #include "validation/report.hpp"
@@ -28,15 +28,9 @@ constexpr Run runs[] = {
     {48, Solver::second_order, 0.2},   {48, Solver::classical, 0.45}, {48, Solver::classical_from_nothing, 1}};
 
 const char* describe(Solver solver) {
-  switch (solver) {
-  case Solver::classical_from_nothing:
-    return "classical, from no tractions";
-  case Solver::classical:
-    return "classical, from FASTSIM2's tractions";
-  case Solver::second_order:
-    return "second order, from FASTSIM2's tractions";
-  }
-  return "";
+  constexpr const char* texts[] = {"classical, from no tractions", "classical, from FASTSIM2's tractions",
+                                   "second order, from FASTSIM2's tractions"};
+  return texts[static_cast<int>(solver)];
 }
 
 std::vector<ExactCase> solve(const std::vector<EllipticContact>& contacts, const Run& run,
@@ -69,8 +63,8 @@ void report_run(Report& report, const Run& run, const std::vector<ExactCase>& ca
     if (c.forces.status != Status::ok) ++failures;
   }
   report.heading(fmt::format("{0} x {0} elements across the ellipse, {1}", run.elements, describe(run.solver)));
-  report.figure("cases that do not converge", std::to_string(failures), "0", failures == 0);
-  report.figure("largest residual", fmt::format("{:.3e}", worst), "<= 1e-6", worst <= 1e-6);
+  report.count("cases that do not converge", failures, 0);
+  report.bounded("largest residual", "{:.3e}", worst, "<= 1e-6");
   report.line("Newton steps: " + distribution(steps));
   report.line("products:     " + distribution(products));
   report.line(fmt::format("time:         {:.1f} s on {} thread{}, {:.2f} ms of a thread for a case", seconds, threads,

@@ -1,14 +1,12 @@
-#include "validation/falling_friction.hpp"
-
-#include "validation/report.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/simplified/fastsim.hpp"
+#include "validation/report.hpp"
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -43,8 +41,7 @@ void report_branch(Report& report, const char* name, const ContactStepSolution& 
   const double found = s.tangential.forces.fx / (cylinder_law.static_coefficient() * cylinder_load);
   report.figure(fmt::format("{}: Fx/(mu_s Fn)", name), fmt::format("{:.4f}", found), fmt::format("{:.4f}", force),
                 s.status == Status::ok && std::abs(found - force) <= 1e-4);
-  report.figure("  elements in adhesion", std::to_string(s.adhesion_elements), std::to_string(adhesion),
-                s.adhesion_elements == adhesion);
+  report.count("  elements in adhesion", s.adhesion_elements, adhesion);
 }
 
 void report_cylinder(Report& report) {
@@ -67,7 +64,7 @@ void report_cylinder(Report& report) {
     if (s.status != Status::ok) ++failed;
   }
   report_branch(report, "after 50 steps from above", s, 0.5638, 35);
-  report.figure("steps that fail", std::to_string(failed), "0", failed == 0);
+  report.count("steps that fail", failed, 0);
 }
 
 // The wheel of the Eurosprinter, CONTACT's guide, section 5.9.
@@ -142,8 +139,7 @@ void report_modified_fastsim(Report& report) {
                                      .creepage = {p.creepage, 0, 0},
                                      .rolling_speed = wheel_speed};
     const double force = -solver.solve(contact).fx / (0.36 * wheel_load);
-    report.figure(fmt::format("creepage {}", p.creepage), fmt::format("{:.4f}", force), fmt::format("{:.4f}", p.force),
-                  std::abs(force - p.force) <= 0.01);
+    report.near(fmt::format("creepage {}", p.creepage), "{:.4f}", force, "{:.4f}", p.force, 0.01);
   }
 }
 

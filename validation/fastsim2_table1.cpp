@@ -1,4 +1,4 @@
-#include "validation/fastsim2_table1.hpp"
+#include "validation/studies.hpp"
 
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -130,8 +129,7 @@ std::string row(std::string_view name, const Errors& e) {
 void report_published(Report& report, const Variant& variant, const Errors& errors) {
   const auto component = [&](std::string_view name, const ErrorStatistics& computed, const ErrorStatistics& published) {
     const auto one = [&](std::string_view what, double mine, double theirs) {
-      report.figure(fmt::format("  {}  {}", name, what), fmt::format("{:.4f}", mine), fmt::format("{:.3f}", theirs),
-                    std::abs(mine - theirs) <= 0.003);
+      report.near(fmt::format("  {}  {}", name, what), "{:.4f}", mine, "{:.3f}", theirs, 0.003);
     };
     one("80 %", computed.p80, published.p80);
     one("95 %", computed.p95, published.p95);
@@ -194,7 +192,7 @@ bool run_fastsim2_table1(const StudyOptions& options, std::ostream& out) {
   }
   Report report(out, options.figures);
   report.line(fmt::format("{} cases; errors over mu Fn of FASTSIM2 on {} x {} cells", contacts.size(), cells, cells));
-  report.figure("cases of exact theory that do not converge", std::to_string(exact.failures), "0", exact.failures == 0);
+  report.count("cases of exact theory that do not converge", exact.failures, 0);
   report.heading(fmt::format("Against exact theory, extrapolated from {} and {} elements across: computed, published "
                              "(met within 0.003)",
                              coarse, fine));

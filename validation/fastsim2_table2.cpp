@@ -1,4 +1,4 @@
-#include "validation/fastsim2_table2.hpp"
+#include "validation/studies.hpp"
 
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"

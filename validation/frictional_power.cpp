@@ -1,11 +1,11 @@
 #include "validation/frictional_power.hpp"
 
 #include "validation/report.hpp"
+#include "validation/studies.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include <fmt/format.h>
 
@@ -86,8 +86,7 @@ bool run_frictional_power(const StudyOptions& options, std::ostream& out) {
                             summed[3], 2 * summed[3] - summed[2]));
     worst = std::max(worst, std::abs(power[0] - limit) / std::abs(summed[0] - limit));
   }
-  report.figure("largest error on 20 x 20 over that of the sum", fmt::format("{:.2f}", worst), "at most 0.5",
-                worst <= 0.5);
+  report.bounded("largest error on 20 x 20 over that of the sum", "{:.2f}", worst, "at most 0.5");
   return report.all_met();
 }
 

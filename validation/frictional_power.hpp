@@ -1,7 +1,6 @@
 #pragma once
 
 #include "microslip/rolling/solver.hpp"
-#include "validation/study.hpp"
 
 #include <functional>
 #include <string>
@@ -24,9 +23,5 @@ inline constexpr double disc_speed = 3;
 ContactSolution roll_discs(const DiscKind& kind, int elements);
 /// The power [W] on the slip that the fields of the solution have: -V sum p.s dx dy (theory-exact (E22)).
 double power_of_fields(const ContactSolution& discs);
-
-/// The study `frictional-power`: how `frictional_power` of the classical discretisation and the sum over the fields
-/// approach their common limit, for all kinds.
-bool run_frictional_power(const StudyOptions& options, std::ostream& out);
 
 } // namespace microslip::validation

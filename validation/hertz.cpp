@@ -1,4 +1,4 @@
-#include "validation/hertz.hpp"
+#include "validation/studies.hpp"
 
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"

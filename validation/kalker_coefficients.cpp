@@ -1,4 +1,4 @@
-#include "validation/kalker_coefficients.hpp"
+#include "validation/studies.hpp"
 
 #include "io/output_file.hpp"
 #include "microslip/exact/classical/tangential_problem.hpp"
@@ -155,7 +155,7 @@ bool report_solver(Report& report, const Progress& progress) {
       if (progress && !progress(++done / cases)) return false;
     }
   report.figure("all converge without slip", converged ? "yes" : "no", "yes", converged);
-  report.figure("largest difference", fmt::format("{:.1e}", worst), "<= 3e-3", worst <= 3e-3);
+  report.bounded("largest difference", "{:.1e}", worst, "<= 3e-3");
   return true;
 }
 
@@ -189,8 +189,7 @@ bool report_kalker(Report& report, const Progress& progress) {
   }
   report.line(fmt::format("{} of {} entries", differ, entries));
   for (int n = 0; n < numbers; ++n)
-    report.figure(fmt::format("largest relative difference in {}", names[n]), fmt::format("{:.1e}", worst[n]),
-                  "<= 2e-2", worst[n] <= 2e-2);
+    report.bounded(fmt::format("largest relative difference in {}", names[n]), "{:.1e}", worst[n], "<= 2e-2");
   return true;
 }
 
@@ -228,12 +227,9 @@ bool write_table(Report& report, const StudyOptions& options, const Progress& pr
   file.commit();
   report.heading(fmt::format("The computed table: {} ratios a/b from 0.05 to 20, {} values of nu; series of degree {}",
                              ratios, materials, degree));
-  report.figure(fmt::format("largest relative difference to degree {}", lower_degree), fmt::format("{:.1e}", error),
-                "<= 1e-5", error <= 1e-5);
-  report.figure("largest difference of -C32 and C23", fmt::format("{:.1e}", reciprocity), "<= 1e-5",
-                reciprocity <= 1e-5);
-  report.figure("table in the library to the one just computed", fmt::format("{:.1e}", in_library), "<= 1e-7",
-                in_library <= 1e-7);
+  report.bounded(fmt::format("largest relative difference to degree {}", lower_degree), "{:.1e}", error, "<= 1e-5");
+  report.bounded("largest difference of -C32 and C23", "{:.1e}", reciprocity, "<= 1e-5");
+  report.bounded("table in the library to the one just computed", "{:.1e}", in_library, "<= 1e-7");
   return true;
 }
 
@@ -249,7 +245,7 @@ bool report_interpolation(Report& report, const Progress& progress) {
     }
     if (progress && !progress((k + 1.0) / ratios)) return false;
   }
-  report.figure("midway between its entries", fmt::format("{:.1e}", worst), "<= 1e-4", worst <= 1e-4);
+  report.bounded("midway between its entries", "{:.1e}", worst, "<= 1e-4");
   report.remark("the same of Kalker's table", fmt::format("{:.1e}", kalker), "", "not judged");
   for (const double ratio : {0.02, 50.0}) {
     double beyond = 0;

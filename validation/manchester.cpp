@@ -1,4 +1,4 @@
-#include "validation/manchester.hpp"
+#include "validation/studies.hpp"
 
 #include "io/profile_file.hpp"
 #include "microslip/error.hpp"
@@ -232,7 +232,7 @@ void report_two_patches(Report& report, const Profile& rail, const Profile& whee
     std::sort(s.patches.begin(), s.patches.end(), [](const auto& a, const auto& b) { return a.rail_y > b.rail_y; });
     for (const WheelRailPatch& p : s.patches) print(name.c_str(), p);
   }
-  report.figure("loads without mutual influence, relative", fmt::format("{:.4f}", worst), "<= 0.02", worst <= 0.02);
+  report.bounded("loads without mutual influence, relative", "{:.4f}", worst, "<= 0.02");
 }
 
 /// How many cases have a number within a tolerance, and the largest number of all of them.

@@ -4,12 +4,11 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "validation/clock.hpp"
 #include "validation/draw.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <numbers>
 #include <string>
@@ -24,17 +23,6 @@ constexpr int usual_count = 3000, thorough_count = 20000, most_elements_across =
 constexpr double longest = 10; // processor time of a problem [s]
 constexpr double slack =
     1e-3; // of the largest bound: elements' residuals, in which a bound that depends on the slip differs
-
-/// Processor time of this thread, or where that is not known of the process [s].
-double processor_time() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-#else
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-#endif
-}
 
 struct Combination {
   RollingProblem problem;
@@ -218,9 +206,9 @@ Ending solve_number(std::size_t n, const Progress& progress) {
   Composer composer(draw);
   const Combination& c = composer.compose();
   Ending end{.kind = c.kind};
-  const double begin = processor_time();
+  const double begin = thread_time();
   const auto watch = [&](double done) {
-    end.hangs = end.hangs || processor_time() - begin > longest;
+    end.hangs = end.hangs || thread_time() - begin > longest;
     return !end.hangs && (!progress || progress(done));
   };
   ContactSolution s;
@@ -239,7 +227,7 @@ Ending solve_number(std::size_t n, const Progress& progress) {
 
 void count(Report& report, const char* name, const std::vector<Ending>& all, bool Ending::*wrong) {
   const auto found = std::ranges::count_if(all, [&](const Ending& e) { return e.*wrong; });
-  report.figure(name, std::to_string(found), "0", found == 0);
+  report.count(name, found, 0);
   int named = 0;
   for (std::size_t n = 0; n < all.size() && named < 5; ++n)
     if (all[n].*wrong) report.line(fmt::format("  {}: {}", n, all[n].kind)), ++named;

@@ -1,4 +1,4 @@
-#include "validation/random_problems.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/batch/batch.hpp"
 #include "microslip/elasticity/hertz.hpp"
@@ -297,7 +297,7 @@ void report_kind(Report& report, const Kind& kind, const std::vector<Result>& re
   const double mean = static_cast<double>(std::accumulate(steps.begin(), steps.end(), 0L)) / double(steps.size());
   const std::string row = fmt::format("{}, {}: Newton steps {:.1f}, at most {}, products {:.0f}; not solved", kind.name,
                                       results.size(), mean, steps.back(), products / double(results.size()));
-  report.figure(row, std::to_string(unsolved), "0", unsolved == 0);
+  report.count(row, unsolved, 0);
   if (!first.empty()) report.line(first);
 }
 

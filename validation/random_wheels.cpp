@@ -6,15 +6,16 @@
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/table/creep_force_table.hpp"
+#include "validation/clock.hpp"
 #include "validation/draw.hpp"
 #include "validation/report.hpp"
+#include "validation/studies.hpp"
 #include "validation/worn_profiles.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,6 @@ constexpr std::array levels = {WheelRailLevel::fastsim2, WheelRailLevel::table, 
 constexpr std::array names = {"fastsim2", "table", "exact"};
 constexpr std::array frictions = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
 constexpr std::array sides = {TrackSide::left, TrackSide::right};
-
-double thread_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// One pair of profiles, a level, a coefficient of friction and a side, with separate states.
 struct Group {
@@ -266,20 +261,17 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
       total += sum;
       sums.push_back(std::move(sum));
     }
-  const auto none = [&](const char* name, int value) {
-    report.figure(name, fmt::format("{}", value), "0", value == 0);
-  };
+  const auto none = [&](const char* name, int value) { report.count(name, value, 0); };
   none("exceptions", total.thrown);
   none("statuses that the numbers contradict", total.contradictions);
   none("unsolved states that a height would solve", total.roots);
   const double share = static_cast<double>(total.of(Status::not_converged)) / total.states;
-  report.figure("share that does not converge", fmt::format("{:.1e}", share), "at most 5e-4", share <= 5e-4);
+  report.bounded("share that does not converge", "{:.1e}", share, "at most 5e-4");
   report.heading("Processor time of a state: median [us], longest over the median");
   double ratio = 0;
   for (std::size_t k = 0; k < sums.size(); ++k)
     ratio = std::max(ratio, add_times(report, pairs[k / levels.size()].name, names[k % levels.size()], sums[k]));
-  report.figure("longest processor time over the median of its line", fmt::format("{:.0f}", ratio), "at most 100",
-                ratio <= 100);
+  report.bounded("longest processor time over the median of its line", "{:.0f}", ratio, "at most 100");
   if (options.thorough) {
     report.heading("States without a solution, and the slowest ones");
     for (const Remarkable& one : total.remarkable) report.line(line_of(one, pairs[one.group.pair].name));

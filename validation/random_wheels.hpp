@@ -2,7 +2,6 @@
 
 #include "microslip/railway/wheel_rail_types.hpp"
 #include "microslip/railway/wheel_state.hpp"
-#include "validation/study.hpp"
 
 #include <cstdint>
 #include <string>
@@ -21,10 +20,5 @@ LoadedState random_state(std::uint64_t seed);
 
 /// Contradiction between status and numbers of a solution for a vertical force [N], or nothing.
 std::string contradiction(const WheelRailSolution& solution, double force);
-
-/// The study `random-wheels`: 100,000 random states of wheels on new, hollow, worn and measured profiles at all levels
-/// of theory, up to flange climbing and derailment: what their statuses are, whether these and the numbers agree,
-/// whether an unsolved state has a height that would bear its load, and how long the slowest take.
-bool run_random_wheels(const StudyOptions& options, std::ostream& out);
 
 } // namespace microslip::validation

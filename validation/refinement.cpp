@@ -1,4 +1,4 @@
-#include "validation/refinement.hpp"
+#include "validation/studies.hpp"
 
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
@@ -176,8 +176,7 @@ void report_steps(Report& report, const StepTable& plain, const StepTable& corre
   for (std::size_t k = 0; k < limits.size(); ++k)
     limits[k] = limit(plain[2][k], step_grids[2], plain[3][k], step_grids[3]);
   const auto [least, most] = std::minmax_element(limits.begin(), limits.end());
-  report.figure("without: limits of dx = 0, dq = 0.5 to 2 dx, differ by", fmt::format("{:.4f}", *most - *least),
-                "<= 0.001", *most - *least <= 0.001);
+  report.bounded("without: limits of dx = 0, dq = 0.5 to 2 dx, differ by", "{:.4f}", *most - *least, "<= 0.001");
   const double without = spread(plain[2], one_element), with = spread(corrected[2], one_element);
   report.figure("spread over dq = 1 to 5 dx on 101, with over without", fmt::format("{:.3f}", with / without), "<= 0.1",
                 with <= 0.1 * without);
@@ -185,7 +184,7 @@ void report_steps(Report& report, const StepTable& plain, const StepTable& corre
   report.figure("error less by the correction, dq = dx, on 101", fmt::format("{:.0f} %", 100 * less), "about 30 %",
                 less >= 0.2 && less <= 0.5);
   const double p = order(corrected[0][one_element] - exact, 25, corrected[3][one_element] - exact, 201);
-  report.figure("order with the correction, 25 to 201", fmt::format("{:.2f}", p), "1", std::abs(p - 1) <= 0.3);
+  report.near("order with the correction, 25 to 201", "{:.2f}", p, "1", 0.3);
 }
 
 // --- Figures 3 to 5
@@ -259,11 +258,11 @@ bool find_centreline(Report& report, Centreline& line, const Progress& progress)
   }
   const auto& s = line.solutions;
   report.heading("Figures 3 to 5: tractions along y = 0 and element divisions on 101 elements across");
-  report.figure("maxima of |px|: dq = dx", std::to_string(s[0].waves), "1", s[0].waves == 1);
+  report.count("maxima of |px|: dq = dx", s[0].waves, 1);
   report.figure("  dq = 5 dx, waves", std::to_string(s[1].waves), ">= 3", s[1].waves >= 3);
   const double first = first_step_with_waves(contact);
   report.remark("  more than one from dq/dx on; by eye", fmt::format("{:.1f}", first), "about 1.9", "not judged");
-  report.figure("  dq = 5 dx with the correction, no waves", std::to_string(s[3].waves), "1", s[3].waves == 1);
+  report.count("  dq = 5 dx with the correction, no waves", s[3].waves, 1);
   report.figure("slip ahead of adhesion, elements: with, without", std::to_string(s[2].slip_ahead),
                 fmt::format("< {}", s[0].slip_ahead), s[2].slip_ahead < s[0].slip_ahead);
   return true;
@@ -315,10 +314,10 @@ bool find_load_errors(Report& report, std::vector<LoadErrors>& variants, const P
     if (v.shape == ElementShape::bilinear && v.shifted) // its error on the first grid is small by chance
       report.remark("order, " + v.name, fmt::format("{:.2f}", p), "2", "not judged");
     else
-      report.figure("order, " + v.name, fmt::format("{:.2f}", p), "2", std::abs(p - 2) <= 0.35);
+      report.near("order, " + v.name, "{:.2f}", p, "2", 0.35);
   }
   const double worse = variants[2].errors.back() / variants[0].errors.back();
-  report.figure("bilinear over constant, tight, 201", fmt::format("{:.1f}", worse), "> 1", worse > 1);
+  report.bounded("bilinear over constant, tight, 201", "{:.1f}", worse, "> 1");
   return true;
 }
 

@@ -1,10 +1,28 @@
 #include "validation/report.hpp"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <fmt/ostream.h>
 
 namespace microslip::validation {
+namespace {
+
+/// The number at the end of a text.
+double number_in(std::string_view text) {
+  return std::stod(std::string(text.substr(text.rfind(' ') + 1)));
+}
+
+bool keeps_to(std::string_view bound, double value) {
+  const double limit = number_in(bound);
+  if (bound.starts_with("<=") || bound.starts_with("at most")) return value <= limit;
+  if (bound.starts_with(">=") || bound.starts_with("at least")) return value >= limit;
+  return bound.starts_with("<") ? value < limit : value > limit;
+}
+
+} // namespace
 
 void Report::heading(std::string_view text) {
   fmt::print(out_, "\n{}\n", text);
@@ -19,6 +37,25 @@ void Report::figure(std::string_view name, std::string_view computed, std::strin
   fmt::print(out_, "  {:<52} {:>12}  {:<16} {}\n", name, computed, expected, met ? "ok" : "NOT MET");
   all_met_ = all_met_ && met;
   keep({section_, std::string(name), std::string(computed), std::string(expected), met});
+}
+
+void Report::bounded(std::string_view name, std::string_view format, double value, std::string_view bound) {
+  figure(name, fmt::format(fmt::runtime(format), value), bound, keeps_to(bound, value));
+}
+
+void Report::near(std::string_view name, std::string_view format, double value, std::string_view expected,
+                  double tolerance) {
+  figure(name, fmt::format(fmt::runtime(format), value), expected, std::abs(value - number_in(expected)) <= tolerance);
+}
+
+void Report::near(std::string_view name, std::string_view format, double value, std::string_view expected_format,
+                  double expected, double tolerance) {
+  figure(name, fmt::format(fmt::runtime(format), value), fmt::format(fmt::runtime(expected_format), expected),
+         std::abs(value - expected) <= tolerance);
+}
+
+void Report::count(std::string_view name, long long found, long long expected) {
+  figure(name, std::to_string(found), std::to_string(expected), found == expected);
 }
 
 void Report::remark(std::string_view name, std::string_view computed, std::string_view expected, std::string_view why) {

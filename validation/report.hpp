@@ -26,6 +26,15 @@ public:
   void line(std::string_view text);
   /// `name computed expected`, and `ok` or `NOT MET`.
   void figure(std::string_view name, std::string_view computed, std::string_view expected, bool met);
+  /// A value printed by `format` that must keep to a bound in words: "<= 1e-3", "at least 2".
+  void bounded(std::string_view name, std::string_view format, double value, std::string_view bound);
+  /// A value printed by `format` that must differ from the one expected by no more than `tolerance`.
+  void near(std::string_view name, std::string_view format, double value, std::string_view expected, double tolerance);
+  /// The same where the one expected is printed by a format of its own.
+  void near(std::string_view name, std::string_view format, double value, std::string_view expected_format,
+            double expected, double tolerance);
+  /// A number that must be the one expected.
+  void count(std::string_view name, long long found, long long expected);
   /// A figure that is shown but not judged, and why.
   void remark(std::string_view name, std::string_view computed, std::string_view expected, std::string_view why);
 

@@ -94,8 +94,7 @@ void report_order(Report& report, const Problem& problem, double least) {
   }
   const double order =
       std::log(errors.front() / errors.back()) / std::log(double(rolling_grids[problem.grids - 1]) / rolling_grids[0]);
-  report.figure(fmt::format("{:<42}{:<36}", problem.name, values), fmt::format("{:.2f}", order),
-                fmt::format(">= {}", least), order >= least);
+  report.bounded(fmt::format("{:<42}{:<36}", problem.name, values), "{:.2f}", order, fmt::format(">= {}", least));
 }
 
 /// The limits from two grids of errors of an order.
@@ -189,8 +188,7 @@ void report_transient(Report& report, const std::vector<EllipticContact>& contac
   for (std::size_t k = 0; k < limits.size(); ++k)
     difference =
         std::max({difference, std::abs(limits[k].x - of_classical[k].x), std::abs(limits[k].y - of_classical[k].y)});
-  report.figure("  limit without spin less that of classical elements, at most", fmt::format("{:.1e}", difference),
-                "<= 2e-3", difference <= 2e-3);
+  report.bounded("  limit without spin less that of classical elements, at most", "{:.1e}", difference, "<= 2e-3");
 }
 
 } // namespace

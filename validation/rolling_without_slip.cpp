@@ -6,7 +6,6 @@
 #include <complex>
 #include <cstdlib>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace microslip::validation {

@@ -1,13 +1,13 @@
-#include "validation/solver_growth.hpp"
+#include "validation/studies.hpp"
 
 #include "tests/oracles/convex_gauss_seidel.hpp"
 #include "tests/oracles/direct_operator.hpp"
+#include "validation/clock.hpp"
 #include "validation/hertzian_solve.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -31,12 +31,6 @@ constexpr std::array<double, count_of_grids> paper_parallel = {0, 0, 0, 2.6, 40,
 constexpr CombinedMaterial steel = {82e9, 0.28, 0};
 constexpr double a = 5e-3, b = 25e-3, normal_force = 1.3e-6 * steel.shear_modulus, friction = 0.3;
 constexpr double creepage = 0.000857;
-
-template <class Work> double seconds(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 struct Cost {
   int elements = 0; ///< in contact
@@ -159,7 +153,7 @@ bool run_solver_growth(const StudyOptions& options, std::ostream& out) {
     difference = std::max(difference, std::abs(c.difference));
   }
   report.figure("both converge", converged ? "all" : "not all", "all", converged);
-  report.figure("largest difference of Fx", fmt::format("{:.1e}", difference), "<= 1e-6", difference <= 1e-6);
+  report.bounded("largest difference of Fx", "{:.1e}", difference, "<= 1e-6");
   report.heading("Growth with the number of elements, as an exponent; the paper's");
   print_growth(report, costs);
   print_threads(report, costs, options.threads);

@@ -1,4 +1,4 @@
-#include "validation/temperature.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -103,15 +102,12 @@ bool run_temperature(const StudyOptions& options, std::ostream& out) {
   for (const Case& c : cases) {
     report.heading(c.name);
     const Outcome o = solve(sequence, c);
-    report.figure("Fx [N]", fmt::format("{:.0f}", o.fx), fmt::format("{:.0f}", c.forces_x),
-                  std::abs(o.fx - c.forces_x) <= 5);
-    report.figure("Fy [N]", fmt::format("{:.1f}", o.fy), fmt::format("{:.0f}", c.forces_y),
-                  std::abs(o.fy - c.forces_y) <= 0.5);
+    report.near("Fx [N]", "{:.0f}", o.fx, "{:.0f}", c.forces_x, 5);
+    report.near("Fy [N]", "{:.1f}", o.fy, "{:.0f}", c.forces_y, 0.5);
     report.remark("highest temperature [deg C]", fmt::format("{:.2f}", o.highest), fmt::format("{:.2f}", c.printed),
                   "CONTACT counts the heat of the element itself twice");
-    report.figure("with the heat of the element itself counted twice", fmt::format("{:.2f}", o.own_twice),
-                  fmt::format("{:.2f}", c.printed),
-                  std::abs(o.own_twice - c.printed) <= (c.printed < 100 ? 0.005 : 0.05));
+    report.near("with the heat of the element itself counted twice", "{:.2f}", o.own_twice, "{:.2f}", c.printed,
+                (c.printed < 100 ? 0.005 : 0.05));
     if (options.progress && !options.progress(done += 0.25)) return false;
   }
   report.heading("Hertzian heat in a row of elements: highest temperature over the closed form's");

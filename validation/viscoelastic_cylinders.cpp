@@ -1,9 +1,8 @@
-#include "validation/viscoelastic_cylinders.hpp"
-
-#include "validation/report.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "validation/report.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/wheel_levels.hpp"
+#include "validation/studies.hpp"
 
 #include "io/creep_table_file.hpp"
 #include "microslip/batch/batch.hpp"
@@ -115,8 +115,8 @@ bool accuracy(Report& report, const std::vector<ProfilePair>& pairs, const Study
                               unsolved, e.median, e.rms, e.p99, e.largest));
       if (level == 0 && pair < pairs_judged) worst = std::max(worst, e.rms), most = std::max(most, e.largest);
     }
-  report.figure("table: rms", fmt::format("{:.4f}", worst), "at most 0.0075", worst <= 0.0075);
-  report.figure("table: largest", fmt::format("{:.4f}", most), "at most 0.05", most <= 0.05);
+  report.bounded("table: rms", "{:.4f}", worst, "at most 0.0075");
+  report.bounded("table: largest", "{:.4f}", most, "at most 0.05");
   return true;
 }
 
@@ -229,8 +229,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const double limit = levels[level].method.level == WheelRailLevel::exact ? 0.001 : 0.0005;
-    report.figure(levels[level].name + ": largest jump", fmt::format("{:.5f}", worst[level]),
-                  fmt::format("at most {:g}", limit), worst[level] <= limit);
+    report.bounded(levels[level].name + ": largest jump", "{:.5f}", worst[level], fmt::format("at most {:g}", limit));
   }
   return true;
 }

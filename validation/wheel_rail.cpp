@@ -1,8 +1,9 @@
-#include "validation/wheel_rail.hpp"
+#include "validation/studies.hpp"
 
 #include "io/profile_file.hpp"
 #include "microslip/damage/wear.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "validation/clock.hpp"
 #include "validation/jump.hpp"
 #include "validation/report.hpp"
 #include "validation/wheel_rail_closed_forms.hpp"
@@ -10,8 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -188,15 +187,8 @@ bool exact_continuity(Report& report, const std::vector<Pair>& all, bool thoroug
     }
   }
   report.figure("largest change at once", fmt::format("{:.4f}", jump), "at most 0.005", jump <= limit);
-  report.figure("states that are not solved", fmt::format("{}", failed), "0", failed == 0);
+  report.count("states that are not solved", failed, 0);
   return true;
-}
-
-/// Processor time of this thread [s].
-double thread_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// What came of random states, and how long the slowest took beside the median.
@@ -268,14 +260,14 @@ bool robustness(Report& report, const std::vector<Pair>& all, WheelRailLevel lev
                             static_cast<double>(of_pair.iterations) / of_pair.states, of_pair.most_iterations));
     total += of_pair;
   }
-  report.figure("states with a number that is not one", fmt::format("{}", total.nan), "0", total.nan == 0);
-  report.figure("solved states without their vertical force", fmt::format("{}", total.wrong), "0", total.wrong == 0);
+  report.count("states with a number that is not one", total.nan, 0);
+  report.count("solved states without their vertical force", total.wrong, 0);
   const double share = static_cast<double>(total.status[2]) / total.states;
-  report.figure("share of those that do not converge", fmt::format("{:.1e}", share), "at most 2e-3", share <= 2e-3);
+  report.bounded("share of those that do not converge", "{:.1e}", share, "at most 2e-3");
   std::nth_element(total.times.begin(), total.times.begin() + static_cast<long>(total.times.size() / 2),
                    total.times.end());
   const double ratio = total.slowest / total.times[total.times.size() / 2];
-  report.figure("longest processor time over the median", fmt::format("{:.0f}", ratio), "at most 100", ratio <= 100);
+  report.bounded("longest processor time over the median", "{:.0f}", ratio, "at most 100");
   return true;
 }
 
@@ -401,7 +393,7 @@ void report_errors(Report& report, const std::vector<Pair>& all, double limit, c
     places = std::max(places, p), velocities = std::max(velocities, v);
   }
   const auto figure = [&](const char* name, double found) {
-    report.figure(name, fmt::format("{:.1e}", found), fmt::format("at most {:g}", limit), found <= limit);
+    report.bounded(name, "{:.1e}", found, fmt::format("at most {:g}", limit));
   };
   figure("half of them by y, roll and yaw, worst pair", places);
   figure("half of them by velocities, worst pair", velocities);
@@ -443,7 +435,7 @@ void energy(Report& report, const std::vector<Pair>& all) {
       worst = std::max(worst, std::abs(misfit) / (friction * 50e3 * speed * 1e-3));
     }
   }
-  report.figure("largest difference over mu Fn V 0.001", fmt::format("{:.3f}", worst), "at most 0.05", worst <= 0.05);
+  report.bounded("largest difference over mu Fn V 0.001", "{:.3f}", worst, "at most 0.05");
 }
 
 } // namespace

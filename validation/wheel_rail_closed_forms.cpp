@@ -99,9 +99,7 @@ double error_of_cones(int count) {
 
 void report_places(Report& report) {
   report.heading("Contact points at random yaw and roll and closed forms");
-  const auto figure = [&](const char* name, double error) {
-    report.figure(name, fmt::format("{:.1e}", error), "<= 1e-9", error <= 1e-9);
-  };
+  const auto figure = [&](const char* name, double error) { report.bounded(name, "{:.1e}", error, "<= 1e-9"); };
   figure("1000 spheres on a cylinder, yaw to 0.3: error [m, rad]", error_of_spheres(1000));
   figure("1000 cones on a round rail, yaw to 0.1: error [m, rad]", error_of_cones(1000));
 }
@@ -232,7 +230,7 @@ void report_loads(Report& report) {
     report.line(line);
   }
   const auto figure = [&](const char* name, double found, double limit) {
-    report.figure(name, fmt::format("{:.1e}", found), fmt::format("<= {:g}", limit), found <= limit);
+    report.bounded(name, "{:.1e}", found, fmt::format("<= {:g}", limit));
   };
   figure("exact, 48 elements: load beside Hertz's, relative", worst[0].load, 1e-3);
   figure("peak pressure, relative", worst[0].pressure, 1e-3);

@@ -1,4 +1,4 @@
-#include "validation/wheel_surfaces.hpp"
+#include "validation/studies.hpp"
 
 #include "microslip/batch/batch.hpp"
 #include "microslip/railway/wheel_rail.hpp"
@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -114,8 +113,8 @@ bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
       report.line(fmt::format("{:16} {:16} {:6} {:11} {:8.4f} {:8.4f}", pairs[pair].name, all[way].name, states,
                               unsolved, rms, largest));
     }
-  report.figure("rms of the level as it is by itself", fmt::format("{:.4f}", worst), "at most 0.005", worst <= 0.005);
-  report.figure("states that it does not solve", fmt::format("{}", refused), "0", refused == 0);
+  report.bounded("rms of the level as it is by itself", "{:.4f}", worst, "at most 0.005");
+  report.count("states that it does not solve", refused, 0);
   report.figure("flat patches beyond 0.02 without a warning",
                 fmt::format("{} of {}, {} warned of", missed, needed, warned), "at most 5 %", missed <= 0.05 * needed);
   return report.all_met();

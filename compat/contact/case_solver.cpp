@@ -22,6 +22,32 @@ Outcome refused(std::vector<std::string> reasons) {
   return outcome;
 }
 
+std::vector<std::string> lost_tractions(const Case& c, int lost) {
+  if (!goes_on(c) || lost == 0) return {};
+  return {written(c.digits.pvtime) + " (it goes on from case " + std::to_string(lost) +
+          ", which has left no tractions)"};
+}
+
+Outcome run_unless_refused(const Case& c, std::vector<std::string> unsupported, std::vector<std::string> missing,
+                           const std::function<Outcome()>& solve) {
+  Outcome outcome;
+  if (!unsupported.empty()) {
+    outcome = refused(std::move(unsupported));
+    outcome.is_unsupported = true;
+  } else if (c.digits.is_skipped()) {
+    outcome.kind = Outcome::Kind::skipped;
+  } else if (!missing.empty()) {
+    outcome = refused(std::move(missing));
+  } else {
+    try {
+      return solve();
+    } catch (const Error& error) {
+      return refused({error.what()});
+    }
+  }
+  return outcome;
+}
+
 int element_state(const Outcome& outcome, std::size_t element) {
   if (!(outcome.solution.normal.pressure[element] > 0)) return 0;
   if (outcome.step.frictionless) return 1;
@@ -103,29 +129,21 @@ void CaseSolver::carry(const CarriedTractions& carried) {
 }
 
 Outcome CaseSolver::run(const Case& c, const Progress& progress) {
-  auto reasons = unsupported(c);
-  if (reasons.empty() && c.digits.is_skipped()) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::skipped;
-    return outcome;
+  std::vector<std::string> missing;
+  if (!c.digits.is_simplified())
+    missing = lost_tractions(c, lost_);
+  else if (goes_on(c) && !springs_)
+    missing.push_back(written(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
+  Outcome outcome = run_unless_refused(c, unsupported(c), std::move(missing), [&] {
+    lost_ = c.number; // unless it is solved
+    Outcome solved = solve(c, progress);
+    if (solved.solution.status != Status::invalid_input && !c.digits.is_simplified()) lost_ = 0;
+    return solved;
+  });
+  if (outcome.kind == Outcome::Kind::refused) {
+    lost_ = c.number;
+    springs_.reset();
   }
-  if (reasons.empty() && goes_on(c) && c.digits.is_simplified() && !springs_)
-    reasons.push_back(written(c.digits.pvtime) + " (FASTSIM goes on from FASTSIM only)");
-  if (reasons.empty() && goes_on(c) && !c.digits.is_simplified() && lost_ > 0)
-    reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(lost_) +
-                      ", which has left no tractions)");
-  if (reasons.empty()) try {
-      lost_ = c.number; // unless it is solved
-      Outcome outcome = solve(c, progress);
-      lost_ = outcome.solution.status == Status::invalid_input || c.digits.is_simplified() ? c.number : 0;
-      return outcome;
-    } catch (const Error& error) {
-      reasons.emplace_back(error.what());
-    }
-  lost_ = c.number;
-  springs_.reset();
-  Outcome outcome = refused(std::move(reasons));
-  outcome.is_unsupported = !unsupported(c).empty();
   return outcome;
 }
 

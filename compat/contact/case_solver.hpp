@@ -6,7 +6,10 @@
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/progress.hpp"
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace microslip::contact_program {
 
@@ -14,6 +17,12 @@ namespace microslip::contact_program {
 bool goes_on(const Case& c);
 /// A case that is not run, and why.
 Outcome refused(std::vector<std::string> reasons);
+/// Says that a case goes on from one that has left no tractions, the case of number `lost` unless that is 0.
+std::vector<std::string> lost_tractions(const Case& c, int lost);
+/// Runs a case by `solve` unless it asks for something unsupported, its file says that it is skipped, or something that
+/// it goes on from is missing. One that throws Error is refused, too.
+Outcome run_unless_refused(const Case& c, std::vector<std::string> unsupported, std::vector<std::string> missing,
+                           const std::function<Outcome()>& solve);
 
 /// State that a case leaves to the next one: its tractions, and the springs of FASTSIM or of a case without friction.
 struct CarriedTractions {

@@ -4,7 +4,6 @@
 #include "io/file_beside.hpp"
 #include "microslip/elasticity/material.hpp"
 
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <string>

@@ -15,10 +15,6 @@
 namespace microslip::contact_program {
 namespace {
 
-std::string columns(std::initializer_list<double> values) {
-  return "  " + general(values, 12, 4) + "\n";
-}
-
 /// A line that names digits and their values.
 std::string digit_line(std::string text, std::initializer_list<std::pair<const char*, int>> digits) {
   const char* separator = "";

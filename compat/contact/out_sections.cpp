@@ -1,6 +1,5 @@
 #include "compat/contact/out_sections.hpp"
 
-#include "compat/contact/fortran.hpp"
 #include "compat/contact/set_up.hpp"
 
 #include <algorithm>
@@ -16,10 +15,6 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
-
-std::string columns(std::initializer_list<double> values) {
-  return "  " + general(values, 12, 4) + "\n";
-}
 
 /// Names of a law's numbers; those of its memory are not printed.
 std::string names_of(Law law) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "compat/contact/fortran.hpp"
 #include "compat/contact/outcome.hpp"
 
+#include <initializer_list>
 #include <string>
 
 namespace microslip::contact_program {
@@ -11,6 +13,11 @@ namespace microslip::contact_program {
 /// Returns whether digit O asks for a section of this level.
 inline bool prints(const Case& c, int level) {
   return number(c.digits.output) >= level;
+}
+
+/// A line of numbers, as most sections have them.
+inline std::string columns(std::initializer_list<double> values) {
+  return "  " + general(values, 12, 4) + "\n";
 }
 
 /// Whose method it is that CONTACT solves normal and tangential problem by.

@@ -12,13 +12,15 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* status_codes =
     "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction";
 
-/// A number of a solved case.
-struct Column {
+constexpr double mm = 1e-3;
+
+/// A number of a solved case, of a point inside the bodies, of a wheel, or of the position of a patch.
+template <class Of> struct Column {
   const char *name, *unit, *description;
-  double (*value)(const Outcome& outcome);
+  double (*value)(const Of& of);
 };
 
-constexpr Column columns[] = {
+constexpr Column<Outcome> columns[] = {
     {"normal_force", "N", "normal force Fn", [](const Outcome& o) { return o.solution.normal_force; }},
     {"fx", "N", "longitudinal force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fx; }},
     {"fy", "N", "lateral force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fy; }},
@@ -73,13 +75,7 @@ constexpr CountColumn counts[] = {
     {"newton_steps", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.newton_steps; }},
 };
 
-/// A number of a point inside the bodies.
-struct InteriorColumn {
-  const char *name, *unit, *description;
-  double (*value)(const InteriorState& state);
-};
-
-constexpr InteriorColumn interior_columns[] = {
+constexpr Column<InteriorState> interior_columns[] = {
     {"ux", "m", "displacement of the point's body", [](const InteriorState& s) { return s.ux; }},
     {"uy", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uy; }},
     {"uz", "m", "displacement of the point's body", [](const InteriorState& s) { return s.uz; }},
@@ -92,6 +88,45 @@ constexpr InteriorColumn interior_columns[] = {
     {"von_mises", "Pa", "von Mises' equivalent stress", [](const InteriorState& s) { return von_mises(s.stress); }},
 };
 
+constexpr Column<WheelOutcome> wheel_columns[] = {
+    {"z", "m", "Z_WS, depth of the wheelset below its nominal position",
+     [](const WheelOutcome& w) { return mm * w.z; }},
+    {"fx_track", "N", "force on the rail, in the track's axes: forward",
+     [](const WheelOutcome& w) { return w.track.force.x; }},
+    {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
+    {"fz_track", "N", "down", [](const WheelOutcome& w) { return w.track.force.z; }},
+    {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.x; }},
+    {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.y; }},
+    {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.z; }},
+    {"fx_wheelset", "N", "the same force in the wheelset's axes",
+     [](const WheelOutcome& w) { return w.wheelset.force.x; }},
+    {"fy_wheelset", "N", "to the right", [](const WheelOutcome& w) { return w.wheelset.force.y; }},
+    {"fz_wheelset", "N", "down", [](const WheelOutcome& w) { return w.wheelset.force.z; }},
+    {"mx_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
+    {"my_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
+    {"mz_wheelset", "N m", "moment about the wheel's marker",
+     [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
+    {"pitch_velocity", "rad/s", "VPITCH_WS", [](const WheelOutcome& w) { return w.vpitch; }},
+    {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return mm * w.dy_rail; }},
+    {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
+};
+
+constexpr Column<PatchLocation> place_columns[] = {
+    {"x_track", "m", "XCP(TR), reference of a patch in the track's axes",
+     [](const PatchLocation& l) { return mm * l.track.x; }},
+    {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return mm * l.track.y; }},
+    {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return mm * l.track.z; }},
+    {"contact_angle", "rad", "DELTCP(TR)", [](const PatchLocation& l) { return l.angle; }},
+    {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return mm * l.rail.y; }},
+    {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return mm * l.rail.z; }},
+    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile",
+     [](const PatchLocation& l) { return mm * l.wheel.x; }},
+    {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return mm * l.wheel.y; }},
+    {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return mm * l.wheel.z; }},
+};
+
 /// The elements to be stored: all, or those in contact.
 std::vector<std::size_t> chosen(const Case& c, const Outcome& outcome) {
   std::vector<std::size_t> elements;
@@ -99,6 +134,11 @@ std::vector<std::size_t> chosen(const Case& c, const Outcome& outcome) {
   for (std::size_t k = 0; k < outcome.step.grid.count(); ++k)
     if (c.digits.matfil == Stored::all || outcome.solution.normal.pressure[k] > 0) elements.push_back(k);
   return elements;
+}
+
+template <class Number>
+void append(io::ResultFile& file, const std::string& path, Number value, const char* unit, const char* what) {
+  file.append(path, std::span<const Number>(&value, 1), unit, what);
 }
 
 } // namespace
@@ -171,63 +211,6 @@ int RunFile::add_points(const Outcome& outcome) {
   return static_cast<int>(states.size());
 }
 
-namespace {
-
-/// A number of a wheel.
-struct WheelColumn {
-  const char *name, *unit, *description;
-  double (*value)(const WheelOutcome& wheel);
-};
-
-constexpr double mm = 1e-3;
-
-constexpr WheelColumn wheel_columns[] = {
-    {"z", "m", "Z_WS, depth of the wheelset below its nominal position",
-     [](const WheelOutcome& w) { return mm * w.z; }},
-    {"fx_track", "N", "force on the rail, in the track's axes: forward",
-     [](const WheelOutcome& w) { return w.track.force.x; }},
-    {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
-    {"fz_track", "N", "down", [](const WheelOutcome& w) { return w.track.force.z; }},
-    {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.x; }},
-    {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.y; }},
-    {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.z; }},
-    {"fx_wheelset", "N", "the same force in the wheelset's axes",
-     [](const WheelOutcome& w) { return w.wheelset.force.x; }},
-    {"fy_wheelset", "N", "to the right", [](const WheelOutcome& w) { return w.wheelset.force.y; }},
-    {"fz_wheelset", "N", "down", [](const WheelOutcome& w) { return w.wheelset.force.z; }},
-    {"mx_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
-    {"my_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
-    {"mz_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
-    {"pitch_velocity", "rad/s", "VPITCH_WS", [](const WheelOutcome& w) { return w.vpitch; }},
-    {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return mm * w.dy_rail; }},
-    {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
-};
-
-/// A number of the position of a patch.
-struct PlaceColumn {
-  const char *name, *unit, *description;
-  double (*value)(const PatchLocation& location);
-};
-
-constexpr PlaceColumn place_columns[] = {
-    {"x_track", "m", "XCP(TR), reference of a patch in the track's axes",
-     [](const PatchLocation& l) { return mm * l.track.x; }},
-    {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return mm * l.track.y; }},
-    {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return mm * l.track.z; }},
-    {"contact_angle", "rad", "DELTCP(TR)", [](const PatchLocation& l) { return l.angle; }},
-    {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return mm * l.rail.y; }},
-    {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return mm * l.rail.z; }},
-    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile",
-     [](const PatchLocation& l) { return mm * l.wheel.x; }},
-    {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return mm * l.wheel.y; }},
-    {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return mm * l.wheel.z; }},
-};
-
-} // namespace
-
 void RunFile::add(const Case& c, const Outcome& outcome) {
   if (!outcome.wheel) {
     add_contact(c, outcome, {c.number, 0, {}});
@@ -241,44 +224,34 @@ void RunFile::add(const Case& c, const Outcome& outcome) {
 
 void RunFile::add_wheel(const Case& c, const Outcome& outcome) {
   const WheelOutcome& wheel = *outcome.wheel;
-  const auto add_count = [&](const char* name, int value, const char* what) {
-    file_.append(std::string("wheels/") + name, std::span<const int>(&value, 1), "-", what);
-  };
-  add_count("case", c.number, "number of the case in the file, from 1");
-  add_count("patches", static_cast<int>(wheel.patches.size()), "contact patches");
-  add_count("status", static_cast<int>(outcome.solution.status), status_codes);
-  for (const auto& [name, unit, what, value] : wheel_columns) {
-    const double number = value(wheel);
-    file_.append(std::string("wheels/") + name, std::span<const double>(&number, 1), unit, what);
-  }
+  append(file_, "wheels/case", c.number, "-", "number of the case in the file, from 1");
+  append(file_, "wheels/patches", static_cast<int>(wheel.patches.size()), "-", "contact patches");
+  append(file_, "wheels/status", static_cast<int>(outcome.solution.status), "-", status_codes);
+  for (const auto& [name, unit, what, value] : wheel_columns)
+    append(file_, std::string("wheels/") + name, value(wheel), unit, what);
 }
 
 void RunFile::add_contact(const Case& c, const Outcome& outcome, const Origin& origin) {
   const bool solved = outcome.kind == Outcome::Kind::solved;
   const auto add_count = [&](const char* name, int value, const char* what) {
-    file_.append(std::string("cases/") + name, std::span<const int>(&value, 1), "-", what);
+    append(file_, std::string("cases/") + name, value, "-", what);
   };
   add_count("line", static_cast<int>(c.line), "line of the input file where the case begins");
   add_count("number", origin.number, "of the case in the file, from 1");
   add_count("patch", origin.patch, "contact patch of a wheel, from 1; 0 for an independent contact");
-  for (const auto& [name, unit, what, value] : place_columns) {
-    const double number = origin.place ? value(*origin.place) : nan;
-    file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);
-  }
+  for (const auto& [name, unit, what, value] : place_columns)
+    append(file_, std::string("cases/") + name, origin.place ? value(*origin.place) : nan, unit, what);
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
   add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0, status_codes);
   add_count("motion", number(c.digits.tang), "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
   for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
-  for (const auto& [name, unit, what, value] : columns) {
-    const double number = solved ? value(outcome) : nan;
-    file_.append(std::string("cases/") + name, std::span<const double>(&number, 1), unit, what);
-  }
-  file_.append("cases/first_element", std::span<const double>(&elements_, 1), "-", "where its elements begin");
+  for (const auto& [name, unit, what, value] : columns)
+    append(file_, std::string("cases/") + name, solved ? value(outcome) : nan, unit, what);
+  append(file_, "cases/first_element", elements_, "-", "where its elements begin");
   const int stored = add_elements(c, outcome);
   add_count("stored_elements", stored, "how many elements are stored");
   elements_ += stored;
-  file_.append("cases/first_point", std::span<const double>(&points_, 1), "-",
-               "where its points inside the bodies begin");
+  append(file_, "cases/first_point", points_, "-", "where its points inside the bodies begin");
   const int points = add_points(outcome);
   add_count("stored_points", points, "how many points inside the bodies are stored");
   points_ += points;

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <string>
 
 namespace microslip::contact_program {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/refusal.hpp"
 #include "compat/libcontact/registry.hpp"
 #include "microslip/error.hpp"
@@ -86,6 +87,13 @@ template <class Body> int guarded(const Call& call, Body body) noexcept {
     if (!lock) throw Refusal(CNTC_err_other, "another thread works on this contact problem");
     return body(*problem);
   });
+}
+
+/// A call that sets data by a method and its numbers: `set(problem, method, numbers)`.
+template <class Set>
+int set_by(const Call& call, Set set, const char* name, const int* method, const char* numbers_name, const int* count,
+           const double* numbers) noexcept {
+  return guarded(call, [&](ContactProblem& p) { set(p, integer(name, method), reals(numbers_name, count, numbers)); });
 }
 
 /// Destination of results of a call, and their values if it is refused.

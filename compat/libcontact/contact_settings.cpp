@@ -119,9 +119,8 @@ int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
 }
 
 int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-  return guarded({"cntc_sethertzcontact", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
-    set_hertzian(p, integer("ipotcn", ipotcn), reals("rparam", nparam, rparam));
-  });
+  return set_by({"cntc_sethertzcontact", ire, icp, Module::contact, Scope::patch}, set_hertzian, "ipotcn", ipotcn,
+                "rparam", nparam, rparam);
 }
 
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
@@ -139,8 +138,8 @@ int cntc_setnormalforce(int* ire, int* icp, double* fn) {
 }
 
 int cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
-  return guarded({"cntc_setundeformeddistc", ire, icp, Module::contact, Scope::patch},
-                 [&](ContactProblem& p) { set_distance(p, integer("ibase", ibase), reals("prmudf", nparam, prmudf)); });
+  return set_by({"cntc_setundeformeddistc", ire, icp, Module::contact, Scope::patch}, set_distance, "ibase", ibase,
+                "prmudf", nparam, prmudf);
 }
 
 int cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {

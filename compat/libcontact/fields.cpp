@@ -107,6 +107,22 @@ void get_field(const ContactProblem& p, int icp, int code, std::span<double> fou
   for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k) found[k] = value(k);
 }
 
+/// An array that a field is to be written to: its name in messages, and one of CNTC_fld_...
+struct Wanted {
+  const char* name;
+  int code;
+  double* to;
+};
+
+/// Writes fields of a patch once there is room for all of them.
+template <class... Fields> int fields(const char* call, int* ire, int* icp, int* lenarr, const Fields&... wanted) {
+  return answered(patch_call(call, ire, icp), into(results(lenarr, wanted.to)...), [&](ContactProblem& p) {
+    const std::span<double> rooms[] = {room(wanted.name, lenarr, wanted.to)...};
+    const auto* to = rooms;
+    (get_field(p, *icp, wanted.code, *to++), ...);
+  });
+}
+
 } // namespace
 } // namespace microslip::libcontact
 
@@ -120,32 +136,17 @@ int cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* fld) {
 }
 
 int cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py) {
-  return answered(patch_call("cntc_gettractions", ire, icp),
-                  into(results(lenarr, pn), results(lenarr, px), results(lenarr, py)), [&](ContactProblem& p) {
-                    const auto n = room("pn", lenarr, pn), x = room("px", lenarr, px), y = room("py", lenarr, py);
-                    get_field(p, *icp, CNTC_fld_pn, n);
-                    get_field(p, *icp, CNTC_fld_px, x);
-                    get_field(p, *icp, CNTC_fld_py, y);
-                  });
+  return fields("cntc_gettractions", ire, icp, lenarr, Wanted{"pn", CNTC_fld_pn, pn}, Wanted{"px", CNTC_fld_px, px},
+                Wanted{"py", CNTC_fld_py, py});
 }
 
 int cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy) {
-  return answered(patch_call("cntc_getmicroslip", ire, icp), into(results(lenarr, sx), results(lenarr, sy)),
-                  [&](ContactProblem& p) {
-                    const auto x = room("sx", lenarr, sx), y = room("sy", lenarr, sy);
-                    get_field(p, *icp, CNTC_fld_sx, x);
-                    get_field(p, *icp, CNTC_fld_sy, y);
-                  });
+  return fields("cntc_getmicroslip", ire, icp, lenarr, Wanted{"sx", CNTC_fld_sx, sx}, Wanted{"sy", CNTC_fld_sy, sy});
 }
 
 int cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy) {
-  return answered(patch_call("cntc_getdisplacements", ire, icp),
-                  into(results(lenarr, un), results(lenarr, ux), results(lenarr, uy)), [&](ContactProblem& p) {
-                    const auto n = room("un", lenarr, un), x = room("ux", lenarr, ux), y = room("uy", lenarr, uy);
-                    get_field(p, *icp, CNTC_fld_un, n);
-                    get_field(p, *icp, CNTC_fld_ux, x);
-                    get_field(p, *icp, CNTC_fld_uy, y);
-                  });
+  return fields("cntc_getdisplacements", ire, icp, lenarr, Wanted{"un", CNTC_fld_un, un}, Wanted{"ux", CNTC_fld_ux, ux},
+                Wanted{"uy", CNTC_fld_uy, uy});
 }
 
 int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {

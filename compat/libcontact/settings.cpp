@@ -244,9 +244,8 @@ int cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam
 }
 
 int cntc_setmaterialparameters(int* ire, int* icp, int* mdigit, int* nparam, double* rparam) {
-  return guarded({"cntc_setmaterialparameters", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
-    set_material(p, integer("mdigit", mdigit), reals("rparam", nparam, rparam));
-  });
+  return set_by({"cntc_setmaterialparameters", ire, icp, Module::any, Scope::whole}, set_material, "mdigit", mdigit,
+                "rparam", nparam, rparam);
 }
 
 int cntc_setmaterialproperties(int* ire, int* icp, double* g1, double* nu1, double* g2, double* nu2) {
@@ -256,8 +255,8 @@ int cntc_setmaterialproperties(int* ire, int* icp, double* g1, double* nu1, doub
 }
 
 int cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
-  return guarded({"cntc_settemperaturedata", ire, icp, Module::any, Scope::whole},
-                 [&](ContactProblem& p) { set_heat(p, integer("imeth", imeth), reals("rparam", nparam, rparam)); });
+  return set_by({"cntc_settemperaturedata", ire, icp, Module::any, Scope::whole}, set_heat, "imeth", imeth, "rparam",
+                nparam, rparam);
 }
 
 int cntc_settimestep(int* ire, int* icp, double* dt) {
@@ -280,8 +279,8 @@ int cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
 }
 
 int cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
-  return guarded({"cntc_setfrictionmethod", ire, icp, Module::any, Scope::whole},
-                 [&](ContactProblem& p) { set_friction(p, integer("imeth", imeth), reals("params", nparam, params)); });
+  return set_by({"cntc_setfrictionmethod", ire, icp, Module::any, Scope::whole}, set_friction, "imeth", imeth, "params",
+                nparam, params);
 }
 
 int cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {

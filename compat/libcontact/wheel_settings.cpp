@@ -4,7 +4,6 @@
 #include "compat/libcontact/defaults.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 // What wheels on rails, module 1, are set by.
 
@@ -217,33 +216,28 @@ int cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints
 }
 
 int cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam) {
-  return guarded({"cntc_settrackdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-    set_track_dimensions(p, integer("ztrack", ztrack), reals("rparam", nparam, rparam));
-  });
+  return set_by({"cntc_settrackdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_track_dimensions,
+                "ztrack", ztrack, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return guarded(
-      {"cntc_setwheelsetdimensions", ire, &whole_wheel, Module::wheel, Scope::whole},
-      [&](ContactProblem& p) { set_wheelset(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam)); });
+  return set_by({"cntc_setwheelsetdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_wheelset, "ewheel",
+                ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return guarded({"cntc_setwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-    set_position(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam));
-  });
+  return set_by({"cntc_setwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, set_position, "ewheel",
+                ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return guarded({"cntc_setwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-    set_velocity(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam));
-  });
+  return set_by({"cntc_setwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, set_velocity, "ewheel",
+                ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return guarded(
-      {"cntc_setwheelsetflexibility", ire, &whole_wheel, Module::wheel, Scope::whole},
-      [&](ContactProblem& p) { set_flexibility(p, integer("ewheel", ewheel), reals("rparam", nparam, rparam)); });
+  return set_by({"cntc_setwheelsetflexibility", ire, &whole_wheel, Module::wheel, Scope::whole}, set_flexibility,
+                "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 } // extern "C"

@@ -1,17 +1,11 @@
 #include "microslip/contact/solver_report.hpp"
 
-#include <array>
+#include "microslip/decimal.hpp"
+
 #include <cmath>
-#include <cstdio>
 
 namespace microslip {
 namespace {
-
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
 
 constexpr const char* overflow = "overflow or underflow in the computation: check units and magnitudes";
 
@@ -24,9 +18,9 @@ std::string reason_of(const SolverReport& report) {
   case Status::not_converged:
     if (!std::isfinite(report.residual)) return overflow;
     if (report.estimated_error)
-      return "accuracy not reached: estimated error " + shortest(*report.estimated_error) + " mu Fn";
-    return "not converged: residual " + shortest(report.residual) + " after " + std::to_string(report.newton_steps) +
-           " Newton steps";
+      return "accuracy not reached: estimated error " + rounded_text(*report.estimated_error, 3) + " mu Fn";
+    return "not converged: residual " + rounded_text(report.residual, 3) + " after " +
+           std::to_string(report.newton_steps) + " Newton steps";
   case Status::no_contact:
     return "the bodies do not touch";
   case Status::no_solution:

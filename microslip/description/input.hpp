@@ -51,8 +51,9 @@ enum class InputKind {
 /// A key of case files: all interfaces take unit, bounds, default and text from here. A new one is a line of the tables
 /// in rolling_inputs.cpp and wheel_inputs.cpp.
 struct Input {
-  std::string_view section; ///< "load"; `body` is that of body1 and body2, `profile` of all sections with a profile
-  std::string_view key;     ///< "normal_force"
+  std::string_view section =
+      "";                    ///< "load"; `body` is that of body1 and body2, `profile` of all sections with a profile
+  std::string_view key = ""; ///< "normal_force"
   InputKind kind = InputKind::number;
   std::string_view unit = ""; ///< SI, "-" without one; empty where it is no number
   Bounds bounds = {};

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <tuple>
 
 namespace microslip {
 namespace {

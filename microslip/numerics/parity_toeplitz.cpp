@@ -5,7 +5,6 @@
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>

@@ -5,7 +5,6 @@
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace microslip {
 

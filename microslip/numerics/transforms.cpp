@@ -2,7 +2,6 @@
 #include "microslip/numerics/kernel/dispatch.hpp"
 #include "microslip/numerics/kernel/transform.hpp"
 
-#include <cmath>
 #include <complex>
 #include <map>
 #include <mutex>

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string_view>
 
 namespace microslip {
@@ -26,41 +28,27 @@ enum class Unsolved : std::uint8_t {
 
 /// In words; empty for `none`.
 constexpr std::string_view to_string(Unsolved reason) {
-  switch (reason) {
-  case Unsolved::none:
-    return "";
-  case Unsolved::out_of_range:
-    return "the state is out of range";
-  case Unsolved::apart:
-    return "wheel and rail do not touch";
-  case Unsolved::no_height:
-    return "no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would "
-           "overlap "
-           "by more than 1/1000 of the radius";
-  case Unsolved::force_jumps:
-    return "the vertical force jumps over the one given at this height";
-  case Unsolved::too_many_patches:
-    return "wheel and rail touch in more than 128 patches";
-  case Unsolved::pressures:
-    return "the pressures have not converged: see the residual";
-  case Unsolved::tractions:
-    return "the tangential problem of a patch has not converged: see its status";
-  case Unsolved::beyond_elements:
-    return "the contact reaches beyond the elements of its patch";
-  case Unsolved::residual:
-    return "not converged: see the residual";
-  case Unsolved::numbers:
-    return "a number beyond all bounds: the contact would be larger than the bodies";
-  case Unsolved::derivatives:
-    return "derivatives beyond all bounds: the wheel hardly moves";
-  case Unsolved::implausible:
-    return "solved, but it cannot be meant: see the warnings";
-  case Unsolved::no_balance:
-    return "no height, roll and rolling speed give the load and the torque";
-  case Unsolved::off_its_rail:
-    return "a wheel is not above its rail";
-  }
-  return "";
+  constexpr std::string_view texts[] = {
+      "",
+      "the state is out of range",
+      "wheel and rail do not touch",
+      "no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would overlap by "
+      "more than 1/1000 of the radius",
+      "the vertical force jumps over the one given at this height",
+      "wheel and rail touch in more than 128 patches",
+      "the pressures have not converged: see the residual",
+      "the tangential problem of a patch has not converged: see its status",
+      "the contact reaches beyond the elements of its patch",
+      "not converged: see the residual",
+      "a number beyond all bounds: the contact would be larger than the bodies",
+      "derivatives beyond all bounds: the wheel hardly moves",
+      "solved, but it cannot be meant: see the warnings",
+      "no height, roll and rolling speed give the load and the torque",
+      "a wheel is not above its rail",
+  };
+  static_assert(std::size(texts) == static_cast<std::size_t>(Unsolved::off_its_rail) + 1);
+  const auto k = static_cast<std::size_t>(reason);
+  return k < std::size(texts) ? texts[k] : "";
 }
 
 } // namespace microslip

@@ -3,7 +3,6 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>

@@ -6,6 +6,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,15 @@ pybind11::array view(const std::vector<int>& values, const Shape& shape, const p
 void broadcast(Shape& shape, const char* field, const RealArray& array);
 /// The array spread over a shape that broadcast() has found.
 RealArray spread(const RealArray& array, const Shape& shape);
+
+/// An array of a function's values at all items of a list, whatever its shape.
+template <class Number, class Items, class Function>
+pybind11::array_t<Number> array_of(const Shape& shape, const Items& items, const Function& function) {
+  pybind11::array_t<Number> out(shape);
+  std::transform(items.begin(), items.end(), out.mutable_data(),
+                 [&](const auto& item) { return static_cast<Number>(function(item)); });
+  return out;
+}
 
 /// Values of a function, which may not touch Python objects, at arrays of arguments that broadcast; a number for
 /// numbers. Ctrl-C ends it.

@@ -9,7 +9,6 @@
 #include "cases/rolling_contact_result.hpp"
 #include "microslip/error.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -33,43 +32,33 @@ template <class T> struct ReadOnly : T {};
 
 template <>
 inline constexpr auto fields<io::BodyInput> =
-    std::tuple{Field{"rolling_radius", &io::BodyInput::rolling_radius},
-               Field{"transverse_radius", &io::BodyInput::transverse_radius},
-               Field{"material", &io::BodyInput::material}, Field{"creep", &io::BodyInput::creep},
-               Field{"thermal", &io::BodyInput::thermal}};
+    members<&io::BodyInput::rolling_radius, &io::BodyInput::transverse_radius, &io::BodyInput::material,
+            &io::BodyInput::creep, &io::BodyInput::thermal>;
 template <>
 inline constexpr auto fields<cases::DiscretisationError> =
-    std::tuple{Field{"fx", &cases::DiscretisationError::fx}, Field{"fy", &cases::DiscretisationError::fy},
-               Field{"mz", &cases::DiscretisationError::mz},
-               Field{"frictional_power", &cases::DiscretisationError::frictional_power}};
+    members<&cases::DiscretisationError::fx, &cases::DiscretisationError::fy, &cases::DiscretisationError::mz,
+            &cases::DiscretisationError::frictional_power>;
 template <>
 inline constexpr auto fields<cases::CreepCurve> =
-    std::tuple{Field{"variable", &cases::CreepCurve::variable}, Field{"unit", &cases::CreepCurve::unit},
-               Field{"value", &cases::CreepCurve::value}, Field{"forces", &cases::CreepCurve::forces},
-               Field{"point_value", &cases::CreepCurve::point_value}};
+    members<&cases::CreepCurve::variable, &cases::CreepCurve::unit, &cases::CreepCurve::value,
+            &cases::CreepCurve::forces, &cases::CreepCurve::point_value>;
 template <>
 inline constexpr auto fields<cases::SimplifiedResult> =
-    std::tuple{Field{"solution", &cases::SimplifiedResult::solution},
-               Field{"discretisation_error", &cases::SimplifiedResult::discretisation_error},
-               Field{"curve", &cases::SimplifiedResult::curve}};
+    members<&cases::SimplifiedResult::solution, &cases::SimplifiedResult::discretisation_error,
+            &cases::SimplifiedResult::curve>;
 template <>
 inline constexpr auto fields<cases::ExactResult> =
-    std::tuple{Field{"solution", &cases::ExactResult::contact},
-               Field{"discretisation_error", &cases::ExactResult::discretisation_error},
-               Field{"limit", &cases::ExactResult::limit}, Field{"interior", &cases::ExactResult::interior},
-               Field{"curve", &cases::ExactResult::curve}};
+    std::tuple_cat(std::tuple{Field{"solution", &cases::ExactResult::contact}},
+                   members<&cases::ExactResult::discretisation_error, &cases::ExactResult::limit,
+                           &cases::ExactResult::interior, &cases::ExactResult::curve>);
 template <>
-inline constexpr auto fields<cases::TableResult> =
-    std::tuple{Field{"solution", &cases::TableResult::solution}, Field{"curve", &cases::TableResult::curve}};
+inline constexpr auto fields<cases::TableResult> = members<&cases::TableResult::solution, &cases::TableResult::curve>;
 template <>
 inline constexpr auto fields<cases::RollingContactResult> =
-    std::tuple{Field{"hertz", &cases::RollingContactResult::hertz},
-               Field{"contact", &cases::RollingContactResult::contact},
-               Field{"exact", &cases::RollingContactResult::exact},
-               Field{"table", &cases::RollingContactResult::table},
-               Field{"simplified", &cases::RollingContactResult::simplified},
-               Field{"status", &cases::RollingContactResult::status},
-               Field{"warnings", &cases::RollingContactResult::warnings}};
+    members<&cases::RollingContactResult::hertz, &cases::RollingContactResult::contact,
+            &cases::RollingContactResult::exact, &cases::RollingContactResult::table,
+            &cases::RollingContactResult::simplified, &cases::RollingContactResult::status,
+            &cases::RollingContactResult::warnings>;
 template <>
 inline constexpr auto fields<SolvedCase> =
     std::tuple{Field{"case", &SolvedCase::of}, Field{"result", &SolvedCase::result}};
@@ -187,12 +176,9 @@ void bind_case(py::module_& module) {
           "creepage", [](const ReadOnly<EllipticContact>& self) { return ReadOnly<Creepage>{self.creepage}; },
           "Creepages [-], [-] and spin [1/m].");
   auto body = py::class_<io::BodyInput>(module, "Body", "One of the two bodies of a case file.");
-  body.def_readonly("rolling_radius", &io::BodyInput::rolling_radius, "Radius in the plane of rolling [m].")
-      .def_readonly("transverse_radius", &io::BodyInput::transverse_radius, "Radius in the lateral plane [m].")
-      .def_readonly("material", &io::BodyInput::material, "Its Material.")
-      .def_readonly("creep", &io::BodyInput::creep, "Its MaterialCreep; the ratio is 0 for an elastic body.")
-      .def_readonly("thermal", &io::BodyInput::thermal, "Its ThermalBody, or None.");
-  add_value(body, {"rolling_radius", "transverse_radius", "material", "creep", "thermal"});
+  add_fields(body, {"Radius in the plane of rolling [m].", "Radius in the lateral plane [m].", "Its Material.",
+                    "Its MaterialCreep; the ratio is 0 for an elastic body.", "Its ThermalBody, or None."});
+  add_value(body);
 
   auto rolling_case = py::class_<Case, std::shared_ptr<Case>>(
       module, "RollingCase", "What a case file says; read_case and parse_case make them.");
@@ -240,9 +226,7 @@ void bind_case(py::module_& module) {
 
 template <class Value> auto along(const Value& value) {
   return [value](const cases::CreepCurve& self) {
-    RealArray out(static_cast<py::ssize_t>(self.forces.size()));
-    std::transform(self.forces.begin(), self.forces.end(), out.mutable_data(), value);
-    return out;
+    return array_of<double>({static_cast<py::ssize_t>(self.forces.size())}, self.forces, value);
   };
 }
 
@@ -267,12 +251,9 @@ void bind_curve(py::module_& module) {
 void bind_theories(py::module_& module) {
   auto error = py::class_<cases::DiscretisationError>(module, "DiscretisationError",
                                                       "How far totals are from those on another grid.");
-  error.def_readonly("fx", &cases::DiscretisationError::fx, "In units of mu Fn [-].")
-      .def_readonly("fy", &cases::DiscretisationError::fy, "In units of mu Fn [-].")
-      .def_readonly("mz", &cases::DiscretisationError::mz, "In units of mu Fn sqrt(a b) [-].")
-      .def_readonly("frictional_power", &cases::DiscretisationError::frictional_power,
-                    "[W]; for a shift of the work [J].");
-  add_value(error, {"fx", "fy", "mz", "frictional_power"});
+  add_fields(error, {"In units of mu Fn [-].", "In units of mu Fn [-].", "In units of mu Fn sqrt(a b) [-].",
+                     "[W]; for a shift of the work [J]."});
+  add_value(error);
 
   py::class_<cases::SimplifiedResult> simplified(module, "SimplifiedResult",
                                                  "What the simplified theory makes of a case.");

@@ -47,10 +47,8 @@ void bind_creepage(py::module_& module) {
       module, "Creepage",
       "Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x).");
   creepage
-      .def(py::init([](double longitudinal, double lateral, double spin) {
-             return Creepage{longitudinal, lateral, spin};
-           }),
-           "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0, "From xi [-], eta [-] and phi [1/m].")
+      .def(init_fields<Creepage>(), "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0,
+           "From xi [-], eta [-] and phi [1/m].")
       .def_readwrite("longitudinal", &Creepage::longitudinal, "xi [-]; of a braked wheel positive. For a shift [m].")
       .def_readwrite("lateral", &Creepage::lateral, "eta [-]. For a shift [m].")
       .def_readwrite("spin", &Creepage::spin, "phi [1/m]. For a shift [rad].")
@@ -62,11 +60,8 @@ void bind_creepage(py::module_& module) {
       module, "CreepageCoefficients",
       "Kalker's creepage coefficients: for vanishing creepages, with c = sqrt(a b), Fx = -G c^2 C11 xi,\n"
       "Fy = -G c^2 (C22 eta + c C23 phi), Mz = -G c^3 (C32 eta + c C33 phi), C32 = -C23.");
-  coefficients.def_readonly("c11", &CreepageCoefficients::c11, "C11 [-].")
-      .def_readonly("c22", &CreepageCoefficients::c22, "C22 [-].")
-      .def_readonly("c23", &CreepageCoefficients::c23, "C23 [-].")
-      .def_readonly("c33", &CreepageCoefficients::c33, "C33 [-].");
-  add_value(coefficients, {"c11", "c22", "c23", "c33"});
+  add_fields(coefficients, {"C11 [-].", "C22 [-].", "C23 [-].", "C33 [-]."});
+  add_value(coefficients);
   module.def("creepage_coefficients", &creepage_coefficients, "a_over_b"_a, "poisson_ratio"_a,
              "coefficients"_a = CreepageTable::kalker,
              "The coefficients [-] for a/b [-] and Poisson's ratio [-] in [0, 0.5], from the table 'kalker'\n"
@@ -149,13 +144,10 @@ void bind_elliptic_contact(py::module_& module) {
 void bind_forces(py::module_& module) {
   auto forces = py::class_<ContactForces>(
       module, "ContactForces", "Totals, acting on body 1, the wheel. Positive creepage gives negative force.");
-  forces.def_readonly("fx", &ContactForces::fx, "Longitudinal force on body 1 [N].")
-      .def_readonly("fy", &ContactForces::fy, "Lateral force on body 1 [N].")
-      .def_readonly("mz", &ContactForces::mz, "Moment about z on body 1, integral of x py - y px [N m].")
-      .def_readonly("adhesion_area", &ContactForces::adhesion_area, "Area in adhesion [m^2].")
-      .def_readonly("slip_area", &ContactForces::slip_area, "Area in slip [m^2].")
-      .def_readonly("status", &ContactForces::status, "How the calculation ended, a Status [-].");
-  add_value(forces, {"fx", "fy", "mz", "adhesion_area", "slip_area", "status"});
+  add_fields(forces, {"Longitudinal force on body 1 [N].", "Lateral force on body 1 [N].",
+                      "Moment about z on body 1, integral of x py - y px [N m].", "Area in adhesion [m^2].",
+                      "Area in slip [m^2].", "How the calculation ended, a Status [-]."});
+  add_value(forces);
 
   auto derivatives = py::class_<ContactDerivatives>(module, "ContactDerivatives", "Totals and their derivatives.");
   derivatives.def_readonly("forces", &ContactDerivatives::forces, "The totals, as ContactForces.")

@@ -5,6 +5,7 @@
 #include "microslip/error.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace microslip::python {
@@ -12,80 +13,96 @@ namespace microslip::python {
 namespace py = pybind11;
 
 template <>
-inline constexpr auto fields<ForceArrays> = std::tuple{Field{"shape", &ForceArrays::shape},
-                                                       Field{"fx", &ForceArrays::fx},
-                                                       Field{"fy", &ForceArrays::fy},
-                                                       Field{"mz", &ForceArrays::mz},
-                                                       Field{"adhesion_area", &ForceArrays::adhesion_area},
-                                                       Field{"slip_area", &ForceArrays::slip_area},
-                                                       Field{"status", &ForceArrays::status},
-                                                       Field{"inputs", &ForceArrays::inputs}};
+inline constexpr auto fields<ForceArrays> =
+    members<&ForceArrays::shape, &ForceArrays::fx, &ForceArrays::fy, &ForceArrays::mz, &ForceArrays::adhesion_area,
+            &ForceArrays::slip_area, &ForceArrays::status, &ForceArrays::inputs>;
 template <>
-inline constexpr auto fields<DerivativeArrays> =
-    std::tuple{Field{"forces", &DerivativeArrays::forces}, Field{"jacobian", &DerivativeArrays::jacobian}};
+inline constexpr auto fields<DerivativeArrays> = members<&DerivativeArrays::forces, &DerivativeArrays::jacobian>;
 template <>
 inline constexpr auto fields<ExactForceArrays> =
-    std::tuple{Field{"forces", &ExactForceArrays::forces}, Field{"residual", &ExactForceArrays::residual},
-               Field{"newton_steps", &ExactForceArrays::newton_steps}};
+    members<&ExactForceArrays::forces, &ExactForceArrays::residual, &ExactForceArrays::newton_steps>;
+
+namespace {
+
+/// A column of a batch: its argument, and what it is of a contact.
+struct BatchColumn {
+  const char* argument;
+  py::object ContactArrays::*given;
+  double (*get)(const EllipticContact& contact);
+  void (*set)(EllipticContact& contact, double value);
+};
+
+template <double EllipticContact::*member> double get(const EllipticContact& contact) {
+  return contact.*member;
+}
+template <double EllipticContact::*member> void set(EllipticContact& contact, double value) {
+  contact.*member = value;
+}
+template <double Creepage::*member> double get(const EllipticContact& contact) {
+  return contact.creepage.*member;
+}
+template <double Creepage::*member> void set(EllipticContact& contact, double value) {
+  contact.creepage.*member = value;
+}
+template <auto member> constexpr BatchColumn column_of(const char* argument, py::object ContactArrays::*given) {
+  return {argument, given, get<member>, set<member>};
+}
+
+/// In the order of input_names.
+const BatchColumn batch_columns[] = {
+    column_of<&Creepage::longitudinal>("longitudinal", &ContactArrays::longitudinal),
+    column_of<&Creepage::lateral>("lateral", &ContactArrays::lateral),
+    column_of<&Creepage::spin>("spin", &ContactArrays::spin),
+    column_of<&EllipticContact::a>("a", &ContactArrays::a),
+    column_of<&EllipticContact::b>("b", &ContactArrays::b),
+    column_of<&EllipticContact::shear_modulus>("shear_modulus", &ContactArrays::shear_modulus),
+    column_of<&EllipticContact::poisson_ratio>("poisson_ratio", &ContactArrays::poisson_ratio),
+    column_of<&EllipticContact::normal_force>("normal_force", &ContactArrays::normal_force),
+    {"friction", &ContactArrays::friction, [](const EllipticContact& c) { return c.friction.static_coefficient(); },
+     [](EllipticContact& c, double mu) { c.friction = FrictionLaw::coulomb(mu); }},
+    column_of<&EllipticContact::rolling_speed>("rolling_speed", &ContactArrays::rolling_speed),
+    column_of<&EllipticContact::dissimilarity>("dissimilarity", &ContactArrays::dissimilarity)};
+
+} // namespace
 
 ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arrays) : like_(like) {
-  const std::pair<const char*, const py::object*> given[] = {{"longitudinal", &arrays.longitudinal},
-                                                             {"lateral", &arrays.lateral},
-                                                             {"spin", &arrays.spin},
-                                                             {"a", &arrays.a},
-                                                             {"b", &arrays.b},
-                                                             {"shear_modulus", &arrays.shear_modulus},
-                                                             {"poisson_ratio", &arrays.poisson_ratio},
-                                                             {"normal_force", &arrays.normal_force},
-                                                             {"friction", &arrays.friction},
-                                                             {"rolling_speed", &arrays.rolling_speed},
-                                                             {"dissimilarity", &arrays.dissimilarity}};
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (given[k].second->is_none()) continue;
-    columns_[k] = real_array(given[k].first, *given[k].second);
-    broadcast(shape_, given[k].first, columns_[k]);
+  for (std::size_t k = 0; k < columns; ++k) {
+    const auto& [argument, given, get, set] = batch_columns[k];
+    if ((arrays.*given).is_none()) continue;
+    columns_[k] = real_array(argument, arrays.*given);
+    broadcast(shape_, argument, columns_[k]);
+    values_[k] = columns_[k].data();
   }
   for (const auto extent : shape_) count_ *= static_cast<std::size_t>(extent);
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (given[k].second->is_none()) continue;
+  for (std::size_t k = 0; k < columns; ++k) {
+    if (values_[k] == nullptr) continue;
     constant_[k] = columns_[k].size() == 1;
     if (!constant_[k]) columns_[k] = spread(columns_[k], shape_);
     values_[k] = columns_[k].data();
+    if (batch_columns[k].argument == std::string_view("friction"))
+      for (const double mu : span_of(columns_[k]))
+        require_between("friction", mu, "-", 0, FrictionLaw::largest_coefficient);
   }
-  if (values_[8] != nullptr)
-    for (const double mu : span_of(columns_[8]))
-      require_between("friction", mu, "-", 0, FrictionLaw::largest_coefficient);
 }
 
 EllipticContact ContactBatch::operator[](std::size_t i) const {
   EllipticContact contact = like_;
-  double* const fields[] = {
-      &contact.creepage.longitudinal, &contact.creepage.lateral, &contact.creepage.spin, &contact.a, &contact.b,
-      &contact.shear_modulus,         &contact.poisson_ratio,    &contact.normal_force};
-  for (std::size_t k = 0; k < std::size(fields); ++k)
-    if (values_[k] != nullptr) *fields[k] = values_[k][constant_[k] ? 0 : i];
-  if (values_[8] != nullptr) contact.friction = FrictionLaw::coulomb(values_[8][constant_[8] ? 0 : i]);
-  if (values_[9] != nullptr) contact.rolling_speed = values_[9][constant_[9] ? 0 : i];
-  if (values_[10] != nullptr) contact.dissimilarity = values_[10][constant_[10] ? 0 : i];
+  for (std::size_t k = 0; k < columns; ++k)
+    if (values_[k] != nullptr) batch_columns[k].set(contact, values_[k][constant_[k] ? 0 : i]);
   return contact;
 }
 
+bool ContactBatch::gives(std::initializer_list<std::string_view> names) const {
+  for (std::size_t k = 0; k < columns; ++k)
+    if (values_[k] != nullptr && std::find(names.begin(), names.end(), input_names[k]) != names.end()) return true;
+  return false;
+}
+
 std::vector<std::vector<double>> ContactBatch::inputs() const {
-  const double common[] = {like_.creepage.longitudinal,
-                           like_.creepage.lateral,
-                           like_.creepage.spin,
-                           like_.a,
-                           like_.b,
-                           like_.shear_modulus,
-                           like_.poisson_ratio,
-                           like_.normal_force,
-                           like_.friction.static_coefficient(),
-                           like_.rolling_speed,
-                           like_.dissimilarity};
   std::vector<std::vector<double>> out;
-  for (std::size_t k = 0; k < columns_.size(); ++k)
+  for (std::size_t k = 0; k < columns; ++k)
     if (values_[k] == nullptr)
-      out.push_back({common[k]});
+      out.push_back({batch_columns[k].get(like_)});
     else
       out.emplace_back(values_[k], values_[k] + (constant_[k] ? 1 : count_));
   return out;
@@ -106,6 +123,11 @@ void ForceArrays::put(std::size_t i, const ContactForces& forces) {
 
 DerivativeArrays::DerivativeArrays(const ContactBatch& batch) : forces(batch), jacobian(12 * batch.count()) {}
 
+void DerivativeArrays::put(std::size_t i, const ContactDerivatives& derivatives) {
+  forces.put(i, derivatives.forces);
+  std::copy_n(&derivatives.jacobian[0][0], 12, &jacobian[12 * i]);
+}
+
 ExactForceArrays::ExactForceArrays(const ContactBatch& batch)
     : forces(batch), residual(batch.count()), newton_steps(batch.count()) {}
 
@@ -115,6 +137,12 @@ template <class T> auto column(std::vector<T> ForceArrays::*member) {
   return [member](const py::object& self) {
     const auto& forces = self.cast<const ForceArrays&>();
     return view(forces.*member, forces.shape, self);
+  };
+}
+template <class T> auto column(std::vector<T> ExactForceArrays::*member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const ExactForceArrays&>();
+    return view(result.*member, result.forces.shape, self);
   };
 }
 
@@ -203,20 +231,10 @@ void bind_contact_batch(py::module_& module) {
   exact_arrays
       .def_property_readonly(
           "forces", [](const ExactForceArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
-      .def_property_readonly(
-          "residual",
-          [](const py::object& self) {
-            const auto& result = self.cast<const ExactForceArrays&>();
-            return view(result.residual, result.forces.shape, self);
-          },
-          "Relative residuals at the end of the iteration, shape (...) [-].")
-      .def_property_readonly(
-          "newton_steps",
-          [](const py::object& self) {
-            const auto& result = self.cast<const ExactForceArrays&>();
-            return view(result.newton_steps, result.forces.shape, self);
-          },
-          "Steps of Newton's method, shape (...) [-].");
+      .def_property_readonly("residual", column(&ExactForceArrays::residual),
+                             "Relative residuals at the end of the iteration, shape (...) [-].")
+      .def_property_readonly("newton_steps", column(&ExactForceArrays::newton_steps),
+                             "Steps of Newton's method, shape (...) [-].");
   add_value(exact_arrays, {"forces", "residual", "newton_steps"});
   add_labelled_arrays(exact_arrays);
 }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "binding/arrays.hpp"
+#include "binding/long_work.hpp"
 #include "microslip/contact/elliptic_contact.hpp"
 
 #include <array>
+#include <initializer_list>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +36,8 @@ public:
   std::size_t count() const { return count_; }
   /// Needs no Python.
   EllipticContact operator[](std::size_t i) const;
+  /// Whether an array or a number was given for one of these columns.
+  bool gives(std::initializer_list<std::string_view> names) const;
   /// Returns of each column one number, or as many as there are contacts. Of friction that at rest.
   std::vector<std::vector<double>> inputs() const;
 
@@ -40,9 +45,10 @@ private:
   EllipticContact like_;
   Shape shape_;
   std::size_t count_ = 1;
-  std::array<RealArray, 11> columns_;
-  std::array<const double*, 11> values_ = {}; ///< null where the contact's value holds
-  std::array<bool, 11> constant_ = {};
+  static constexpr std::size_t columns = input_names.size();
+  std::array<RealArray, columns> columns_;
+  std::array<const double*, columns> values_ = {}; ///< null where the contact's value holds
+  std::array<bool, columns> constant_ = {};
 };
 
 /// Forces of many contacts.
@@ -61,6 +67,7 @@ struct ForceArrays {
 struct DerivativeArrays {
   DerivativeArrays() = default;
   explicit DerivativeArrays(const ContactBatch& batch);
+  void put(std::size_t i, const ContactDerivatives& derivatives);
 
   ForceArrays forces;
   std::vector<double> jacobian;
@@ -77,5 +84,26 @@ struct ExactForceArrays {
 };
 
 void bind_contact_batch(pybind11::module_& module);
+
+/// Gives a class a batch method: `solve(self, batch, threads)` of the contact that the others are like, and arrays.
+template <class Class, class Solve>
+void def_batch(pybind11::class_<Class>& of, const char* name, const Solve& solve, const std::string& text) {
+  namespace py = pybind11;
+  using namespace py::literals;
+  using Object = const py::object&;
+  const auto none = py::none();
+  of.def(
+      name,
+      [solve](const Class& self, const EllipticContact& like, Object longitudinal, Object lateral, Object spin,
+              Object a, Object b, Object shear_modulus, Object poisson_ratio, Object normal_force, Object friction,
+              Object rolling_speed, Object dissimilarity, int threads) {
+        const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
+                                        friction, rolling_speed, dissimilarity});
+        return solve(self, batch, thread_count(threads));
+      },
+      "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none, py::kw_only(), "a"_a = none, "b"_a = none,
+      "shear_modulus"_a = none, "poisson_ratio"_a = none, "normal_force"_a = none, "friction"_a = none,
+      "rolling_speed"_a = none, "dissimilarity"_a = none, "threads"_a = 0, text.c_str());
+}
 
 } // namespace microslip::python

@@ -5,13 +5,13 @@
 #include "binding/paths.hpp"
 #include "binding/value.hpp"
 #include "compat/contact/run.hpp"
+#include "io/input_file.hpp"
 #include "microslip/error.hpp"
 
 #include <cerrno>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 namespace microslip::python {
@@ -19,24 +19,12 @@ namespace microslip::python {
 using contact_program::PrintedTotals;
 
 template <>
-inline constexpr auto fields<PrintedTotals> = std::tuple{Field{"fn", &PrintedTotals::fn},
-                                                         Field{"fx", &PrintedTotals::fx},
-                                                         Field{"fy", &PrintedTotals::fy},
-                                                         Field{"mz", &PrintedTotals::mz},
-                                                         Field{"elastic_energy", &PrintedTotals::elastic_energy},
-                                                         Field{"friction", &PrintedTotals::friction},
-                                                         Field{"fn_over_g", &PrintedTotals::fn_over_g},
-                                                         Field{"x_name", &PrintedTotals::x_name},
-                                                         Field{"y_name", &PrintedTotals::y_name},
-                                                         Field{"x", &PrintedTotals::x},
-                                                         Field{"y", &PrintedTotals::y},
-                                                         Field{"approach", &PrintedTotals::approach},
-                                                         Field{"peak_pressure", &PrintedTotals::peak_pressure},
-                                                         Field{"temperature", &PrintedTotals::temperature},
-                                                         Field{"potential", &PrintedTotals::potential},
-                                                         Field{"contact", &PrintedTotals::contact},
-                                                         Field{"adhesion", &PrintedTotals::adhesion},
-                                                         Field{"slip", &PrintedTotals::slip}};
+inline constexpr auto fields<PrintedTotals> =
+    members<&PrintedTotals::fn, &PrintedTotals::fx, &PrintedTotals::fy, &PrintedTotals::mz,
+            &PrintedTotals::elastic_energy, &PrintedTotals::friction, &PrintedTotals::fn_over_g, &PrintedTotals::x_name,
+            &PrintedTotals::y_name, &PrintedTotals::x, &PrintedTotals::y, &PrintedTotals::approach,
+            &PrintedTotals::peak_pressure, &PrintedTotals::temperature, &PrintedTotals::potential,
+            &PrintedTotals::contact, &PrintedTotals::adhesion, &PrintedTotals::slip>;
 
 namespace {
 
@@ -70,9 +58,7 @@ public:
 
 private:
   struct File {
-    explicit File(const std::string& path) : stream(path, std::ios::binary), reader(stream, path) {
-      if (!stream) throw Error(path + ": cannot be read: " + std::generic_category().message(errno));
-    }
+    explicit File(const std::string& path) : stream(io::open_input(path)), reader(stream, path) {}
 
     std::ifstream stream;
     contact_program::InputReader reader;
@@ -112,6 +98,13 @@ std::vector<RunPatch> patches_of(const RunCase& self) {
   return patches;
 }
 
+NormalResult normal_of(const Outcome& outcome) {
+  return {outcome.solution.normal, shape_of(outcome.step.grid)};
+}
+TangentialResult tangential_of(const Outcome& outcome) {
+  return {outcome.solution.tangential, shape_of(outcome.step.grid)};
+}
+
 void bind_patch(py::module_& module) {
   py::class_<RunPatch> patch(module, "ContactPatch",
                              "A contact patch of a wheel on a rail (module 1), with CONTACT's signs and units.");
@@ -142,16 +135,9 @@ void bind_patch(py::module_& module) {
       .def_property_readonly(
           "grid", [](const RunPatch& self) { return self.solution->step.grid; }, "The ElementGrid, SI units.")
       .def_property_readonly(
-          "normal",
-          [](const RunPatch& self) {
-            return NormalResult{self.solution->solution.normal, shape_of(self.solution->step.grid)};
-          },
-          "The NormalSolution, SI units.")
+          "normal", [](const RunPatch& self) { return normal_of(*self.solution); }, "The NormalSolution, SI units.")
       .def_property_readonly(
-          "tangential",
-          [](const RunPatch& self) {
-            return TangentialResult{self.solution->solution.tangential, shape_of(self.solution->step.grid)};
-          },
+          "tangential", [](const RunPatch& self) { return tangential_of(*self.solution); },
           "The TangentialSolution, SI units.");
   add_description(patch, {"track", "angle", "cksi", "ceta", "cphi", "totals"});
 }
@@ -160,27 +146,27 @@ void bind_totals(py::module_& module) {
   py::class_<PrintedTotals> totals(
       module, "ContactTotals",
       "The quantities that CONTACT prints for a case, with its signs and units: mm and N, on body 1.");
-  totals.def_readonly("fn", &PrintedTotals::fn, "FN [N].")
-      .def_readonly("fx", &PrintedTotals::fx, "FX [N].")
-      .def_readonly("fy", &PrintedTotals::fy, "FY [N].")
-      .def_readonly("mz", &PrintedTotals::mz, "MZ [N mm].")
-      .def_readonly("elastic_energy", &PrintedTotals::elastic_energy, "ELAST.EN. [J].")
-      .def_readonly("friction", &PrintedTotals::friction,
-                    "FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost.")
-      .def_readonly("fn_over_g", &PrintedTotals::fn_over_g, "FN/G [mm^2].")
-      .def_readonly("x_name", &PrintedTotals::x_name,
-                    "What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is prescribed.")
-      .def_readonly("x", &PrintedTotals::x, "[-], for a shift [mm].")
-      .def_readonly("y_name", &PrintedTotals::y_name,
-                    "What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is prescribed.")
-      .def_readonly("y", &PrintedTotals::y, "[-], for a shift [mm].")
-      .def_readonly("approach", &PrintedTotals::approach, "APPROACH [mm].")
-      .def_readonly("peak_pressure", &PrintedTotals::peak_pressure, "PMAX [N/mm^2].")
-      .def_readonly("potential", &PrintedTotals::potential, "NPOT, elements of the potential contact [-].")
-      .def_readonly("contact", &PrintedTotals::contact, "NCON, elements in contact [-].")
-      .def_readonly("adhesion", &PrintedTotals::adhesion, "NADH, elements in adhesion [-].")
-      .def_readonly("slip", &PrintedTotals::slip, "NSLIP, elements in slip [-].");
+  add_members(
+      totals, Shown<&PrintedTotals::fn>{"FN [N]."}, Shown<&PrintedTotals::fx>{"FX [N]."},
+      Shown<&PrintedTotals::fy>{"FY [N]."}, Shown<&PrintedTotals::mz>{"MZ [N mm]."},
+      Shown<&PrintedTotals::elastic_energy>{"ELAST.EN. [J]."},
+      Shown<&PrintedTotals::friction>{"FRIC.POWER [W], for shifts FRIC.WORK [J]; negative where energy is lost."},
+      Shown<&PrintedTotals::fn_over_g>{"FN/G [mm^2]."},
+      Shown<&PrintedTotals::x_name>{"What x is: FX/FSTAT/FN, or CREEP X, SHIFT X where the force is prescribed."},
+      Shown<&PrintedTotals::x>{"[-], for a shift [mm]."},
+      Shown<&PrintedTotals::y_name>{"What y is: FY/FSTAT/FN, or CREEP Y, SHIFT Y where the force is prescribed."},
+      Shown<&PrintedTotals::y>{"[-], for a shift [mm]."}, Shown<&PrintedTotals::approach>{"APPROACH [mm]."},
+      Shown<&PrintedTotals::peak_pressure>{"PMAX [N/mm^2]."},
+      Shown<&PrintedTotals::potential>{"NPOT, elements of the potential contact [-]."},
+      Shown<&PrintedTotals::contact>{"NCON, elements in contact [-]."},
+      Shown<&PrintedTotals::adhesion>{"NADH, elements in adhesion [-]."},
+      Shown<&PrintedTotals::slip>{"NSLIP, elements in slip [-]."});
   add_value(totals, {"fn", "fx", "fy", "mz", "approach", "peak_pressure", "contact", "adhesion", "slip"});
+}
+
+/// What a solved case has, but no wheel: None of others.
+template <class Get> auto of_solved(Get get) {
+  return [get](const RunCase& self) { return is_solved(self) ? std::optional(get(self.outcome)) : std::nullopt; };
 }
 
 void bind_case(py::module_& module) {
@@ -197,32 +183,14 @@ void bind_case(py::module_& module) {
       .def_property_readonly(
           "status", [](const RunCase& self) { return self.outcome.solution.status; },
           "How the calculation ended, a Status [-].")
-      .def_property_readonly(
-          "totals",
-          [](const RunCase& self) -> std::optional<PrintedTotals> {
-            return is_solved(self) ? std::optional(self.outcome.totals) : std::nullopt;
-          },
-          "ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel.")
-      .def_property_readonly(
-          "grid",
-          [](const RunCase& self) -> std::optional<ElementGrid> {
-            return is_solved(self) ? std::optional(self.outcome.step.grid) : std::nullopt;
-          },
-          "The ElementGrid, SI units; None unless solved, and for a wheel.")
-      .def_property_readonly(
-          "normal",
-          [](const RunCase& self) -> std::optional<NormalResult> {
-            if (!is_solved(self)) return std::nullopt;
-            return NormalResult{self.outcome.solution.normal, shape_of(self.outcome.step.grid)};
-          },
-          "The NormalSolution, SI units; None unless solved, and for a wheel.")
-      .def_property_readonly(
-          "tangential",
-          [](const RunCase& self) -> std::optional<TangentialResult> {
-            if (!is_solved(self)) return std::nullopt;
-            return TangentialResult{self.outcome.solution.tangential, shape_of(self.outcome.step.grid)};
-          },
-          "The TangentialSolution, SI units; None unless solved, and for a wheel.");
+      .def_property_readonly("totals", of_solved([](const Outcome& outcome) { return outcome.totals; }),
+                             "ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel.")
+      .def_property_readonly("grid", of_solved([](const Outcome& outcome) { return outcome.step.grid; }),
+                             "The ElementGrid, SI units; None unless solved, and for a wheel.")
+      .def_property_readonly("normal", of_solved(normal_of),
+                             "The NormalSolution, SI units; None unless solved, and for a wheel.")
+      .def_property_readonly("tangential", of_solved(tangential_of),
+                             "The TangentialSolution, SI units; None unless solved, and for a wheel.");
   const auto of_wheel = [&](const char* name, auto member, const char* text) {
     run_case.def_property_readonly(
         name,

@@ -8,7 +8,6 @@
 #include "io/creep_table_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -39,33 +38,18 @@ CreepForceTable own_creep_table(double poisson_ratio) {
 
 namespace {
 
-/// Works on all contacts of a batch, a thousand at a time.
-template <class Work>
-void for_batch(const CreepForceTable& table, const ContactBatch& batch, int threads, const Work& work) {
-  run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
-    return [&](std::size_t first, std::size_t n, const Progress&) {
-      for (std::size_t i = first; i < first + n; ++i) work(table, batch[i], i);
-    };
-  });
-}
-
-ForceArrays solve_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
-  ForceArrays out(batch);
-  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
-    out.put(i, own.solve(contact));
-  });
-  return out;
-}
-
-DerivativeArrays differentiate_batch(const CreepForceTable& table, const ContactBatch& batch, int threads) {
-  DerivativeArrays out(batch);
-  for_batch(table, batch, threads, [&](const CreepForceTable& own, const EllipticContact& contact, std::size_t i) {
-    const ContactDerivatives derivatives = own.differentiate(contact);
-    out.forces.put(i, derivatives.forces);
-    const double* jacobian = &derivatives.jacobian[0][0];
-    std::copy(jacobian, jacobian + 12, out.jacobian.begin() + static_cast<std::ptrdiff_t>(12 * i));
-  });
-  return out;
+/// Answers all contacts of a batch, a thousand at a time.
+template <class Arrays, class Answer>
+auto batch_by(Answer (CreepForceTable::*answer)(const EllipticContact&) const noexcept) {
+  return [answer](const CreepForceTable& table, const ContactBatch& batch, int threads) {
+    Arrays out(batch);
+    run_batch(batch.count(), 1000, threads, [&]() -> BatchWorker {
+      return [&](std::size_t first, std::size_t n, const Progress&) {
+        for (std::size_t i = first; i < first + n; ++i) out.put(i, (table.*answer)(batch[i]));
+      };
+    });
+    return out;
+  };
 }
 
 constexpr const char* batch_text =
@@ -74,24 +58,6 @@ constexpr const char* batch_text =
     "poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers\n"
     "or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are\n"
     "no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
-
-void def_batch(py::class_<CreepForceTable>& table, const char* name, const auto& solve, const std::string& text) {
-  const auto none = py::none();
-  table.def(
-      name,
-      [solve](const CreepForceTable& self, const EllipticContact& like, const py::object& longitudinal,
-              const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
-              const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
-              const py::object& friction, const py::object& rolling_speed, const py::object& dissimilarity,
-              int threads) {
-        const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
-                                        friction, rolling_speed, dissimilarity});
-        return solve(self, batch, thread_count(threads));
-      },
-      "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none, py::kw_only(), "a"_a = none, "b"_a = none,
-      "shear_modulus"_a = none, "poisson_ratio"_a = none, "normal_force"_a = none, "friction"_a = none,
-      "rolling_speed"_a = none, "dissimilarity"_a = none, "threads"_a = 0, text.c_str());
-}
 
 } // namespace
 
@@ -127,8 +93,10 @@ void bind_creep_table(py::module_& module) {
       .def_property_readonly(
           "poisson_ratios", [](const CreepForceTable& self) { return py::tuple(py::cast(self.axes().poisson_ratios)); },
           "Poisson's ratios of the nodes [-].");
-  def_batch(table, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
-  def_batch(table, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve),
+            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(table, "differentiate_batch", batch_by<DerivativeArrays>(&CreepForceTable::differentiate),
+            std::string(batch_text) + " Returns DerivativeArrays.");
 }
 
 } // namespace microslip::python

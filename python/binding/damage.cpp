@@ -29,38 +29,25 @@ void bind_strength(py::module_& module) {
       module, "WearMap",
       "Wear coefficients of Archard's law over sliding speed and pressure, by default the middles of the ranges that\n"
       "KTH measured for dry wheel and rail steels (Jendel 2002).");
-  map.def(py::init([](double slow, double medium, double fast, double seizure, double medium_from, double medium_to,
-                      double seizure_above) {
-            return WearMap{slow, medium, fast, seizure, medium_from, medium_to, seizure_above};
-          }),
-          py::kw_only(), "slow"_a = standard.slow, "medium"_a = standard.medium, "fast"_a = standard.fast,
-          "seizure"_a = standard.seizure, "medium_from"_a = standard.medium_from, "medium_to"_a = standard.medium_to,
-          "seizure_above"_a = standard.seizure_above,
+  map.def(init_fields<WearMap>(), py::kw_only(), "slow"_a = standard.slow, "medium"_a = standard.medium,
+          "fast"_a = standard.fast, "seizure"_a = standard.seizure, "medium_from"_a = standard.medium_from,
+          "medium_to"_a = standard.medium_to, "seizure_above"_a = standard.seizure_above,
           "k [-] below the sliding speed medium_from [m/s], up to medium_to [m/s], beyond, and where the pressure is\n"
-          "above seizure_above [-] times the hardness.")
-      .def_readonly("slow", &WearMap::slow, "k below medium_from [-]: mild.")
-      .def_readonly("medium", &WearMap::medium, "k from medium_from to medium_to [-]: severe.")
-      .def_readonly("fast", &WearMap::fast, "k beyond medium_to [-].")
-      .def_readonly("seizure", &WearMap::seizure, "k at high pressure [-].")
-      .def_readonly("medium_from", &WearMap::medium_from, "Sliding speed [m/s].")
-      .def_readonly("medium_to", &WearMap::medium_to, "Sliding speed [m/s].")
-      .def_readonly("seizure_above", &WearMap::seizure_above, "Pressure over hardness [-].");
-  add_value(map, {"slow", "medium", "fast", "seizure", "medium_from", "medium_to", "seizure_above"});
+          "above seizure_above [-] times the hardness.");
+  add_fields(map, {"k below medium_from [-]: mild.", "k from medium_from to medium_to [-]: severe.",
+                   "k beyond medium_to [-].", "k at high pressure [-].", "Sliding speed [m/s].", "Sliding speed [m/s].",
+                   "Pressure over hardness [-]."});
+  add_value(map);
 
   auto strength = py::class_<SurfaceStrength>(module, "SurfaceStrength",
                                               "What surfaces bear before they wear or yield; None: not known.");
-  strength
-      .def(py::init(
-               [](std::optional<double> hardness, std::optional<double> shear_yield_strength, const WearMap& wear_map) {
-                 return SurfaceStrength{hardness, shear_yield_strength, wear_map};
-               }),
-           py::kw_only(), "hardness"_a = py::none(), "shear_yield_strength"_a = py::none(), "wear_map"_a = standard,
-           "Hardness H [Pa] of the surface that wears, yield strength k [Pa] in shear of the work-hardened surface,\n"
-           "and the WearMap. Values are checked where they are used.")
-      .def_readonly("hardness", &SurfaceStrength::hardness, "H [Pa], or None.")
-      .def_readonly("shear_yield_strength", &SurfaceStrength::shear_yield_strength, "k [Pa], or None.")
-      .def_readonly("wear_map", &SurfaceStrength::wear_map, "The WearMap.");
-  add_value(strength, {"hardness", "shear_yield_strength", "wear_map"});
+  strength.def(
+      init_fields<SurfaceStrength>(), py::kw_only(), "hardness"_a = py::none(), "shear_yield_strength"_a = py::none(),
+      "wear_map"_a = standard,
+      "Hardness H [Pa] of the surface that wears, yield strength k [Pa] in shear of the work-hardened surface,\n"
+      "and the WearMap. Values are checked where they are used.");
+  add_fields(strength, {"H [Pa], or None.", "k [Pa], or None.", "The WearMap."});
+  add_value(strength);
 }
 
 } // namespace

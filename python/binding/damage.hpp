@@ -6,17 +6,10 @@
 namespace microslip::python {
 
 template <>
-inline constexpr auto fields<WearMap> = std::tuple{Field{"slow", &WearMap::slow},
-                                                   Field{"medium", &WearMap::medium},
-                                                   Field{"fast", &WearMap::fast},
-                                                   Field{"seizure", &WearMap::seizure},
-                                                   Field{"medium_from", &WearMap::medium_from},
-                                                   Field{"medium_to", &WearMap::medium_to},
-                                                   Field{"seizure_above", &WearMap::seizure_above}};
+inline constexpr auto fields<WearMap> = members<&WearMap::slow, &WearMap::medium, &WearMap::fast, &WearMap::seizure,
+                                                &WearMap::medium_from, &WearMap::medium_to, &WearMap::seizure_above>;
 template <>
 inline constexpr auto fields<SurfaceStrength> =
-    std::tuple{Field{"hardness", &SurfaceStrength::hardness},
-               Field{"shear_yield_strength", &SurfaceStrength::shear_yield_strength},
-               Field{"wear_map", &SurfaceStrength::wear_map}};
+    members<&SurfaceStrength::hardness, &SurfaceStrength::shear_yield_strength, &SurfaceStrength::wear_map>;
 
 } // namespace microslip::python

@@ -15,27 +15,20 @@ using namespace py::literals;
 void bind_materials(py::module_& module) {
   auto material = py::class_<Material>(module, "Material", "A linearly elastic, isotropic body.");
   material
-      .def(py::init([](double shear_modulus, double poisson_ratio) {
-             return Material{shear_modulus, poisson_ratio};
-           }),
-           "shear_modulus"_a, "poisson_ratio"_a,
+      .def(init_fields<Material>(), "shear_modulus"_a, "poisson_ratio"_a,
            "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],\n"
            "in [0, 0.5]. Values are checked where they are used.")
       .def_static("from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
                   "From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's\n"
-                  "ratio [-] in [0, 0.5]. Error if out of range.")
-      .def_readonly("shear_modulus", &Material::shear_modulus, "Shear modulus G [Pa].")
-      .def_readonly("poisson_ratio", &Material::poisson_ratio, "Poisson's ratio nu [-].");
-  add_value(material, {"shear_modulus", "poisson_ratio"});
+                  "ratio [-] in [0, 0.5]. Error if out of range.");
+  add_fields(material, {"Shear modulus G [Pa].", "Poisson's ratio nu [-]."});
+  add_value(material);
 
   auto combined = py::class_<CombinedMaterial>(
       module, "CombinedMaterial",
       "The constants of two bodies in contact, as half-space theory needs them; combine() makes them.");
   combined
-      .def(py::init([](double shear_modulus, double poisson_ratio, double dissimilarity) {
-             return CombinedMaterial{shear_modulus, poisson_ratio, dissimilarity};
-           }),
-           "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
+      .def(init_fields<CombinedMaterial>(), "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
            "From combined constants: G [Pa], nu [-], K [-].")
       .def_readonly("shear_modulus", &CombinedMaterial::shear_modulus, "Combined shear modulus G [Pa].")
       .def_readonly("poisson_ratio", &CombinedMaterial::poisson_ratio, "Combined Poisson's ratio nu [-].")
@@ -53,13 +46,9 @@ void bind_materials(py::module_& module) {
 void bind_hertz(py::module_& module) {
   auto gap = py::class_<GapCurvatures>(
       module, "GapCurvatures", "Shape of the gap between two bodies in first contact: h(x, y) = A x^2 + B y^2.");
-  gap.def(py::init([](double x, double y) {
-            return GapCurvatures{x, y};
-          }),
-          "x"_a, "y"_a, "From A and B [1/m].")
-      .def_readonly("x", &GapCurvatures::x, "A [1/m], along the rolling direction.")
-      .def_readonly("y", &GapCurvatures::y, "B [1/m], lateral.");
-  add_value(gap, {"x", "y"});
+  gap.def(init_fields<GapCurvatures>(), "x"_a, "y"_a, "From A and B [1/m].");
+  add_fields(gap, {"A [1/m], along the rolling direction.", "B [1/m], lateral."});
+  add_value(gap);
 
   module.def(
       "gap_curvatures",
@@ -74,21 +63,17 @@ void bind_hertz(py::module_& module) {
 
   auto hertz = py::class_<HertzContact>(module, "HertzContact",
                                         "A Hertzian contact: what follows from shape, material and load.");
-  hertz.def_readonly("a", &HertzContact::a, "Semi-axis along x, the rolling direction [m].")
-      .def_readonly("b", &HertzContact::b, "Semi-axis along y [m].")
-      .def_readonly("normal_force", &HertzContact::normal_force, "Fn [N].")
-      .def_readonly("approach", &HertzContact::approach, "Relative approach of distant points delta [m].")
-      .def_readonly("peak_pressure", &HertzContact::peak_pressure, "p0 = 3 Fn/(2 pi a b) [Pa].")
-      .def_readonly("stiffness", &HertzContact::stiffness, "dFn/d(approach) = 3 Fn/(2 delta) [N/m].")
-      .def_readonly("gap", &HertzContact::gap, "Curvatures of the gap [1/m].")
-      .def(
-          "pressure",
-          [](const HertzContact& self, const py::object& x, const py::object& y) {
-            return mapped("x", x, "y", y, [&](double at_x, double at_y) { return self.pressure(at_x, at_y); });
-          },
-          "x"_a, "y"_a,
-          "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or\n"
-          "arrays that broadcast, shape (...).");
+  add_fields(hertz, {"Semi-axis along x, the rolling direction [m].", "Semi-axis along y [m].", "Fn [N].",
+                     "Relative approach of distant points delta [m].", "p0 = 3 Fn/(2 pi a b) [Pa].",
+                     "dFn/d(approach) = 3 Fn/(2 delta) [N/m].", "Curvatures of the gap [1/m]."});
+  hertz.def(
+      "pressure",
+      [](const HertzContact& self, const py::object& x, const py::object& y) {
+        return mapped("x", x, "y", y, [&](double at_x, double at_y) { return self.pressure(at_x, at_y); });
+      },
+      "x"_a, "y"_a,
+      "p_n(x, y) = p0 sqrt(1 - (x/a)^2 - (y/b)^2), 0 outside the ellipse [Pa]; x, y [m] are numbers or\n"
+      "arrays that broadcast, shape (...).");
   hertz.def("_repr_html_", [](const HertzContact& self) {
     return html_table("Hertzian contact", {{"a", self.a, "m", "semi-axis along x, the rolling direction"},
                                            {"b", self.b, "m", "semi-axis along y"},
@@ -99,7 +84,7 @@ void bind_hertz(py::module_& module) {
                                            {"A", self.gap.x, "1/m", "curvature of the gap A x^2 + B y^2"},
                                            {"B", self.gap.y, "1/m", "curvature of the gap A x^2 + B y^2"}});
   });
-  add_value(hertz, {"a", "b", "normal_force", "approach", "peak_pressure", "stiffness", "gap"});
+  add_value(hertz);
 
   module.def("hertz_from_load", &hertz_from_load, "gap"_a, "material"_a, "normal_force"_a,
              "Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2).\n"
@@ -117,33 +102,22 @@ void bind_bodies(py::module_& module) {
       module, "MaterialCreep",
       "What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by "
       "the share f (1 - exp(-t/tau)).");
-  creep
-      .def(py::init([](double ratio, double time) {
-             return MaterialCreep{ratio, time};
-           }),
-           "ratio"_a, "time"_a, "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.")
-      .def_readonly("ratio", &MaterialCreep::ratio, "f [-].")
-      .def_readonly("time", &MaterialCreep::time, "tau [s].");
-  add_value(creep, {"ratio", "time"});
+  creep.def(init_fields<MaterialCreep>(), "ratio"_a, "time"_a,
+            "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.");
+  add_fields(creep, {"f [-].", "tau [s]."});
+  add_value(creep);
 
   auto layer = py::class_<InterfaceLayer>(
       module, "InterfaceLayer",
       "A thin layer between two bodies, rigid in the normal direction: tractions p shear it by p h/G;\n"
       "beyond the yield stress tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms\n"
       "plastically.");
-  layer
-      .def(py::init([](double flexibility, double yield_stress, double hardening) {
-             const InterfaceLayer made{flexibility, yield_stress, hardening};
-             check(made);
-             return made;
-           }),
-           "flexibility"_a, "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
-           "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
-           "gets softer. Error for numbers out of range.")
-      .def_readonly("flexibility", &InterfaceLayer::flexibility, "h/G [m/Pa].")
-      .def_readonly("yield_stress", &InterfaceLayer::yield_stress, "tau_c0 [Pa].")
-      .def_readonly("hardening", &InterfaceLayer::hardening, "k [Pa/m].");
-  add_value(layer, {"flexibility", "yield_stress", "hardening"});
+  layer.def(init_fields<InterfaceLayer>([](const InterfaceLayer& made) { check(made); }), "flexibility"_a,
+            "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
+            "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
+            "gets softer. Error for numbers out of range.");
+  add_fields(layer, {"h/G [m/Pa].", "tau_c0 [Pa].", "k [Pa/m]."});
+  add_value(layer);
 
   auto bodies = py::class_<Bodies>(module, "Bodies",
                                    "Two bodies in contact, as the exact theory needs them: elastic ones, or those that "
@@ -178,17 +152,15 @@ void bind_bodies(py::module_& module) {
 
 void bind_line_contact(py::module_& module) {
   auto line = py::class_<LineContact>(module, "LineContact", "Two cylinders with parallel axes, per unit length.");
-  line.def_readonly("half_width", &LineContact::half_width, "a [m], along the rolling direction.")
-      .def_readonly("force_per_length", &LineContact::force_per_length, "fn [N/m].")
-      .def_readonly("peak_pressure", &LineContact::peak_pressure, "p0 = 2 fn/(pi a) [Pa].")
-      .def_readonly("curvature", &LineContact::curvature, "A = 1/(2R) of the gap h = A x^2 [1/m].")
-      .def(
-          "pressure",
-          [](const LineContact& self, const py::object& x) {
-            return mapped("x", x, "x", py::float_(0.0), [&](double at, double) { return self.pressure(at); });
-          },
-          "x"_a, "p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...).");
-  add_value(line, {"half_width", "force_per_length", "peak_pressure", "curvature"});
+  add_fields(line, {"a [m], along the rolling direction.", "fn [N/m].", "p0 = 2 fn/(pi a) [Pa].",
+                    "A = 1/(2R) of the gap h = A x^2 [1/m]."});
+  line.def(
+      "pressure",
+      [](const LineContact& self, const py::object& x) {
+        return mapped("x", x, "x", py::float_(0.0), [&](double at, double) { return self.pressure(at); });
+      },
+      "x"_a, "p_n(x) = p0 sqrt(1 - (x/a)^2), 0 outside [Pa]; x [m] is a number or an array, shape (...).");
+  add_value(line);
 
   module.def(
       "line_contact_from_load", &line_contact_from_load, "curvature"_a, "material"_a, "force_per_length"_a,

@@ -77,20 +77,13 @@ py::array deformed_gap(Exact& self, const EllipticContact& contact, ContactMotio
   return out;
 }
 
-ExactForceArrays solve_batch(const Exact& self, const EllipticContact& like, const py::object& longitudinal,
-                             const py::object& lateral, const py::object& spin, const py::object& a,
-                             const py::object& b, const py::object& shear_modulus, const py::object& poisson_ratio,
-                             const py::object& normal_force, const py::object& friction,
-                             const py::object& rolling_speed, const py::object& dissimilarity, int threads) {
-  const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
-                                  friction, rolling_speed, dissimilarity});
+ExactForceArrays solve_batch(const Exact& self, const ContactBatch& batch, int threads) {
   ExactForceArrays out(batch);
-  if (self.object.has_bodies() && !(shear_modulus.is_none() && poisson_ratio.is_none() && dissimilarity.is_none()))
+  if (self.object.has_bodies() && batch.gives({"shear_modulus", "poisson_ratio", "dissimilarity"}))
     throw Error(
         "shear_modulus, poisson_ratio, dissimilarity: the solver's bodies have their own; make a solver for each "
         "pair of bodies");
-  const int count = thread_count(threads);
-  run_batch(batch.count(), 1, count, [&]() -> BatchWorker {
+  run_batch(batch.count(), 1, threads, [&]() -> BatchWorker {
     return [&, solver = std::make_shared<ExactSolver>(self.object.copy())](std::size_t i, std::size_t,
                                                                            const Progress& progress) {
       const ContactSolution solved = solver->solve(batch[i], {}, progress);
@@ -118,15 +111,14 @@ void bind_results(py::module_& module) {
   add_value(derivatives, {"solution", "jacobian"});
 
   py::class_<AccurateContact> accurate(module, "AccurateContact", "Steady rolling on two nested grids and its limit.");
-  accurate
-      .def_readonly("forces", &AccurateContact::forces, "The limit, extrapolated; areas and status of the finer grid.")
-      .def_readonly("creepage", &AccurateContact::creepage, "The limit, where a force is prescribed [-], [-], [1/m].")
-      .def_readonly("error", &AccurateContact::error,
-                    "Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-].")
-      .def_readonly("elements", &AccurateContact::elements, "Elements across the ellipse, of the finer grid [-].")
-      .def_readonly("finest", &AccurateContact::finest, "The solution on the finer grid, as ContactSolution.")
-      .def_readonly("coarser", &AccurateContact::coarser, "The totals on half the elements, as ContactForces.")
-      .def_readonly("products", &AccurateContact::products, "Products on all grids [-].");
+  add_members(accurate, Shown<&AccurateContact::forces>{"The limit, extrapolated; areas and status of the finer grid."},
+              Shown<&AccurateContact::creepage>{"The limit, where a force is prescribed [-], [-], [1/m]."},
+              Shown<&AccurateContact::error>{
+                  "Estimated error of the limit, in mu Fn for forces and mu Fn sqrt(a b) for the moment [-]."},
+              Shown<&AccurateContact::elements>{"Elements across the ellipse, of the finer grid [-]."},
+              Shown<&AccurateContact::finest>{"The solution on the finer grid, as ContactSolution."},
+              Shown<&AccurateContact::coarser>{"The totals on half the elements, as ContactForces."},
+              Shown<&AccurateContact::products>{"Products on all grids [-]."});
   add_value(accurate, {"forces", "creepage", "error", "elements"});
 }
 
@@ -211,16 +203,13 @@ void bind_solver(py::module_& module) {
            })
       .def("deformed_gap", &deformed_gap, "contact"_a, py::kw_only(), "motion"_a = ContactMotion::steady,
            "Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in "
-           "contact.")
-      .def("solve_batch", &solve_batch, "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
-           py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
-           "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
-           "threads"_a = 0,
-           "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads\n"
-           "as given. Arguments as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m],\n"
-           "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s],\n"
-           "dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.\n"
-           "Returns ExactForceArrays; no contact stops the others.");
+           "contact.");
+  def_batch(elliptic, "solve_batch", solve_batch,
+            "Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads\n"
+            "as given. Arguments as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m],\n"
+            "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s],\n"
+            "dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.\n"
+            "Returns ExactForceArrays; no contact stops the others.");
 
   py::class_<Accurate> accurate(
       module, "AccurateContactSolver",

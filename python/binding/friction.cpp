@@ -76,35 +76,23 @@ void bind_friction(py::module_& module) {
   auto effect = py::class_<TemperatureEffect>(module, "TemperatureEffect",
                                               "What the temperature T of the surfaces adds to a friction coefficient: "
                                               "change min(1, max(0, (T - begin)/range)).");
-  effect
-      .def(py::init([](double change, double begin, double range) {
-             const TemperatureEffect made{change, begin, range};
-             check(made);
-             return made;
-           }),
-           "change"_a, "begin"_a, "range"_a,
-           "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
-           "> 0 over which it grows. Error for numbers out of range.")
-      .def_readonly("change", &TemperatureEffect::change, "The whole change [-].")
-      .def_readonly("begin", &TemperatureEffect::begin, "Up to this temperature there is none [deg C].")
-      .def_readonly("range", &TemperatureEffect::range, "Over which it grows [K].");
-  add_value(effect, {"change", "begin", "range"});
+  effect.def(init_fields<TemperatureEffect>([](const TemperatureEffect& made) { check(made); }), "change"_a, "begin"_a,
+             "range"_a,
+             "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
+             "> 0 over which it grows. Error for numbers out of range.");
+  add_fields(effect,
+             {"The whole change [-].", "Up to this temperature there is none [deg C].", "Over which it grows [K]."});
+  add_value(effect);
 
   auto thermal = py::class_<ThermalBody>(module, "ThermalBody", "What a body is for heat.");
-  thermal
-      .def(py::init([](double bulk_temperature, double conductivity, double density, double heat_capacity) {
-             const ThermalBody made{bulk_temperature, conductivity, density, heat_capacity};
-             check(ThermalBodies{made, made});
-             return made;
-           }),
-           "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
-           "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"
-           "and c [J/(kg K)], all three > 0. Error for numbers out of range.")
-      .def_readonly("bulk_temperature", &ThermalBody::bulk_temperature, "Where it enters the contact [deg C].")
-      .def_readonly("conductivity", &ThermalBody::conductivity, "lambda [W/(m K)].")
-      .def_readonly("density", &ThermalBody::density, "rho [kg/m^3].")
-      .def_readonly("heat_capacity", &ThermalBody::heat_capacity, "c [J/(kg K)].");
-  add_value(thermal, {"bulk_temperature", "conductivity", "density", "heat_capacity"});
+  thermal.def(init_fields<ThermalBody>([](const ThermalBody& made) {
+                check(ThermalBodies{made, made});
+              }),
+              "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
+              "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"
+              "and c [J/(kg K)], all three > 0. Error for numbers out of range.");
+  add_fields(thermal, {"Where it enters the contact [deg C].", "lambda [W/(m K)].", "rho [kg/m^3].", "c [J/(kg K)]."});
+  add_value(thermal);
 
   module.def(
       "traction_bound",

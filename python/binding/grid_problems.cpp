@@ -46,15 +46,13 @@ void bind_grid(py::module_& module) {
                   "`margin` more on each side [-].")
       .def_static("across_line", &ElementGrid::across_line, "a"_a, "mx"_a, "margin"_a = 0, "length"_a = 1.0,
                   "A line contact: one row, endless in y, mx elements [-] across the half-width a [m], `margin`\n"
-                  "more on each side [-]; forces are those of `length` [m].")
-      .def_readonly("mx", &ElementGrid::mx, "Columns [-].")
-      .def_readonly("my", &ElementGrid::my, "Rows [-].")
-      .def_readonly("x0", &ElementGrid::x0, "Centre of the first element [m].")
-      .def_readonly("y0", &ElementGrid::y0, "Centre of the first element [m].")
-      .def_readonly("dx", &ElementGrid::dx, "Length of an element [m].")
-      .def_readonly("dy", &ElementGrid::dy, "Width of an element [m].")
-      .def_readonly("line", &ElementGrid::line, "Whether it is a line contact.")
-      .def_property_readonly(
+                  "more on each side [-]; forces are those of `length` [m].");
+  add_members(grid, Shown<&ElementGrid::mx>{"Columns [-]."}, Shown<&ElementGrid::my>{"Rows [-]."},
+              Shown<&ElementGrid::x0>{"Centre of the first element [m]."},
+              Shown<&ElementGrid::y0>{"Centre of the first element [m]."},
+              Shown<&ElementGrid::dx>{"Length of an element [m]."}, Shown<&ElementGrid::dy>{"Width of an element [m]."},
+              Shown<&ElementGrid::line>{"Whether it is a line contact."});
+  grid.def_property_readonly(
           "x", [](const ElementGrid& self) { return centres(self.mx, self.x0, self.dx); },
           "Centres of the columns, shape (mx) [m].")
       .def_property_readonly(

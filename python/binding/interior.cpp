@@ -7,13 +7,11 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 namespace microslip::python {
 
-template <>
-inline constexpr auto fields<States> = std::tuple{Field{"shape", &States::shape}, Field{"states", &States::states}};
+template <> inline constexpr auto fields<States> = members<&States::shape, &States::states>;
 
 namespace {
 

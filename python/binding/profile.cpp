@@ -20,35 +20,22 @@
 namespace microslip::python {
 
 template <>
-inline constexpr auto fields<ProfileKink> =
-    std::tuple{Field{"point", &ProfileKink::point}, Field{"s", &ProfileKink::s}, Field{"angle", &ProfileKink::angle}};
+inline constexpr auto fields<ProfileKink> = members<&ProfileKink::point, &ProfileKink::s, &ProfileKink::angle>;
 template <>
 inline constexpr auto fields<ProfileNoise> =
-    std::tuple{Field{"deviation", &ProfileNoise::deviation}, Field{"curvature", &ProfileNoise::curvature},
-               Field{"smoothing_length", &ProfileNoise::smoothing_length}};
+    members<&ProfileNoise::deviation, &ProfileNoise::curvature, &ProfileNoise::smoothing_length>;
 template <>
-inline constexpr auto fields<ProfileReport> = std::tuple{Field{"source", &ProfileReport::source},
-                                                         Field{"format", &ProfileReport::format},
-                                                         Field{"comment", &ProfileReport::comment},
-                                                         Field{"unit", &ProfileReport::unit},
-                                                         Field{"points_read", &ProfileReport::points_read},
-                                                         Field{"points", &ProfileReport::points},
-                                                         Field{"steps", &ProfileReport::steps},
-                                                         Field{"assumptions", &ProfileReport::assumptions},
-                                                         Field{"warnings", &ProfileReport::warnings},
-                                                         Field{"kinks", &ProfileReport::kinks},
-                                                         Field{"noise", &ProfileReport::noise},
-                                                         Field{"smoothing_length", &ProfileReport::smoothing_length}};
+inline constexpr auto fields<ProfileReport> =
+    members<&ProfileReport::source, &ProfileReport::format, &ProfileReport::comment, &ProfileReport::unit,
+            &ProfileReport::points_read, &ProfileReport::points, &ProfileReport::steps, &ProfileReport::assumptions,
+            &ProfileReport::warnings, &ProfileReport::kinks, &ProfileReport::noise, &ProfileReport::smoothing_length>;
 template <>
 inline constexpr auto fields<WheelDimensions> =
-    std::tuple{Field{"tape_line", &WheelDimensions::tape_line}, Field{"flange_height", &WheelDimensions::flange_height},
-               Field{"flange_thickness", &WheelDimensions::flange_thickness},
-               Field{"flange_gradient", &WheelDimensions::flange_gradient},
-               Field{"flange_angle", &WheelDimensions::flange_angle}};
+    members<&WheelDimensions::tape_line, &WheelDimensions::flange_height, &WheelDimensions::flange_thickness,
+            &WheelDimensions::flange_gradient, &WheelDimensions::flange_angle>;
 template <>
 inline constexpr auto fields<GaugePoint> =
-    std::tuple{Field{"point", &GaugePoint::point}, Field{"s", &GaugePoint::s}, Field{"top", &GaugePoint::top},
-               Field{"reaches_height", &GaugePoint::reaches_height}};
+    members<&GaugePoint::point, &GaugePoint::s, &GaugePoint::top, &GaugePoint::reaches_height>;
 
 /// What a pickle holds of a profile: its spline is made anew from the points and kinks.
 struct ProfileState {
@@ -59,9 +46,8 @@ struct ProfileState {
 };
 template <>
 inline constexpr auto fields<ProfileState> =
-    std::tuple{Field{"role", &ProfileState::role}, Field{"points", &ProfileState::points},
-               Field{"measured", &ProfileState::measured}, Field{"kinks", &ProfileState::kinks},
-               Field{"report", &ProfileState::report}};
+    members<&ProfileState::role, &ProfileState::points, &ProfileState::measured, &ProfileState::kinks,
+            &ProfileState::report>;
 
 namespace {
 
@@ -124,10 +110,12 @@ ProfileValue from_points(const py::object& y, const py::object& z, ProfileRole k
   return shared(prepare_profile(kind, std::move(points), treatment_of(smoothing_length, trim)));
 }
 
-RealArray coordinates(const std::vector<ProfilePoint>& points, double ProfilePoint::*coordinate) {
-  RealArray out(static_cast<py::ssize_t>(points.size()));
-  std::transform(points.begin(), points.end(), out.mutable_data(), [&](const auto& p) { return p.*coordinate; });
-  return out;
+/// A coordinate of a prepared profile's points.
+auto coordinates(std::vector<ProfilePoint> PreparedProfile::*points, double ProfilePoint::*coordinate) {
+  return [points, coordinate](const ProfileValue& self) {
+    const auto& all = (*self.prepared).*points;
+    return array_of<double>({static_cast<py::ssize_t>(all.size())}, all, [&](const auto& p) { return p.*coordinate; });
+  };
 }
 
 /// A function of s at a number or an array.
@@ -174,16 +162,17 @@ void bind_report(py::module_& module) {
 
   auto report = py::class_<ProfileReport>(
       module, "ProfileReport", "What was done to a profile's points and what is conspicuous about them; print it.");
-  report.def_readonly("source", &ProfileReport::source, "The file's name; empty without one.")
-      .def_readonly("format", &ProfileReport::format, "Simpack, MiniProf or columns; empty without a file.")
-      .def_readonly("comment", &ProfileReport::comment, "From the file.")
-      .def_readonly("unit", &ProfileReport::unit, "Length of the file's unit with the scale [m].")
-      .def_readonly("points_read", &ProfileReport::points_read, "Points in the file or arrays [-].")
-      .def_readonly("points", &ProfileReport::points, "Points that the spline is laid through [-].")
-      .def_readonly("steps", &ProfileReport::steps, "What was done to the points, in order.")
-      .def_readonly("assumptions", &ProfileReport::assumptions, "What neither the file nor an argument says.")
-      .def_readonly("warnings", &ProfileReport::warnings, "What is probably wrong.")
-      .def_readonly("kinks", &ProfileReport::kinks, "Corners, as ProfileKink.")
+  add_members(report, Shown<&ProfileReport::source>{"The file's name; empty without one."},
+              Shown<&ProfileReport::format>{"Simpack, MiniProf or columns; empty without a file."},
+              Shown<&ProfileReport::comment>{"From the file."},
+              Shown<&ProfileReport::unit>{"Length of the file's unit with the scale [m]."},
+              Shown<&ProfileReport::points_read>{"Points in the file or arrays [-]."},
+              Shown<&ProfileReport::points>{"Points that the spline is laid through [-]."},
+              Shown<&ProfileReport::steps>{"What was done to the points, in order."},
+              Shown<&ProfileReport::assumptions>{"What neither the file nor an argument says."},
+              Shown<&ProfileReport::warnings>{"What is probably wrong."},
+              Shown<&ProfileReport::kinks>{"Corners, as ProfileKink."});
+  report
       .def_property_readonly(
           "noise", [](const ProfileReport& self) { return self.noise.deviation; },
           "Standard deviation of the points across the curve [m].")
@@ -201,15 +190,11 @@ void bind_report(py::module_& module) {
 void bind_dimensions(py::module_& module) {
   auto wheel = py::class_<WheelDimensions>(module, "WheelDimensions",
                                            "A flange's dimensions by EN 15313; None where the profile does not reach.");
-  wheel.def_readonly("tape_line", &WheelDimensions::tape_line, "y of the tape line [m], 70 mm from the flange's back.")
-      .def_readonly("flange_height", &WheelDimensions::flange_height, "Sh [m], from the tape line to the tip.")
-      .def_readonly("flange_thickness", &WheelDimensions::flange_thickness,
-                    "Sd [m], from the back, at 10 mm from the tape line towards the tip.")
-      .def_readonly("flange_gradient", &WheelDimensions::flange_gradient,
-                    "qR [m], width from there to the flank 2 mm short of the tip.")
-      .def_readonly("flange_angle", &WheelDimensions::flange_angle,
-                    "Largest inclination of the flank between tip and tape line [rad].");
-  add_value(wheel, {"tape_line", "flange_height", "flange_thickness", "flange_gradient", "flange_angle"});
+  add_fields(wheel, {"y of the tape line [m], 70 mm from the flange's back.", "Sh [m], from the tape line to the tip.",
+                     "Sd [m], from the back, at 10 mm from the tape line towards the tip.",
+                     "qR [m], width from there to the flank 2 mm short of the tip.",
+                     "Largest inclination of the flank between tip and tape line [rad]."});
+  add_value(wheel);
   auto gauge = py::class_<GaugePoint>(module, "GaugePoint", "Where a rail's gauge is measured.");
   gauge
       .def_property_readonly(
@@ -240,18 +225,14 @@ void bind_curve(py::class_<ProfileValue>& profile) {
           },
           "Of a profile that varies: where its first and its last slice are, along the track [m] or around the\n"
           "wheel [rad]; else None. Its points are those of the first one.")
-      .def_property_readonly(
-          "y", [](const ProfileValue& self) { return coordinates(self.prepared->points, &ProfilePoint::y); },
-          "y of the points that the spline is laid through [m], shape (n).")
-      .def_property_readonly(
-          "z", [](const ProfileValue& self) { return coordinates(self.prepared->points, &ProfilePoint::z); },
-          "z of these points [m], shape (n).")
-      .def_property_readonly(
-          "measured_y", [](const ProfileValue& self) { return coordinates(self.prepared->measured, &ProfilePoint::y); },
-          "y of the points before smoothing [m], shape (n).")
-      .def_property_readonly(
-          "measured_z", [](const ProfileValue& self) { return coordinates(self.prepared->measured, &ProfilePoint::z); },
-          "z of these points [m], shape (n).")
+      .def_property_readonly("y", coordinates(&PreparedProfile::points, &ProfilePoint::y),
+                             "y of the points that the spline is laid through [m], shape (n).")
+      .def_property_readonly("z", coordinates(&PreparedProfile::points, &ProfilePoint::z),
+                             "z of these points [m], shape (n).")
+      .def_property_readonly("measured_y", coordinates(&PreparedProfile::measured, &ProfilePoint::y),
+                             "y of the points before smoothing [m], shape (n).")
+      .def_property_readonly("measured_z", coordinates(&PreparedProfile::measured, &ProfilePoint::z),
+                             "z of these points [m], shape (n).")
       .def_property_readonly(
           "report", [](const ProfileValue& self) { return self.report(); }, "The ProfileReport.")
       .def(

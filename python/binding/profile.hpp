@@ -8,8 +8,7 @@
 
 namespace microslip::python {
 
-template <>
-inline constexpr auto fields<ProfilePoint> = std::tuple{Field{"y", &ProfilePoint::y}, Field{"z", &ProfilePoint::z}};
+template <> inline constexpr auto fields<ProfilePoint> = members<&ProfilePoint::y, &ProfilePoint::z>;
 
 /// Python's Profile: a profile, its report, and its surface where it varies; shared by copies since none changes.
 struct ProfileValue {

@@ -38,60 +38,24 @@ std::size_t chunk_of(const RowSolver& solver) {
   return std::clamp<std::size_t>(1000000 / cells, 1, 256);
 }
 
-/// Works on all contacts of a batch with a copy of the solver for each thread; `work(solver, contacts, first)`.
-template <class Work>
-void for_batch(const RowSolver& solver, const ContactBatch& batch, int threads, const Work& work) {
-  const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
-  run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
-    return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
-                                                                                 const Progress&) mutable {
-      contacts.clear();
-      for (std::size_t i = 0; i < n; ++i) contacts.push_back(batch[first + i]);
-      work(mine, std::span<const EllipticContact>(contacts), first);
-    };
-  });
-}
-
-ForceArrays solve_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
-  ForceArrays out(batch);
-  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
-    std::array<ContactForces, 256> forces;
-    mine.solve(contacts, std::span(forces).first(contacts.size()));
-    for (std::size_t i = 0; i < contacts.size(); ++i) out.put(first + i, forces[i]);
-  });
-  return out;
-}
-
-DerivativeArrays differentiate_batch(const RowSolver& solver, const ContactBatch& batch, int threads) {
-  DerivativeArrays out(batch);
-  for_batch(solver, batch, threads, [&](RowSolver& mine, std::span<const EllipticContact> contacts, std::size_t first) {
-    std::array<ContactDerivatives, 256> derivatives;
-    mine.differentiate(contacts, std::span(derivatives).first(contacts.size()));
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      out.forces.put(first + i, derivatives[i].forces);
-      const double* jacobian = &derivatives[i].jacobian[0][0];
-      std::copy(jacobian, jacobian + 12, out.jacobian.begin() + static_cast<std::ptrdiff_t>(12 * (first + i)));
-    }
-  });
-  return out;
-}
-
-/// A batch method: the contact that the others are like, and arrays.
-template <class Solve> auto batch_method(const Solve& solve) {
-  return [solve](const RowSolver& self, const EllipticContact& like, const py::object& longitudinal,
-                 const py::object& lateral, const py::object& spin, const py::object& a, const py::object& b,
-                 const py::object& shear_modulus, const py::object& poisson_ratio, const py::object& normal_force,
-                 const py::object& friction, const py::object& rolling_speed, const py::object& dissimilarity,
-                 int threads) {
-    const ContactBatch batch(like, {longitudinal, lateral, spin, a, b, shear_modulus, poisson_ratio, normal_force,
-                                    friction, rolling_speed, dissimilarity});
-    return solve(self, batch, thread_count(threads));
+/// Answers all contacts of a batch, each thread with a copy of the solver.
+template <class Arrays, class Answer>
+auto batch_by(void (RowSolver::*answer)(std::span<const EllipticContact>, std::span<Answer>) noexcept) {
+  return [answer](const RowSolver& solver, const ContactBatch& batch, int threads) {
+    Arrays out(batch);
+    const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
+    run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
+      return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
+                                                                                   const Progress&) mutable {
+        contacts.clear();
+        for (std::size_t i = 0; i < n; ++i) contacts.push_back(batch[first + i]);
+        std::array<Answer, 256> answers;
+        (mine.*answer)(contacts, std::span(answers).first(n));
+        for (std::size_t i = 0; i < n; ++i) out.put(first + i, answers[i]);
+      };
+    });
+    return out;
   };
-}
-
-EllipticContact moved(EllipticContact contact, double longitudinal, double lateral, double spin) {
-  contact.creepage = {longitudinal, lateral, spin};
-  return contact;
 }
 
 RealArray pressures(const py::object& pressure, std::size_t rows) {
@@ -127,42 +91,30 @@ constexpr const char* batch_text =
     "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
     "of range have Status.invalid_input and NaN.";
 
-void def_batch(py::class_<RowSolver>& solver, const char* name, const auto& method, const std::string& text) {
-  const auto none = py::none();
-  solver.def(name, batch_method(method), "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none,
-             py::kw_only(), "a"_a = none, "b"_a = none, "shear_modulus"_a = none, "poisson_ratio"_a = none,
-             "normal_force"_a = none, "friction"_a = none, "rolling_speed"_a = none, "dissimilarity"_a = none,
-             "threads"_a = 0, text.c_str());
-}
-
 void bind_row_solver(py::module_& module) {
   auto solver = py::class_<RowSolver>(module, "RowSolver",
                                       "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
                                       "then it is used again and again.");
+  const auto def_call = [&](const char* name, const auto& call, const char* text) {
+    solver.def(name, call, "contact"_a, text)
+        .def(
+            name,
+            [call](RowSolver& self, EllipticContact contact, double longitudinal, double lateral, double spin) {
+              contact.creepage = {longitudinal, lateral, spin};
+              return call(self, contact);
+            },
+            "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
+            "The same with other creepages [-], [-] and spin [1/m] than those of the contact.");
+  };
+  def_call(
+      "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); },
+      "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives\n"
+      "Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).");
+  def_call(
+      "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
+      "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
+      "as ContactDerivatives: forward differentiation of the same code.");
   solver
-      .def(
-          "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); }, "contact"_a,
-          "Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives\n"
-          "Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my).")
-      .def(
-          "solve",
-          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
-            return self.solve(moved(contact, longitudinal, lateral, spin));
-          },
-          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
-      .def(
-          "differentiate", [](RowSolver& self, const EllipticContact& contact) { return self.differentiate(contact); },
-          "contact"_a,
-          "Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
-          "as ContactDerivatives: forward differentiation of the same code.")
-      .def(
-          "differentiate",
-          [](RowSolver& self, const EllipticContact& contact, double longitudinal, double lateral, double spin) {
-            return self.differentiate(moved(contact, longitudinal, lateral, spin));
-          },
-          "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-          "The same with other creepages [-], [-] and spin [1/m] than those of the contact.")
       .def(
           "fields", [](RowSolver& self, const EllipticContact& contact) { return self.fields(contact); }, "contact"_a,
           "Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution.")
@@ -180,8 +132,10 @@ void bind_row_solver(py::module_& module) {
       .def("__repr__", [](const py::object& self) {
         return py::str("{}({}, {})").format(py::type::of(self).attr("__name__"), self.attr("mx"), self.attr("my"));
       });
-  def_batch(solver, "solve_batch", solve_batch, std::string(batch_text) + " Returns ForceArrays.");
-  def_batch(solver, "differentiate_batch", differentiate_batch, std::string(batch_text) + " Returns DerivativeArrays.");
+  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve),
+            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(solver, "differentiate_batch", batch_by<DerivativeArrays, ContactDerivatives>(&RowSolver::differentiate),
+            std::string(batch_text) + " Returns DerivativeArrays.");
 }
 
 constexpr const char* options_text =

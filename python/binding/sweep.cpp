@@ -12,7 +12,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <string>
 #include <tuple>

@@ -6,10 +6,10 @@
 
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -35,7 +35,7 @@ template <class T>
 constexpr bool is_codes<std::vector<T>> = (std::is_enum_v<T> && sizeof(T) == 1) || std::is_same_v<T, unsigned char>;
 
 template <class T, class Visit> void for_each_field(const Visit& visit) {
-  std::apply([&](const auto&... field) { (visit(field.name, field.member), ...); }, fields<T>);
+  std::apply([&](const auto&... field) { (visit(std::string(field.name), field.member), ...); }, fields<T>);
 }
 
 } // namespace detail
@@ -49,7 +49,8 @@ template <class T> pybind11::object state_of(const T& value) {
   namespace py = pybind11;
   if constexpr (has_fields<T>) {
     py::dict state;
-    detail::for_each_field<T>([&](const char* name, auto member) { state[name] = state_of(value.*member); });
+    detail::for_each_field<T>(
+        [&](const std::string& name, auto member) { state[name.c_str()] = state_of(value.*member); });
     return state;
   } else if constexpr (std::is_same_v<T, std::vector<double>>) {
     return py::array_t<double>(static_cast<py::ssize_t>(value.size()), value.data());
@@ -75,10 +76,10 @@ template <class T> void read_state(const pybind11::handle& state, const std::str
     if (!py::isinstance<py::dict>(state)) throw Error(name + ": is no pickled state");
     const auto given = py::reinterpret_borrow<py::dict>(state);
     std::size_t count = 0;
-    detail::for_each_field<T>([&](const char* field, auto member) {
+    detail::for_each_field<T>([&](const std::string& field, auto member) {
       ++count;
       if (!given.contains(field)) throw Error(name + ": the pickled state lacks " + field);
-      read_state(given[field], name + "." + field, value.*member);
+      read_state(given[field.c_str()], name + "." + field, value.*member);
     });
     if (given.size() != count) throw Error(name + ": the pickled state has fields that are not known");
   } else if constexpr (detail::is_optional<T>) {
@@ -113,7 +114,7 @@ template <class T> bool are_equal(const T& one, const T& other) {
   } else if constexpr (has_fields<T>) {
     bool equal = true;
     detail::for_each_field<T>(
-        [&](const char*, auto member) { equal = equal && are_equal(one.*member, other.*member); });
+        [&](const std::string&, auto member) { equal = equal && are_equal(one.*member, other.*member); });
     return equal;
   } else if constexpr (detail::is_optional<T> || detail::is_shared<T>) {
     return bool(one) == bool(other) && (!one || are_equal(*one, *other));
@@ -139,8 +140,7 @@ void add_labelled_arrays(pybind11::object of);
 pybind11::object checked_state(const std::string& name, const pybind11::tuple& state);
 
 /// Gives a class a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, and to_dict().
-template <class Class> void add_description(Class& of, std::initializer_list<const char*> fields) {
-  const std::vector<std::string> names(fields.begin(), fields.end());
+template <class Class> void add_description(Class& of, const std::vector<std::string>& names) {
   of.def("__repr__", [names](const pybind11::object& self) {
     auto text = self.attr("__class__").attr("__name__").template cast<std::string>() + "(";
     for (const auto& name : names) {
@@ -158,7 +158,7 @@ template <class Class> void add_description(Class& of, std::initializer_list<con
 /// Makes a class one of values: a text like `Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)`, ==, copies, pickles
 /// that tell their version, to_dict(). All fields that make up its value are listed in `fields`.
 template <class T, class... Options>
-void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const char*> shown) {
+void add_value(pybind11::class_<T, Options...>& of, const std::vector<std::string>& shown) {
   namespace py = pybind11;
   add_description(of, shown);
   const auto name = of.attr("__name__").template cast<std::string>();
@@ -177,6 +177,47 @@ void add_value(pybind11::class_<T, Options...>& of, std::initializer_list<const 
                         read_state(checked_state(name, state), name, *made);
                         return made;
                       }));
+}
+
+/// The same with a text of all fields.
+template <class T, class... Options> void add_value(pybind11::class_<T, Options...>& of) {
+  std::vector<std::string> names;
+  detail::for_each_field<T>([&](const std::string& name, auto) { names.push_back(name); });
+  add_value(of, names);
+}
+
+/// A constructor from all fields in their order, whose values `check` may refuse.
+template <class T, class Check> auto init_fields(const Check& check) {
+  return std::apply(
+      [&]<class... Member>(const Field<Member T::*>&...) {
+        return pybind11::init([check](Member... values) {
+          T made{std::move(values)...};
+          check(made);
+          return made;
+        });
+      },
+      fields<T>);
+}
+template <class T> auto init_fields() {
+  return init_fields<T>([](const T&) {});
+}
+
+/// A member that is shown under its name, with its text.
+template <auto member> struct Shown { const char* text; };
+
+/// Shows members, read-only.
+template <class T, class... Options, auto... member>
+void add_members(pybind11::class_<T, Options...>& of, Shown<member>... shown) {
+  (of.def_readonly(std::string(detail::name_of<member>()).c_str(), member, shown.text), ...);
+}
+
+/// Shows all fields, read-only, with a text for each in their order.
+template <class T, std::size_t count, class... Options>
+void add_fields(pybind11::class_<T, Options...>& of, const char* const (&texts)[count]) {
+  static_assert(count == std::tuple_size_v<std::remove_const_t<decltype(fields<T>)>>);
+  const char* const* text = texts;
+  detail::for_each_field<T>(
+      [&](const std::string& name, auto member) { of.def_readonly(name.c_str(), member, *text++); });
 }
 
 /// A line of a table in a notebook.

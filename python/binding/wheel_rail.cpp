@@ -33,14 +33,24 @@ std::string text_of(std::string_view description, std::string_view unit, const s
   return text + shape + " [" + std::string(unit) + "].";
 }
 
+std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what) {
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
+  return static_cast<std::size_t>(at - names.begin());
+}
+
+py::tuple tuple_of(const std::vector<std::string_view>& names) {
+  py::list list;
+  for (const std::string_view name : names) list.append(std::string(name));
+  return py::tuple(list);
+}
+
 StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nominal_radius_(nominal_radius) {
   std::vector<std::string_view> names = {force_name};
   for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) throw Error(name + ": no number of the state" + io::suggestion(name, names));
-    const auto index = static_cast<std::size_t>(at - names.begin());
+    const std::size_t index = index_of(name, names, "number of the state");
     const StateQuantity* quantity = index == 0 ? nullptr : &state_quantities()[index - 1];
     columns_.push_back({quantity, real_array(name.c_str(), py::reinterpret_borrow<py::object>(value)), nullptr});
     broadcast(shape_, name.c_str(), columns_.back().values);
@@ -83,6 +93,20 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
   return {{0, *number.data()}};
 }
 
+WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                            const ProfileValue& wheel, const Material& material, const py::object& friction,
+                            const SurfaceStrength& strength) {
+  return {.rail = rail.profile(),
+          .wheel = wheel.profile(),
+          .track = track,
+          .wheelset = wheelset,
+          .material = combine(material, material),
+          .friction = inclined_friction_from(friction),
+          .strength = strength,
+          .rail_surface = rail.surface,
+          .wheel_surface = wheel.surface};
+}
+
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio) {
@@ -106,18 +130,10 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
                                                  const std::string& theory, const std::optional<std::string>& shape,
                                                  int grid, double tolerance, const SurfaceStrength& strength,
                                                  bool fields, const std::optional<CreepForceTable>& table) {
-  WheelRailBodies bodies{.rail = rail.profile(),
-                         .wheel = wheel.profile(),
-                         .track = track,
-                         .wheelset = wheelset,
-                         .side = io::from_word<TrackSide>("side", side),
-                         .material = combine(material, material),
-                         .friction = inclined_friction_from(friction),
-                         .strength = strength,
-                         .rail_surface = rail.surface,
-                         .wheel_surface = wheel.surface};
-  return std::make_unique<PythonWheelRail>(std::move(bodies), method_from(theory, shape, grid, tolerance, fields, table,
-                                                                          combine(material, material).poisson_ratio));
+  WheelRailBodies bodies = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
+  bodies.side = io::from_word<TrackSide>("side", side);
+  const auto method = method_from(theory, shape, grid, tolerance, fields, table, bodies.material.poisson_ratio);
+  return std::make_unique<PythonWheelRail>(std::move(bodies), method);
 }
 
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
@@ -153,56 +169,57 @@ py::array patch_array(const SolvedStates& self, double (*value)(const WheelRailP
 
 void bind_inputs(py::module_& module) {
   auto track = py::class_<Track>(module, "Track", "A track in its nominal position, both rails alike.");
-  track
-      .def(py::init([](double gauge, double gauge_height, double cant,
-                       const std::optional<std::pair<double, double>>& rail_origin, double roller_radius) {
-             Track made{.gauge = gauge,
-                        .gauge_height = gauge_height,
-                        .rail_origin = {},
-                        .cant = cant,
-                        .roller_radius = roller_radius};
-             if (rail_origin) made.rail_origin = {rail_origin->first, rail_origin->second};
-             return made;
-           }),
-           py::kw_only(), "gauge"_a = 1.435, "gauge_height"_a = 0.014, "cant"_a = 0.0, "rail_origin"_a = py::none(),
-           "roller_radius"_a = 0.0,
-           "gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the\n"
-           "rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's\n"
-           "profile in track axes, instead of the gauge; roller_radius [m], nominal one of rollers instead of rails,\n"
-           "negative of raceways, or 0. Values are checked where they are used.")
-      .def_readonly("roller_radius", &Track::roller_radius, "Of rollers instead of rails [m], or 0.")
-      .def_readonly("gauge", &Track::gauge, "Between the gauge points of both rails [m].")
-      .def_readonly("gauge_height", &Track::gauge_height, "Of the gauge points below the rails' tops [m].")
-      .def_readonly("cant", &Track::cant, "Inclination of the rails [rad], positive towards the track's centre.")
-      .def_property_readonly(
-          "rail_origin",
-          [](const Track& self) -> py::object {
-            return self.rail_origin ? py::object(py::make_tuple(self.rail_origin->y, self.rail_origin->z)) : py::none();
-          },
-          "y and z [m] of the left rail's profile in track axes, or None: by the gauge.");
+  track.def(py::init([](double gauge, double gauge_height, double cant,
+                        const std::optional<std::pair<double, double>>& rail_origin, double roller_radius) {
+              Track made{.gauge = gauge,
+                         .gauge_height = gauge_height,
+                         .rail_origin = {},
+                         .cant = cant,
+                         .roller_radius = roller_radius};
+              if (rail_origin) made.rail_origin = {rail_origin->first, rail_origin->second};
+              return made;
+            }),
+            py::kw_only(), "gauge"_a = 1.435, "gauge_height"_a = 0.014, "cant"_a = 0.0, "rail_origin"_a = py::none(),
+            "roller_radius"_a = 0.0,
+            "gauge [m] between the gauge points, which lie at most gauge_height [m] below the tops of the\n"
+            "rails; cant [rad], positive towards the track's centre; rail_origin (y, z) [m] of the left rail's\n"
+            "profile in track axes, instead of the gauge; roller_radius [m], nominal one of rollers instead of rails,\n"
+            "negative of raceways, or 0. Values are checked where they are used.");
+  add_members(track, Shown<&Track::roller_radius>{"Of rollers instead of rails [m], or 0."},
+              Shown<&Track::gauge>{"Between the gauge points of both rails [m]."},
+              Shown<&Track::gauge_height>{"Of the gauge points below the rails' tops [m]."},
+              Shown<&Track::cant>{"Inclination of the rails [rad], positive towards the track's centre."});
+  track.def_property_readonly(
+      "rail_origin",
+      [](const Track& self) -> py::object {
+        return self.rail_origin ? py::object(py::make_tuple(self.rail_origin->y, self.rail_origin->z)) : py::none();
+      },
+      "y and z [m] of the left rail's profile in track axes, or None: by the gauge.");
   add_value(track, {"gauge", "gauge_height", "cant", "rail_origin", "roller_radius"});
 
   auto wheelset = py::class_<Wheelset>(module, "Wheelset", "A wheelset, both wheels alike.");
-  wheelset
-      .def(py::init([](double nominal_radius, double flange_back_distance, double flange_back_position,
-                       std::optional<double> tape_circle) {
-             return Wheelset{flange_back_distance, flange_back_position, nominal_radius, tape_circle};
-           }),
-           py::kw_only(), "nominal_radius"_a = 0.46, "flange_back_distance"_a = 1.36, "flange_back_position"_a = -0.07,
-           "tape_circle"_a = py::none(),
-           "nominal_radius [m] where z = 0 in the profile, or at y = tape_circle [m] of it;\n"
-           "flange_back_distance [m] between the backs of both flanges, which lie at y =\n"
-           "flange_back_position [m] of the profile. Values are checked where they are used.")
-      .def_readonly("nominal_radius", &Wheelset::nominal_radius, "Radius [m].")
-      .def_readonly("flange_back_distance", &Wheelset::flange_back_distance, "Between the backs of both flanges [m].")
-      .def_readonly("flange_back_position", &Wheelset::flange_back_position, "y of the flange's back [m].")
-      .def_readonly("tape_circle", &Wheelset::tape_circle, "y in the profile where the radius is the nominal one [m].");
+  wheelset.def(py::init([](double nominal_radius, double flange_back_distance, double flange_back_position,
+                           std::optional<double> tape_circle) {
+                 return Wheelset{flange_back_distance, flange_back_position, nominal_radius, tape_circle};
+               }),
+               py::kw_only(), "nominal_radius"_a = 0.46, "flange_back_distance"_a = 1.36,
+               "flange_back_position"_a = -0.07, "tape_circle"_a = py::none(),
+               "nominal_radius [m] where z = 0 in the profile, or at y = tape_circle [m] of it;\n"
+               "flange_back_distance [m] between the backs of both flanges, which lie at y =\n"
+               "flange_back_position [m] of the profile. Values are checked where they are used.");
+  add_members(wheelset, Shown<&Wheelset::nominal_radius>{"Radius [m]."},
+              Shown<&Wheelset::flange_back_distance>{"Between the backs of both flanges [m]."},
+              Shown<&Wheelset::flange_back_position>{"y of the flange's back [m]."},
+              Shown<&Wheelset::tape_circle>{"y in the profile where the radius is the nominal one [m]."});
   add_value(wheelset, {"nominal_radius", "flange_back_distance", "flange_back_position", "tape_circle"});
 }
 
 /// The number, or None where what it needs is not there.
-std::optional<double> number_or_none(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+template <class Of> auto number_or_none(double (*value)(const Of& of)) {
+  return [value](const Of& self) {
+    const double number = value(self);
+    return std::isnan(number) ? std::nullopt : std::optional(number);
+  };
 }
 
 void bind_patch(py::module_& module) {
@@ -210,11 +227,7 @@ void bind_patch(py::module_& module) {
       module, "WheelRailPatch",
       "A patch in which a wheel touches its rail. Forces act on the wheel. What needs a number of\n"
       "the SurfaceStrength is None without it.");
-  for (const PatchQuantity& q : patch_quantities())
-    patch.def_property_readonly(
-        std::string(q.name).c_str(),
-        [value = q.value](const WheelRailPatch& self) { return number_or_none(value(self)); },
-        text_of(q.description, q.unit).c_str());
+  show_quantities(patch, patch_quantities(), number_or_none<WheelRailPatch>);
   patch.def_readonly("creepage", &WheelRailPatch::creepage, "Creepages [-], [-] and spin [1/m], as one.")
       .def_readonly("status", &WheelRailPatch::status, "How its calculation ended.");
   add_value(patch, {"rail_y", "wheel_y", "angle", "normal_force", "fx", "fy", "mz", "status"});
@@ -254,11 +267,7 @@ void bind_wheel_solution(py::module_& module) {
       module, "WheelRailSolution",
       "Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.\n"
       "What needs a number of the SurfaceStrength, or a flange, is None without it.");
-  for (const WheelQuantity& q : wheel_quantities())
-    solution.def_property_readonly(
-        std::string(q.name).c_str(),
-        [value = q.value](const WheelRailSolution& self) { return number_or_none(value(self)); },
-        text_of(q.description, q.unit).c_str());
+  show_quantities(solution, wheel_quantities(), number_or_none<WheelRailSolution>);
   solution
       .def_readonly("patches", &WheelRailSolution::patches,
                     "The patches as WheelRailPatch, from the gauge to the field side of a left wheel.")
@@ -283,15 +292,10 @@ void bind_wheel_solution(py::module_& module) {
       module, "WheelRailArrays",
       "Forces on a wheel in many states: arrays of the shape that the inputs broadcast to. Those of patches have one\n"
       "more dimension, for the k-th patch of a state, and are NaN where a state has fewer.");
-  for (const WheelQuantity& q : wheel_quantities())
-    states.def_property_readonly(
-        std::string(q.name).c_str(),
-        [value = q.value](const SolvedStates& self) {
-          RealArray out(self.shape);
-          std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(), value);
-          return out;
-        },
-        text_of(q.description, q.unit, ", shape (...)").c_str());
+  const auto of_states = [](double (*value)(const WheelRailSolution& of)) {
+    return [value](const SolvedStates& self) { return array_of<double>(self.shape, self.solutions, value); };
+  };
+  show_quantities(states, wheel_quantities(), of_states, ", shape (...)");
   for (const PatchQuantity& q : patch_quantities())
     states.def_property_readonly(
         ("patch_" + std::string(q.name)).c_str(),
@@ -301,19 +305,13 @@ void bind_wheel_solution(py::module_& module) {
       .def_property_readonly(
           "status",
           [](const SolvedStates& self) {
-            py::array_t<std::uint8_t> out(self.shape);
-            std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(),
-                           [](const auto& s) { return static_cast<std::uint8_t>(s.status); });
-            return out;
+            return array_of<std::uint8_t>(self.shape, self.solutions, [](const auto& s) { return s.status; });
           },
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def_property_readonly(
           "warning_code",
           [](const SolvedStates& self) {
-            py::array_t<std::uint32_t> out(self.shape);
-            std::transform(self.solutions.begin(), self.solutions.end(), out.mutable_data(),
-                           [](const auto& s) { return s.warnings.code; });
-            return out;
+            return array_of<std::uint32_t>(self.shape, self.solutions, [](const auto& s) { return s.warnings.code; });
           },
           "What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
       .def_property_readonly("inputs", &inputs_of, inputs_text().c_str())

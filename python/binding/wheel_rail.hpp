@@ -2,6 +2,7 @@
 
 #include "binding/arrays.hpp"
 #include "binding/long_work.hpp"
+#include "binding/profile.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -21,8 +22,24 @@ inline constexpr std::string_view force_name = "vertical_force";
 /// A description as a sentence with the shape of arrays and the unit.
 std::string text_of(std::string_view description, std::string_view unit, const std::string& shape = "");
 
+/// Gives a class a property for each number of a table: `get(value)` makes what Python calls of its function, `shape`
+/// stands in the texts.
+template <class Class, class Table, class Get>
+void show_quantities(Class& of, const Table& table, const Get& get, const std::string& shape = "") {
+  for (const auto& q : table)
+    of.def_property_readonly(std::string(q.name).c_str(), get(q.value), text_of(q.description, q.unit, shape).c_str());
+}
+
+/// The index of a name among others. Throws Error that has the nearest one.
+std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what);
+pybind11::tuple tuple_of(const std::vector<std::string_view>& names);
+
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
+/// Of a left wheel, both bodies of one material.
+WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
+                            const ProfileValue& wheel, const Material& material, const pybind11::object& friction,
+                            const SurfaceStrength& strength);
 /// The creep-force table that microslip has, for one Poisson's ratio.
 CreepForceTable own_creep_table(double poisson_ratio);
 /// With theory "table" and no table the one that microslip has, for the bodies' Poisson's ratio.

@@ -2,9 +2,6 @@
 #include "binding/value.hpp"
 #include "binding/wheel_rail.hpp"
 #include "binding/wheel_rail_fields.hpp"
-#include "io/nearest_word.hpp"
-
-#include <array>
 
 namespace microslip::python {
 
@@ -26,13 +23,6 @@ std::vector<std::string_view> variables() {
   for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
   names.push_back(force_name);
   return names;
-}
-
-/// The index of a name among others. Throws Error that has the nearest one.
-std::size_t index_of(const std::string& name, const std::vector<std::string_view>& names, const char* what) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
-  return static_cast<std::size_t>(at - names.begin());
 }
 
 /// Row by row.
@@ -60,7 +50,7 @@ using DifferentiatedStates = Differentiated<SolvedStates>;
 
 template <>
 inline constexpr auto fields<DifferentiatedState> =
-    std::tuple{Field{"solution", &DifferentiatedState::solution}, Field{"jacobian", &DifferentiatedState::jacobian}};
+    members<&DifferentiatedState::solution, &DifferentiatedState::jacobian>;
 
 namespace {
 
@@ -100,12 +90,6 @@ py::object derivative(const Differentiated<Solution>& self, const std::string& o
   return self.shape.empty() ? py::object(py::float_(*out.data())) : py::object(std::move(out));
 }
 
-template <class Names> py::tuple names(const Names& of) {
-  py::list list;
-  for (const std::string_view name : of) list.append(std::string(name));
-  return py::tuple(list);
-}
-
 /// What both classes have.
 template <class Solution>
 py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name, const char* text, const char* shape) {
@@ -124,10 +108,10 @@ py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name,
          ",\nas `results` and `variables` say; zero by what was not given, vertical or vertical_force.")
             .c_str())
       .def_property_readonly(
-          "results", [](const Self&) { return names(results()); },
+          "results", [](const Self&) { return tuple_of(results()); },
           "Names of the Jacobian's rows: forces [N], moments [N m] and the height [m].")
       .def_property_readonly(
-          "variables", [](const Self&) { return names(variables()); },
+          "variables", [](const Self&) { return tuple_of(variables()); },
           "Names of its columns: the numbers of a state and vertical_force [SI units].")
       .def("derivative", &derivative<Solution>, "of"_a, "by"_a,
            "One column of one row by their names [SI units]: derivative(\"force_y\", \"lateral\").");

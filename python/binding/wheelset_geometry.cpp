@@ -14,7 +14,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -167,27 +166,42 @@ void bind_contacts(py::module_& module) {
     contacts.def_property_readonly(
         q.name.c_str(),
         [&q](const WheelsetContacts& self) {
-          RealArray out(self.shape);
-          std::transform(self.contacts.begin(), self.contacts.end(), out.mutable_data(), [&](const auto& contact) {
+          return array_of<double>(self.shape, self.contacts, [&](const auto& contact) {
             return contact.status == Status::no_contact ? none
                                                         : q.value(contact, self.sides.left(), self.sides.right());
           });
-          return out;
         },
         text_of(q.description, q.unit, ", shape (...)").c_str());
   contacts
       .def_property_readonly(
           "status",
           [](const WheelsetContacts& self) {
-            py::array_t<std::uint8_t> out(self.shape);
-            std::transform(self.contacts.begin(), self.contacts.end(), out.mutable_data(),
-                           [](const auto& contact) { return static_cast<std::uint8_t>(contact.status); });
-            return out;
+            return array_of<std::uint8_t>(self.shape, self.contacts, [](const auto& c) { return c.status; });
           },
           "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def("__len__", [](const WheelsetContacts& self) { return self.contacts.size(); });
   add_description(contacts, {"lateral", "rolling_radius_difference", "contact_angle_difference", "roll", "status"});
   add_labelled_arrays(contacts);
+}
+
+using OfAmplitude = double (*)(const RollingRadiusDifference& difference, double amplitude, const WheelsetBase& base);
+
+auto of_amplitude(OfAmplitude value) {
+  return [value](const RollingRadiusDifference& self, const py::object& amplitude, double contact_distance,
+                 double nominal_radius) {
+    return mapped("amplitude", amplitude, "amplitude", py::float_(0.0), [&](double a, double) {
+      return value(self, a, {contact_distance, nominal_radius});
+    });
+  };
+}
+
+/// The same of a geometry, for its gauge or others.
+auto of_gauge(OfAmplitude value) {
+  return [value](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
+                 int threads) {
+    return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
+        .map([value, base = self.base()](const auto& dr, double a) { return value(dr, a, base); });
+  };
 }
 
 void bind_rolling_radius_difference(py::module_& module) {
@@ -212,26 +226,12 @@ void bind_rolling_radius_difference(py::module_& module) {
                           [&](double y, double) { return y >= self.from() && y <= self.to() ? self.at(y) : none; });
           },
           "lateral"_a, "The difference [m] at lateral displacements [m], shape (...); NaN beyond the ends.")
+      .def("equivalent_conicity", of_amplitude(conicity), "amplitude"_a, "contact_distance"_a = 1.5,
+           "nominal_radius"_a = 0.46,
+           "Equivalent conicity [-] by EN 15302 at amplitudes [m], shape (...): that of conical wheels with the same\n"
+           "kinematic wavelength; NaN where no such motion exists. contact_distance e [m] of both contacts.")
       .def(
-          "equivalent_conicity",
-          [](const RollingRadiusDifference& self, const py::object& amplitude, double contact_distance,
-             double nominal_radius) {
-            return mapped("amplitude", amplitude, "amplitude", py::float_(0.0), [&](double a, double) {
-              return conicity(self, a, {contact_distance, nominal_radius});
-            });
-          },
-          "amplitude"_a, "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
-          "Equivalent conicity [-] by EN 15302 at amplitudes [m], shape (...): that of conical wheels with the same\n"
-          "kinematic wavelength; NaN where no such motion exists. contact_distance e [m] of both contacts.")
-      .def(
-          "wavelength",
-          [](const RollingRadiusDifference& self, const py::object& amplitude, double contact_distance,
-             double nominal_radius) {
-            return mapped("amplitude", amplitude, "amplitude", py::float_(0.0), [&](double a, double) {
-              return wavelength(self, a, {contact_distance, nominal_radius});
-            });
-          },
-          "amplitude"_a, "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
+          "wavelength", of_amplitude(wavelength), "amplitude"_a, "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
           "Wavelength [m] of the motion of a free wheelset with these amplitudes [m], shape (...), that rolls without\n"
           "slip.")
       .def(
@@ -278,25 +278,13 @@ void bind_wheelset_geometry(py::module_& module) {
           "the\n"
           "rolling radius difference needs to be linear in between within 1e-7 m. Jumps are two positions closer than\n"
           "1e-9 m. Ends early where a wheel leaves its rail; Error if there is no contact at 0.")
-      .def(
-          "equivalent_conicity",
-          [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
-             int threads) {
-            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
-                .map([base = self.base()](const auto& dr, double a) { return conicity(dr, a, base); });
-          },
-          "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
-          "Equivalent conicity [-] by EN 15302 at amplitudes [m] and gauges [m], by default the track's, that\n"
-          "broadcast: gauge[:, None] makes a map, shape (...). NaN where no periodic motion exists. Ctrl-C ends it.")
-      .def(
-          "wavelength",
-          [](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
-             int threads) {
-            return GaugeBroadcast(self, gauge, roll, "amplitude", amplitude, threads)
-                .map([base = self.base()](const auto& dr, double a) { return wavelength(dr, a, base); });
-          },
-          "amplitude"_a, py::kw_only(), "gauge"_a = py::none(), "roll"_a = RollRule::equilibrium, "threads"_a = 0,
-          "Wavelength [m] of the motion that rolls without slip, as equivalent_conicity, shape (...).")
+      .def("equivalent_conicity", of_gauge(conicity), "amplitude"_a, py::kw_only(), "gauge"_a = py::none(),
+           "roll"_a = RollRule::equilibrium, "threads"_a = 0,
+           "Equivalent conicity [-] by EN 15302 at amplitudes [m] and gauges [m], by default the track's, that\n"
+           "broadcast: gauge[:, None] makes a map, shape (...). NaN where no periodic motion exists. Ctrl-C ends it.")
+      .def("wavelength", of_gauge(wavelength), "amplitude"_a, py::kw_only(), "gauge"_a = py::none(),
+           "roll"_a = RollRule::equilibrium, "threads"_a = 0,
+           "Wavelength [m] of the motion that rolls without slip, as equivalent_conicity, shape (...).")
       .def(
           "nonlinearity_parameter",
           [](const WheelsetGeometry& self, const py::object& gauge, RollRule roll, int threads) {

@@ -4,7 +4,6 @@
 #include "binding/value.hpp"
 #include "binding/wheel_rail.hpp"
 #include "binding/wheel_rail_fields.hpp"
-#include "io/nearest_word.hpp"
 #include "microslip/railway/wheelset_quantities.hpp"
 
 namespace microslip::python {
@@ -13,18 +12,11 @@ namespace py = pybind11;
 using namespace py::literals;
 
 template <>
-inline constexpr auto fields<WheelsetSolution> = std::tuple{Field{"left", &WheelsetSolution::left},
-                                                            Field{"right", &WheelsetSolution::right},
-                                                            Field{"force", &WheelsetSolution::force},
-                                                            Field{"moment", &WheelsetSolution::moment},
-                                                            Field{"vertical", &WheelsetSolution::vertical},
-                                                            Field{"roll", &WheelsetSolution::roll},
-                                                            Field{"pitch_velocity", &WheelsetSolution::pitch_velocity},
-                                                            Field{"residual", &WheelsetSolution::residual},
-                                                            Field{"iterations", &WheelsetSolution::iterations},
-                                                            Field{"warnings", &WheelsetSolution::warnings},
-                                                            Field{"status", &WheelsetSolution::status},
-                                                            Field{"reason", &WheelsetSolution::reason}};
+inline constexpr auto fields<WheelsetSolution> =
+    members<&WheelsetSolution::left, &WheelsetSolution::right, &WheelsetSolution::force, &WheelsetSolution::moment,
+            &WheelsetSolution::vertical, &WheelsetSolution::roll, &WheelsetSolution::pitch_velocity,
+            &WheelsetSolution::residual, &WheelsetSolution::iterations, &WheelsetSolution::warnings,
+            &WheelsetSolution::status, &WheelsetSolution::reason>;
 
 namespace {
 
@@ -58,16 +50,14 @@ GivenWheelset given_wheelset(const py::kwargs& given) {
   for (const PrescribedForce& f : prescribed_forces()) names.push_back(f.name);
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end()) throw Error(name + ": no number of the state" + io::suggestion(name, names));
+    const std::size_t index = index_of(name, names, "number of the state");
     const RealArray number = real_array(name.c_str(), py::reinterpret_borrow<py::object>(value));
     if (number.ndim() != 0) throw Error(name + ": must be a number");
-    const auto index = static_cast<std::size_t>(at - names.begin());
     if (index < wheelset_state_quantities().size())
       wheelset_state_quantities()[index].set(out.state, *number.data());
     else
       forces.*prescribed_forces()[index - wheelset_state_quantities().size()].of = *number.data();
-    seen.push_back(*at);
+    seen.push_back(names[index]);
   }
   const auto has = [&](std::string_view name) { return std::find(seen.begin(), seen.end(), name) != seen.end(); };
   if (has("pitch_velocity") && forces.axle_torque)
@@ -90,15 +80,7 @@ std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileV
                                               const std::optional<std::string>& shape, int grid, double tolerance,
                                               const SurfaceStrength& strength, bool fields,
                                               const std::optional<CreepForceTable>& table) {
-  const WheelRailBodies left{.rail = rail.profile(),
-                             .wheel = wheel.profile(),
-                             .track = track,
-                             .wheelset = wheelset,
-                             .material = combine(material, material),
-                             .friction = inclined_friction_from(friction),
-                             .strength = strength,
-                             .rail_surface = rail.surface,
-                             .wheel_surface = wheel.surface};
+  const WheelRailBodies left = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
   WheelRailBodies right = left;
   if (right_rail != nullptr) right.rail = right_rail->profile(), right.rail_surface = right_rail->surface;
   if (right_wheel != nullptr) right.wheel = right_wheel->profile(), right.wheel_surface = right_wheel->surface;
@@ -120,10 +102,8 @@ void bind_wheelset_solution(py::module_& module) {
   auto solution = py::class_<WheelsetSolution>(
       module, "WheelsetSolution",
       "Forces on a wheelset in track axes: x forward, y to the left, z up; and its wheels.");
-  for (const WheelsetQuantity& q : wheelset_quantities())
-    solution.def_property_readonly(
-        std::string(q.name).c_str(), [value = q.value](const WheelsetSolution& self) { return value(self); },
-        text_of(q.description, q.unit).c_str());
+  show_quantities(solution, wheelset_quantities(),
+                  [](auto value) { return [value](const WheelsetSolution& self) { return value(self); }; });
   solution.def_readonly("left", &WheelsetSolution::left, "The left wheel's WheelRailSolution.")
       .def_readonly("right", &WheelsetSolution::right, "The right wheel's WheelRailSolution.")
       .def_readonly("status", &WheelsetSolution::status, "How the calculation ended.")
@@ -137,12 +117,6 @@ void bind_wheelset_solution(py::module_& module) {
   add_value(solution, {"force_x", "force_y", "force_z", "vertical", "roll", "pitch_velocity", "status"});
 }
 
-std::size_t index_of(const std::string& name, const Names& names, const char* what) {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw Error(name + ": no " + what + io::suggestion(name, names));
-  return static_cast<std::size_t>(at - names.begin());
-}
-
 } // namespace
 
 /// Forces in a state with their derivatives, row by row.
@@ -151,8 +125,8 @@ struct DifferentiatedWheelset {
   std::vector<double> jacobian;
 };
 template <>
-inline constexpr auto fields<DifferentiatedWheelset> = std::tuple{Field{"solution", &DifferentiatedWheelset::solution},
-                                                                  Field{"jacobian", &DifferentiatedWheelset::jacobian}};
+inline constexpr auto fields<DifferentiatedWheelset> =
+    members<&DifferentiatedWheelset::solution, &DifferentiatedWheelset::jacobian>;
 
 namespace {
 
@@ -171,12 +145,6 @@ DifferentiatedWheelset differentiate(PythonWheelset& self, const py::kwargs& giv
     for (std::size_t row = 0; row < row_count; ++row) out.jacobian[row * wheelset_variables + k] = column[row];
   }
   return out;
-}
-
-py::tuple tuple_of(const Names& names) {
-  py::list list;
-  for (const std::string_view name : names) list.append(std::string(name));
-  return py::tuple(list);
 }
 
 void bind_wheelset_derivatives(py::module_& module) {

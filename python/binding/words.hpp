@@ -7,8 +7,8 @@
 
 namespace microslip::python {
 
-/// Name of an option in messages.
-template <class Option> constexpr const char* field_of = "option";
+/// Name of an option in messages; none of what is no option.
+template <class Option> constexpr const char* field_of = nullptr;
 template <> inline constexpr const char* field_of<TractionBound> = "bound";
 template <> inline constexpr const char* field_of<FlexibilityModel> = "flexibility";
 template <> inline constexpr const char* field_of<CreepageTable> = "coefficients";
@@ -25,6 +25,8 @@ template <> inline constexpr const char* field_of<io::ProfileFormat> = "format";
 template <> inline constexpr const char* field_of<io::LateralSense> = "y_axis";
 template <> inline constexpr const char* field_of<io::VerticalSense> = "z_axis";
 template <> inline constexpr const char* field_of<RollRule> = "roll";
+
+template <class Option> constexpr bool is_word = field_of<Option> != nullptr;
 
 /// Options are words in Python, those of the case files.
 template <class Option> class WordCaster {
@@ -45,31 +47,8 @@ public:
 
 namespace pybind11::detail {
 
-template <>
-class type_caster<microslip::TractionBound> : public microslip::python::WordCaster<microslip::TractionBound> {};
-template <>
-class type_caster<microslip::FlexibilityModel> : public microslip::python::WordCaster<microslip::FlexibilityModel> {};
-template <>
-class type_caster<microslip::CreepageTable> : public microslip::python::WordCaster<microslip::CreepageTable> {};
-template <> class type_caster<microslip::Precision> : public microslip::python::WordCaster<microslip::Precision> {};
-template <>
-class type_caster<microslip::RollingDirection> : public microslip::python::WordCaster<microslip::RollingDirection> {};
-template <>
-class type_caster<microslip::ContactMotion> : public microslip::python::WordCaster<microslip::ContactMotion> {};
-template <>
-class type_caster<microslip::Discretisation> : public microslip::python::WordCaster<microslip::Discretisation> {};
-template <>
-class type_caster<microslip::ElementShape> : public microslip::python::WordCaster<microslip::ElementShape> {};
-template <> class type_caster<microslip::Coupling> : public microslip::python::WordCaster<microslip::Coupling> {};
-template <> class type_caster<microslip::SlipStart> : public microslip::python::WordCaster<microslip::SlipStart> {};
-template <> class type_caster<microslip::Theory> : public microslip::python::WordCaster<microslip::Theory> {};
-template <> class type_caster<microslip::ProfileRole> : public microslip::python::WordCaster<microslip::ProfileRole> {};
-template <>
-class type_caster<microslip::io::ProfileFormat> : public microslip::python::WordCaster<microslip::io::ProfileFormat> {};
-template <>
-class type_caster<microslip::io::LateralSense> : public microslip::python::WordCaster<microslip::io::LateralSense> {};
-template <>
-class type_caster<microslip::io::VerticalSense> : public microslip::python::WordCaster<microslip::io::VerticalSense> {};
-template <> class type_caster<microslip::RollRule> : public microslip::python::WordCaster<microslip::RollRule> {};
+template <class Option>
+class type_caster<Option, std::enable_if_t<microslip::python::is_word<Option>>>
+    : public microslip::python::WordCaster<Option> {};
 
 } // namespace pybind11::detail

@@ -1,7 +1,6 @@
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace microslip::contact_program {
 namespace {

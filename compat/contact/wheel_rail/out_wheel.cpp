@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,10 +13,6 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr double least = 1e-10; ///< deviations below it are none, and not printed
-
-std::string columns(std::initializer_list<double> values) {
-  return "  " + general(values, 12, 4) + "\n";
-}
 
 std::string digits_text(const Case& c) {
   const Digits& d = c.digits;

@@ -37,7 +37,6 @@ ProfileCurve::ProfileCurve(ProfileRole role, const std::vector<ProfilePoint>& po
       std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   least_y_ = left->y;
   greatest_y_ = right->y;
-  least_z_ = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; })->z;
   find_branches();
 }
 

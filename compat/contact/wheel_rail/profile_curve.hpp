@@ -26,7 +26,6 @@ public:
   /// The least and the greatest y of the points.
   double least_y() const { return least_y_; }
   double greatest_y() const { return greatest_y_; }
-  double least_z() const { return least_z_; }
   /// A rotation about x by `angle`, and then a shift: the spline of moved points is the moved spline.
   ProfileCurve moved(double angle, double dy, double dz) const;
 
@@ -51,7 +50,7 @@ private:
   std::vector<std::size_t> kinks_;
   Profile profile_;
   double origin_ = 0; ///< the spline's parameter where s = 0
-  double least_y_ = 0, greatest_y_ = 0, least_z_ = 0;
+  double least_y_ = 0, greatest_y_ = 0;
   std::vector<Branch> branches_;
 };
 

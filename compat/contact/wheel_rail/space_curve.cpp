@@ -2,7 +2,6 @@
 
 #include "microslip/numerics/natural_spline.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace microslip::contact_program {

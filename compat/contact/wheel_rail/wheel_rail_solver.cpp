@@ -169,26 +169,12 @@ ProfileShape WheelRailSolver::profile(const ProfileRecord& record, ProfileRole r
 }
 
 Outcome WheelRailSolver::run(const Case& c, const Progress& progress) {
-  auto reasons = unsupported_of_wheel(c);
-  if (reasons.empty() && c.digits.is_skipped()) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::skipped;
-    return outcome;
-  }
-  if (reasons.empty() && goes_on(c) && lost_ > 0)
-    reasons.push_back(written(c.digits.pvtime) + " (it goes on from case " + std::to_string(lost_) +
-                      ", which has left no tractions)");
-  if (reasons.empty()) try {
-      lost_ = c.number; // unless it is solved
-      Outcome outcome = solve(c, progress);
-      if (outcome.kind == Outcome::Kind::solved) lost_ = 0;
-      return outcome;
-    } catch (const Error& error) {
-      reasons.emplace_back(error.what());
-    }
-  lost_ = c.number;
-  Outcome outcome = refused(std::move(reasons));
-  outcome.is_unsupported = !unsupported_of_wheel(c).empty();
+  Outcome outcome = run_unless_refused(c, unsupported_of_wheel(c), lost_tractions(c, lost_), [&] {
+    lost_ = c.number; // unless it is solved
+    return solve(c, progress);
+  });
+  if (outcome.kind == Outcome::Kind::refused) lost_ = c.number;
+  if (outcome.kind == Outcome::Kind::solved) lost_ = 0;
   return outcome;
 }
 

@@ -1,12 +1,11 @@
 #include "microslip/exact/halfspace/memory_need.hpp"
 
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 #include "microslip/numerics/gmres.hpp"
 #include "microslip/numerics/toeplitz.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 
 #ifdef _WIN32
@@ -19,9 +18,7 @@ namespace microslip {
 namespace {
 
 std::string gibibytes(double bytes) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.3g GiB", bytes / 0x1p30);
-  return text.data();
+  return rounded_text(bytes / 0x1p30, 3) + " GiB";
 }
 
 std::string size_of(const ElementGrid& grid) {
