@@ -108,6 +108,7 @@ std::optional<double> press_patches(CoarseContact& coarse, const WheelRailBodies
 struct Forecast {
   std::vector<ContactExtent> extents; ///< of the contact, also where the coarse level's rows bear nothing
   std::optional<double> lowering;     ///< of the wheel until the patches bear the vertical force [m]
+  double share_to_go = 0;             ///< of a further lowering of that size
 };
 
 Forecast forecast(CoarseContact& coarse, const WheelRailBodies& bodies, WheelRailMethod method,
@@ -120,6 +121,26 @@ Forecast forecast(CoarseContact& coarse, const WheelRailBodies& bodies, WheelRai
   const double depth = greatest_overlap(loaded);
   for (const ContactGroup& one : loaded)
     if (const auto extent = one.extent(depth)) found.extents.push_back(*extent);
+  if (found.lowering) found.share_to_go = share_to_go(loaded, *found.lowering);
+  return found;
+}
+
+/// Lowers the wheel to the height in which few elements bear the vertical force, in one step of Newton's method, or in
+/// two where the first one is large: frames and elements are then those of nearly the right height, and smooth
+/// functions of the state.
+Forecast go_to_height(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+                      const WheelRailMethod& method, double vertical_force, WheelRailSolution& out,
+                      const Progress& progress) {
+  Forecast found = forecast(coarse, bodies, method, vertical_force, progress);
+  double share = 1;
+  for (const bool is_last : {false, true}) {
+    if (!found.lowering || !(share > 0)) break;
+    state.vertical = out.vertical - share * *found.lowering;
+    coarse.solve(state, {}, out);
+    share = found.share_to_go;
+    if (is_last || !(share > 0) || out.status == Status::no_contact) break;
+    found = forecast(coarse, bodies, method, vertical_force, progress);
+  }
   return found;
 }
 
@@ -177,24 +198,22 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
   return true;
 }
 
-/// In a state, from the patches of the coarse level there. Frames and elements are those of the height in which few
-/// elements bear the vertical force: nearly the right one, and a smooth function of the state.
+/// In a state, from the patches of the coarse level there.
 void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                        const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                        const Progress& progress) {
   constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
-  for (int k = 1; k <= most_heights && out.status != Status::no_contact; ++k) {
-    const Forecast found = forecast(coarse, bodies, method, vertical_force, progress);
-    if (k == 1 && vertical_force && found.lowering) {
-      state.vertical = out.vertical - *found.lowering;
-      coarse.solve(state, {}, out);
-      if (out.status == Status::no_contact) break;
-    }
+  for (int k = 1; k <= most_heights; ++k) {
+    const Forecast found = k == 1 && vertical_force
+                               ? go_to_height(coarse, state, bodies, method, *vertical_force, out, progress)
+                               : forecast(coarse, bodies, method, vertical_force, progress);
+    if (out.status == Status::no_contact) break;
     out.fields.clear();
     if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, out, progress))
       break;
     state.vertical = out.vertical;
     coarse.solve(state, {}, out);
+    if (out.status == Status::no_contact) break;
   }
 }
 
