@@ -62,7 +62,8 @@ public:
     const Neighbours& n = neighbours_[j];
     return n.share[0] * of_row(n.row[0]) + n.share[1] * of_row(n.row[1]);
   }
-  /// Gives rows with little load beside their neighbours the equation ln(kappa/A) = the mean of theirs.
+  /// Gives rows with little load beside their neighbours the equation ln(kappa/A) = the mean of theirs, in part or as a
+  /// whole, and lets neighbours hold the kappa of narrow rows.
   void hold_to_neighbours();
 
 private:
