@@ -1,8 +1,5 @@
 #include "microslip/railway/row_equations.hpp"
 
-#include "microslip/railway/virtual_penetration.hpp"
-#include "tests/support/steel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/railway/wheel_status.hpp"
+#include "microslip/simplified/load_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,14 +167,13 @@ RowNormal::Result CoarseContact::find_loads(std::optional<double> vertical_force
 /// but parted, that of the deeper one counts in proportion to how deep the bodies overlap on the way to it, so that
 /// creepages are continuous where patches merge.
 double CoarseContact::contact_gap(std::size_t row) const {
-  constexpr double united = 2; // as for the shares of loads in LoadedRowSolver
   const auto overlap = [&](std::size_t k) { return std::max(-normal_rows_[k].gap, 0.0); };
   const double own = overlap(row);
   double most = own, least = own;
   const auto see = [&](std::size_t k) {
     const double other = overlap(k);
     least = std::min(least, other);
-    if (other > own) most = std::max(most, own + std::min(1.0, united * least / own) * (other - own));
+    if (other > own) most = std::max(most, own + std::min(1.0, detail::united * least / own) * (other - own));
   };
   for (std::size_t k = row + 1; k < normal_rows_.size() && rows_.rows()[k].joined && least > 0; ++k) see(k);
   least = own;
@@ -185,11 +185,10 @@ double CoarseContact::contact_gap(std::size_t row) const {
 void CoarseContact::load_rows() {
   constexpr double shortest = 1e-9; // [m]
   const PatchSurface surface = this->surface();
-  const bool has_loads = warm_;
   for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
     const ContactRow& row = rows_.rows()[k];
     const NormalRow& normal = normal_rows_[k];
-    const double load = has_loads ? normal_.loads()[k] * normal.width : 0;
+    const double load = warm_ ? normal_.loads()[k] * normal.width : 0;
     loaded_[k] = {.y = row.at.s,
                   .width = normal.width,
                   .centre = normal.place.x,

@@ -29,6 +29,14 @@ std::size_t filled_up(std::size_t count) {
 
 } // namespace
 
+/// To a strip it is the distance across, as long as the row is alongside.
+double distance_to_strip(const NormalRow& row, const NormalRow& loaded) {
+  const double reach = std::max(-loaded.gap, 0.0) / (2 * loaded.curvature);
+  const Vec3<double> way = row.place - loaded.place;
+  const double across = way.y * way.y + way.z * way.z, along = way.x * way.x, square = across + along;
+  return std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
+}
+
 RowEquations::RowEquations(std::size_t most_rows, InstructionSet instruction_set)
     : find_pairs_(detail::row_pairs_kernel(instruction_set)), neighbours_(most_rows) {
   const std::size_t most = filled_up(most_rows);
@@ -49,13 +57,8 @@ void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std
     curvature_[j] = row.curvature, log_curvature_[j] = std::log(row.curvature);
   }
   for (std::size_t k = 0; k < count_; ++k) {
-    const NormalRow& loaded = rows[places[k]];
-    const double reach = std::max(-loaded.gap, 0.0) / (2 * loaded.curvature);
     for (std::size_t j = 0; j < count_; ++j) {
-      const Vec3<double> way = rows[places[j]].place - loaded.place;
-      // To a strip it is the distance across, as long as it is alongside.
-      const double across = way.y * way.y + way.z * way.z, along = way.x * way.x, square = across + along;
-      distance_[k * stride_ + j] = std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
+      distance_[k * stride_ + j] = distance_to_strip(rows[places[j]], rows[places[k]]);
       factor_[k * stride_ + j] = unit * (level_[j] * level_[k] + sine_[j] * sine_[k]);
     }
     for (std::size_t j = count_; j < stride_; ++j) distance_[k * stride_ + j] = 1, factor_[k * stride_ + j] = 0;

@@ -26,6 +26,9 @@ struct NormalRow {
   double vertical_weight() const { return width * (std::cos(angle) + shear * std::sin(angle)); }
 };
 
+/// Distance [m] at which a row feels the pressure of another one.
+double distance_to_strip(const NormalRow& row, const NormalRow& loaded);
+
 /// The equations of the normal problem for some of a wheel's rows, see RowNormal: residuals and derivatives. Takes its
 /// memory in the constructor. Indices count these rows.
 class RowEquations {

@@ -190,8 +190,7 @@ bool RowNormal::touch_elsewhere(std::span<const NormalRow> rows, double lowering
     double gap = rows[j].gap - lowering * std::cos(rows[j].angle);
     for (std::size_t k = 0; k < count_ && gap < 0; ++k) {
       if (!(load_[k] > 0)) continue;
-      const Vec3<double> way = rows[j].place - rows[k].place;
-      const double d = std::sqrt(dot(way, way)), half = width_[k] / 2,
+      const double d = distance_to_strip(rows[j], rows[k]), half = width_[k] / 2,
                    length = std::sqrt(2 * load_[k] / pi * std::exp(-log_kappa_[k]));
       gap += unit_ * std::cos(rows[j].angle - rows[k].angle) * load_[k] *
              detail::RowPair<double>::between(d - half, d + half, length, length).p;

@@ -29,7 +29,6 @@ LoadMoments::LoadMoments(std::span<const LoadedRow> rows, std::span<const double
 }
 
 void find_shares(std::span<const LoadedRow> rows, std::size_t row, std::span<double> share) {
-  constexpr double united = 2;
   const auto density = [&](std::size_t k) { return rows[k].load / rows[k].width; };
   const double own = density(row);
   const auto share_of = [&](std::size_t k, double least) {

@@ -16,6 +16,9 @@ struct LoadMoments {
   LoadMoments(std::span<const LoadedRow> rows, std::span<const double> share);
 };
 
+/// Two humps are one where what lies between them is at least the lesser one over this.
+inline constexpr double united = 2;
+
 /// The shares of all rows' loads in the patch that a loaded row belongs to, see LoadedRowSolver.
 void find_shares(std::span<const LoadedRow> rows, std::size_t row, std::span<double> share);
 
