@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-constexpr double modulus = steel.shear_modulus / (1 - steel.poisson_ratio);
+const double modulus = steel.contact_modulus();
 
 /// A wheel near its rail, lowered to depths below its first touch.
 class Lowered {
@@ -45,12 +45,13 @@ private:
 
 TEST(VirtualPenetration, HasHertzsDepthOnRoundHeads) {
   for (const double head : {0.08, 0.3, 1.0}) {
-    const WheelRailBodies bodies{round_head(head), spherical_wheel(0.46), {.rail_origin = ProfilePoint{0.75, 0}}, {}, TrackSide::left, steel, {{0, 0.3}}};
+    const WheelRailBodies bodies{
+        round_head(head), spherical_wheel(0.46), {.rail_origin = ProfilePoint{0.75, 0}}, {}, TrackSide::left, steel,
+        {{0, 0.3}}};
     Lowered wheel(bodies, 0);
     const ContactPoint& touch = wheel.touch();
     for (const double load : {5e3, 80e3}) {
-      const HertzContact hertz =
-          hertz_from_load({1 / (2 * touch.radius), touch.curvature / 2}, steel, load);
+      const HertzContact hertz = hertz_from_load({1 / (2 * touch.radius), touch.curvature / 2}, steel, load);
       const double depth = wheel.at(1.3 * hertz.approach).depth_for(load, modulus, 0.46);
       EXPECT_NEAR(depth, hertz.approach, 0.05 * hertz.approach) << head << ' ' << load;
     }

@@ -253,9 +253,7 @@ double CoarseContact::first_depth(const WheelState<double>& state, const Contact
   constexpr double wider = 1.3, most = 3; // of Hertz's
   const double hertzian = hertzian_lowering(touch, vertical_force);
   sample(state, wider * hertzian);
-  const CombinedMaterial& m = bodies_.material;
-  const double depth =
-      penetration_.depth_for(vertical_force, m.shear_modulus / (1 - m.poisson_ratio), placement_.radius);
+  const double depth = penetration_.depth_for(vertical_force, bodies_.material.contact_modulus(), placement_.radius);
   return depth > hertzian / most && depth < most * hertzian ? depth : hertzian;
 }
 

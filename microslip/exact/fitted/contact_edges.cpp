@@ -1,6 +1,7 @@
 #include "microslip/exact/fitted/contact_edges.hpp"
 
 #include "microslip/exact/fitted/pressure_curvature.hpp"
+#include "microslip/numerics/elimination.hpp"
 #include "microslip/numerics/fade.hpp"
 
 #include <algorithm>
@@ -62,22 +63,14 @@ public:
   }
 
   std::array<double, 4> coefficients() const {
-    std::array<std::array<double, 4>, 4> a{};
-    std::array<double, 4> b = values_;
-    for (std::size_t r = 0; r < b.size(); ++r) {
-      for (std::size_t c = 0; c < b.size(); ++c) a[r][c] = weights_[r + c];
-      a[r][r] += ridge * weights_[0];
+    constexpr std::size_t n = 4;
+    std::array<double, n * n> matrix{};
+    std::array<double, n> b = values_;
+    for (std::size_t r = 0; r < n; ++r) {
+      for (std::size_t c = 0; c < n; ++c) matrix[r * n + c] = weights_[r + c];
+      matrix[r * n + r] += ridge * weights_[0];
     }
-    for (std::size_t k = 0; k < b.size(); ++k)
-      for (std::size_t r = k + 1; r < b.size(); ++r) {
-        const double factor = a[r][k] / a[k][k];
-        for (std::size_t c = k; c < b.size(); ++c) a[r][c] -= factor * a[k][c];
-        b[r] -= factor * b[k];
-      }
-    for (std::size_t k = b.size(); k-- > 0;) {
-      for (std::size_t c = k + 1; c < b.size(); ++c) b[k] -= a[k][c] * b[c];
-      b[k] /= a[k][k];
-    }
+    eliminate(matrix, {b});
     return b;
   }
 
