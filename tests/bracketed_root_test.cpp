@@ -68,5 +68,27 @@ TEST(BracketedRoot, TakesNoNumberAsAValue) {
   EXPECT_EQ(root.side.value, -1);
 }
 
+TEST(BracketedRoot, IsFoundNearbyWithoutABracket) {
+  for (const double start : {-3.0, 0.2, 5.0}) {
+    const auto f = [](double x) { return 0.7 - x - 0.1 * x * x * x; };
+    const auto found = find_root_nearby(start, 0.01, -10, 10, 1e-13, f);
+    ASSERT_TRUE(found && found->found) << start;
+    EXPECT_NEAR(f(found->side.at), 0, 1e-13);
+  }
+  const auto at_start = find_root_nearby(1, 0.01, 0, 2, 1e-6, [](double x) { return 1 - x; });
+  ASSERT_TRUE(at_start);
+  EXPECT_EQ(at_start->side.at, 1);
+}
+
+TEST(BracketedRoot, IsNotFoundNearbyWhereTheFunctionHasOneSign) {
+  int evaluations = 0;
+  const auto f = [&](double x) {
+    ++evaluations;
+    return 3 - x;
+  };
+  EXPECT_FALSE(find_root_nearby(1, 0.01, 0, 2, 1e-6, f));
+  EXPECT_LT(evaluations, 12);
+}
+
 } // namespace
 } // namespace microslip

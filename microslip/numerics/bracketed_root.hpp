@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace microslip {
@@ -48,6 +49,26 @@ BracketedRoot find_bracketed_root(RootSide low, RootSide high, double tolerance,
   if (std::abs(high.value) <= std::abs(low.value)) std::swap(low, high);
   if (last.at != low.at) evaluate(low.at);
   return {last, high, std::abs(last.value) <= tolerance};
+}
+
+/// Finds the root of a decreasing function from a place near it on: bracketed by steps that double, then by
+/// find_bracketed_root to 1e-10 of the first step. Nothing where the function has one sign from there to `lowest` or
+/// `highest`.
+template <class Function>
+std::optional<BracketedRoot> find_root_nearby(double start, double step, double lowest, double highest,
+                                              double tolerance, Function&& f) {
+  const double precision = 1e-10 * step;
+  RootSide low{start, f(start)};
+  if (std::abs(low.value) <= tolerance) return BracketedRoot{low, low, true};
+  step = std::copysign(step, low.value);
+  RootSide high = low;
+  for (; high.value * low.value > 0; step *= 2) {
+    low = high;
+    const double next = std::clamp(low.at + step, lowest, highest);
+    if (!(std::abs(next - low.at) > precision)) return {};
+    high = {next, f(next)};
+  }
+  return find_bracketed_root(low, high, tolerance, precision, f);
 }
 
 } // namespace microslip

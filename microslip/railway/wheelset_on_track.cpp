@@ -1,12 +1,12 @@
 #include "microslip/railway/wheelset_on_track.hpp"
 
-#include "microslip/error.hpp"
 #include "microslip/numerics/bracketed_root.hpp"
-#include "microslip/numerics/elimination.hpp"
+#include "microslip/numerics/damped_newton.hpp"
 #include "microslip/railway/call_progress.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
+#include "microslip/railway/wheelset_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,132 +16,186 @@
 namespace microslip {
 namespace {
 
-using Three = std::array<double, 3>;
-using Matrix3 = std::array<Three, 3>;
-
-constexpr std::size_t column(WheelsetVariable which) {
-  return static_cast<std::size_t>(which);
-}
-/// The numbers of the state come first, in the same order as for a wheel.
-constexpr std::size_t state_variables = column(WheelsetVariable::vertical_force);
-static_assert(static_cast<std::size_t>(WheelVariable::yaw_velocity) == column(WheelsetVariable::yaw_velocity));
-/// What may be found: height, roll, pitch velocity.
-constexpr std::array<std::size_t, 3> unknown_columns = {
-    column(WheelsetVariable::vertical), column(WheelsetVariable::roll), column(WheelsetVariable::pitch_velocity)};
-
-Three unknowns_of(const WheelsetState& state) {
-  return {state.left.vertical, state.left.roll, state.left.pitch_velocity};
-}
-void set_unknowns(WheelsetState& state, const Three& u) {
-  state.left.vertical = u[0], state.left.roll = u[1], state.left.pitch_velocity = u[2];
-}
-
-double largest(const Three& v) {
-  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-double length(const Three& v) {
-  return std::hypot(v[0], v[1], v[2]);
-}
-
-Vec3<double> mirrored(const Vec3<double>& v) {
-  return {v.x, -v.y, v.z};
-}
-
-/// Solves m x = b; false for a matrix that is singular.
-bool solve_linear(const Matrix3& m, const Three& b, Three& x) {
-  std::array<double, 9> rows;
-  for (std::size_t i = 0; i < 3; ++i) std::copy(m[i].begin(), m[i].end(), rows.begin() + 3 * i);
-  x = b;
-  return eliminate(rows, {x});
-}
-
-/// Broyden's update: the matrix that differs least from m and has the difference `change` along `step`.
-void update(Matrix3& m, const Three& step, const Three& change) {
-  const double square = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double missing = change[i] - m[i][0] * step[0] - m[i][1] * step[1] - m[i][2] * step[2];
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] += missing * step[j] / square;
-  }
-}
-
-struct Range {
-  double low, high;
-};
-
-/// The zero of a decreasing function near x: bracketed in steps that double, then by find_bracketed_root. x stays where
-/// it is if there is none in the range.
-template <class Function>
-Status find_zero(double& x, double step, const Range& range, double tolerance, const Function& function) {
-  const double start = x, precision = 1e-10 * step;
-  const auto at = [&](double place) {
-    x = place;
-    return function(place);
-  };
-  RootSide low{x, at(x)};
-  if (std::abs(low.value) <= tolerance) return Status::ok;
-  step = std::copysign(step, low.value);
-  RootSide high = low;
-  for (; high.value * low.value > 0; step *= 2) {
-    low = high;
-    const double next = std::clamp(low.at + step, range.low, range.high);
-    if (!(std::abs(next - low.at) > precision)) {
-      x = start;
-      return Status::no_solution;
-    }
-    high = {next, at(next)};
-  }
-  return find_bracketed_root(low, high, tolerance, precision, at).found ? Status::ok : Status::not_converged;
-}
-
-struct Wheels {
-  WheelRail left, right;
-};
-
-/// The prescribed forces as three numbers: F_z; M_x, or F_z of the left wheel less that of the right one; the moment of
-/// the contacts about the axle. With sizes that their residuals are measured by, and those of the unknowns.
-struct Target {
-  bool load = false, of_wheels = false, torque = false;
-  Three value{}, size{1, 1, 1}, unknown_size{};
-
-  bool finds(std::size_t k) const { return k < 2 ? load : torque; }
-};
-
-Vec3<double> axle(const WheelState<double>& s) {
-  return rotation_about_x(s.roll) * (rotation_about_z(s.yaw) * Vec3<double>{0, 1, 0});
-}
-
-/// The axes about which roll and yaw turn the wheelset.
-Vec3<double> turning_axis(const WheelState<double>& s, std::size_t variable) {
-  if (variable == column(WheelsetVariable::roll)) return {1, 0, 0};
-  if (variable == column(WheelsetVariable::yaw)) return rotation_about_x(s.roll) * Vec3<double>{0, 0, 1};
-  return {};
+bool is_valid(const WheelsetState& state, const WheelsetLoad& load) {
+  if (!is_in_range(state.left) || !is_in_range(state.right())) return false;
+  if (load.axle_torque && !std::isfinite(*load.axle_torque)) return false;
+  if (!load.vertical) return true;
+  if (const auto* both = std::get_if<AxleLoad>(&*load.vertical))
+    return is_vertical_force(both->vertical_force) && std::isfinite(both->roll_moment);
+  const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
+  return is_vertical_force(left) && is_vertical_force(right);
 }
 
 bool is_finite(const WheelsetSolution& s) {
   return std::isfinite(dot(s.force, s.force) + dot(s.moment, s.moment) + s.vertical + s.roll + s.pitch_velocity);
 }
 
+/// Makes status and numbers agree, as conclude() of a wheel does.
+void conclude(const WheelsetLoad& load, double tolerance, WheelsetSolution& out) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (out.status == Status::invalid_input) {
+    out.force = out.moment = {none, none, none};
+    out.residual = none;
+  } else if (!is_finite(out)) {
+    out.left = out.right = {};
+    out.force = out.moment = {}, out.vertical = out.roll = out.pitch_velocity = 0;
+    out.status = Status::not_converged, out.residual = 1;
+  }
+  if (load.vertical && is_solved(out.status))
+    for (const WheelRailSolution* wheel : {&out.left, &out.right})
+      out.warnings.add_if(wheel->force.z < limit(Warning::wheel_lifted) * out.force.z / 2, Warning::wheel_lifted);
+  // What was not solved has a residual that says so, and the reason that a wheel has.
+  if (out.status == Status::not_converged && out.residual <= tolerance) out.residual = 1;
+  out.reason = usual_reason(out.status, Unsolved::off_its_rail, Unsolved::no_balance);
+  for (const WheelRailSolution* wheel : {&out.left, &out.right})
+    if (out.status == Status::not_converged && wheel->status == out.status && out.reason == Unsolved::residual)
+      out.reason = wheel->reason;
+}
+
+/// The faster method for starts and slopes; its rows follow the surface, whatever shape is given.
+WheelRailMethod fast_method(const WheelRailMethod& method) {
+  return {.tolerance = method.tolerance};
+}
+
 } // namespace
 
 struct WheelsetOnTrack::Workspace {
-  WheelRailMethod method;
-  NominalPlacement left_place, right_place;
+  double tolerance; ///< of the residual
   WheelsetSearch rigid;
-  Wheels wheels;
-  std::optional<Wheels> coarse; ///< at the level exact: for starts and slopes
+  WheelPair wheels;
+  std::optional<WheelPair> fast; ///< at the level exact: for starts and slopes
   WheelsetSolution trial{};
-  WheelRailDerivatives by_left{}, by_right{};
-  WheelsetDerivatives slopes{};
-  int evaluations = 0;    ///< of both wheels in this solve
-  Progress progress = {}; ///< of the call at hand
+  WheelPairDerivatives slopes{};
+  int evaluations = 0, iterations = 0; ///< of both wheels, of the search, in this solve
+  Progress progress = {};              ///< of the call at hand
 
-  Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& how)
-      : method(how), left_place(nominal_placement(l.track, l.rail, l.wheelset, l.wheel)),
-        right_place(nominal_placement(r.track, r.rail, r.wheelset, r.wheel)),
-        rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}), wheels{{l, how}, {r, how}} {
-    if (how.level != WheelRailLevel::exact) return;
-    const WheelRailMethod fast{.tolerance = how.tolerance}; // whose rows follow the surface, whatever shape is given
-    coarse.emplace(Wheels{{l, fast}, {r, fast}});
+  Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& method)
+      : tolerance(method.tolerance), rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}),
+        wheels(l, r, method) {
+    if (method.level != WheelRailLevel::exact) return;
+    tolerance = std::max(tolerance, 1e-5);
+    fast.emplace(l, r, fast_method(method));
+  }
+
+  WheelPair& first() { return fast ? *fast : wheels; }
+
+  void solve(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
+    out.residual = 0, iterations = 0, evaluations = 0;
+    if (is_valid(state, load))
+      find_balance(state, load, out);
+    else
+      leave_unsolved(state, Status::invalid_input, out);
+    out.iterations = iterations;
+    conclude(load, tolerance, out);
+  }
+
+  void differentiate(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out,
+                     WheelsetDerivatives& derivatives) {
+    solve(state, load, out);
+    derivatives = {};
+    if (!is_solved(out.status)) return;
+    state.left.vertical = out.vertical, state.left.roll = out.roll, state.left.pitch_velocity = out.pitch_velocity;
+    const Warnings warnings = out.warnings;
+    wheels.differentiate(state, out, slopes, progress);
+    out.warnings = warnings;
+    if (!is_solved(out.status)) {
+      out.residual = 1, out.reason = Unsolved::derivatives;
+      return;
+    }
+    WheelsetEquations(state, load, wheels, out.force.z).hold(state, out, slopes, derivatives);
+  }
+
+private:
+  /// By Newton's method from where both wheels bear their shares, and where it finds none from between brackets; at the
+  /// level exact from there on.
+  void find_balance(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
+    if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
+    if (!start(load, state)) return leave_unsolved(state, Status::no_contact, out);
+    evaluate(first(), state, out);
+    const WheelsetEquations equations(state, load, wheels, out.force.z);
+    const WheelsetState begin = state;
+    bool found = balance(first(), equations, state, out);
+    Status reason = Status::not_converged;
+    if (!found) {
+      state = begin;
+      if (!bracket(equations, state) && !has_spent_all()) reason = Status::no_solution;
+      found = balance(first(), equations, state, out);
+    }
+    if (fast) found = balance(wheels, equations, state, out);
+    if (!found) out.status = reason;
+  }
+
+  void leave_unsolved(const WheelsetState& state, Status status, WheelsetSolution& out) const {
+    out.left = out.right = {};
+    wheels.sum(state, out);
+    out.status = status;
+  }
+
+  /// Moves to where both rigid wheels touch, lowered until each bears its share; rolling freely. False where one is off
+  /// its rail.
+  bool start(const WheelsetLoad& load, WheelsetState& state) {
+    double radius = wheels.nominal_radius();
+    if (load.vertical) {
+      const WheelsetContact touch = rigid.solve(state);
+      if (touch.status == Status::no_contact) return false;
+      state.left.roll = touch.roll, state.left.vertical = touch.vertical;
+      radius = (touch.left.radius + touch.right.radius) / 2;
+    }
+    if (load.axle_torque) state.left.pitch_velocity = state.left.forward_velocity / radius;
+    if (load.vertical) {
+      const auto* both = std::get_if<AxleLoad>(&*load.vertical);
+      lower(state, both ? WheelLoads{both->vertical_force / 2, both->vertical_force / 2}
+                        : std::get<WheelLoads>(*load.vertical));
+      state.left.roll += apart() / (2 * wheels.half_base());
+      state.left.vertical = middle();
+    }
+    return true;
+  }
+
+  void evaluate(WheelPair& by, const WheelsetState& state, WheelsetSolution& out) {
+    ++evaluations;
+    by.solve(state, {}, out, progress);
+  }
+
+  /// Lowers each wheel by itself until it bears its load: `trial`.
+  void lower(const WheelsetState& state, const WheelLoads& loads) {
+    ++evaluations;
+    first().solve(state, loads, trial, progress);
+  }
+  /// By how much the left wheel is then higher than the right one, and how high the wheelset is [m].
+  double apart() const { return trial.left.vertical - trial.right.vertical; }
+  double middle() const { return (trial.left.vertical + trial.right.vertical) / 2; }
+
+  /// A state and its solution for find_root, with forces of `wheels` and slopes of the faster ones.
+  struct Balance {
+    Workspace& work;
+    WheelPair& wheels;
+    const WheelsetEquations& equations;
+    WheelsetState& state;
+    WheelsetSolution& solution;
+    WheelsetState tried = {};
+
+    WheelsetEquations::Vector residual(const WheelsetEquations::Vector& step) {
+      tried = equations.moved(state, step);
+      work.evaluate(wheels, tried, work.trial);
+      return equations.residual(tried, work.trial);
+    }
+    void accept() {
+      state = tried;
+      std::swap(solution, work.trial);
+    }
+    WheelsetEquations::Matrix jacobian() {
+      work.first().differentiate(state, work.trial, work.slopes, work.progress);
+      return equations.jacobian(state, work.trial, work.slopes);
+    }
+  };
+
+  /// Newton's method from `state` on, which becomes the best one found. Of no use across jumps.
+  bool balance(WheelPair& by, const WheelsetEquations& equations, WheelsetState& state, WheelsetSolution& out) {
+    const auto [residual, steps] = find_root<3>(Balance{*this, by, equations, state, out}, tolerance);
+    iterations += steps;
+    out.residual = residual;
+    return residual <= tolerance;
   }
 
   /// Brackets within brackets end after some hundred times as many evaluations as Newton's method takes.
@@ -150,358 +204,54 @@ struct WheelsetOnTrack::Workspace {
     return evaluations > most_evaluations;
   }
 
-  double tolerance() const { return coarse ? std::max(method.tolerance, 1e-5) : method.tolerance; }
-
-  /// From the wheelset's centre to that of a wheel.
-  static Vec3<double> lever(const NominalPlacement& nominal, const WheelState<double>& s) {
-    return place(nominal, s).wheel.frame.origin - Vec3<double>{0, s.lateral, nominal.nominal_radius + s.vertical};
-  }
-  Vec3<double> left_lever(const WheelsetState& s) const { return lever(left_place, s.left); }
-  Vec3<double> right_lever(const WheelsetState& s) const { return mirrored(lever(right_place, s.right().mirrored())); }
-
-  /// Adds up both wheels.
-  void sum(const WheelsetState& state, WheelsetSolution& out) const {
-    const auto &l = out.left, &r = out.right;
-    out.force = l.force + r.force;
-    out.moment = l.moment + r.moment + cross(left_lever(state), l.force) + cross(right_lever(state), r.force);
-    out.vertical = state.left.vertical, out.roll = state.left.roll, out.pitch_velocity = state.left.pitch_velocity;
-    const auto either = [&](Status status) { return l.status == status || r.status == status; };
-    out.status = Status::ok;
-    if (either(Status::implausible)) out.status = Status::implausible;
-    if (either(Status::not_converged)) out.status = Status::not_converged;
-    if (l.status == Status::no_contact && r.status == Status::no_contact) out.status = Status::no_contact;
-    if (either(Status::invalid_input)) out.status = Status::invalid_input;
-    out.warnings = l.warnings | r.warnings;
+  /// Brackets the zero of a falling function of a number of the state, which stays as it is where there is none.
+  template <class Function>
+  bool find(double& number, double step, double reach, double precision, const Function& function) {
+    const double start = number;
+    const auto value = [&](double at) {
+      number = at;
+      return has_spent_all() ? 0.0 : function();
+    };
+    if (find_root_nearby(start, step, start - reach, start + reach, precision, value)) return true;
+    number = start;
+    return false;
   }
 
-  /// Both wheels where they are.
-  void evaluate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
-    ++evaluations;
-    go_on(progress, 0);
-    by.left.solve(state.left, {}, out.left, progress);
-    by.right.solve(state.right(), {}, out.right, progress);
-    sum(state, out);
-  }
-
-  /// The same with derivatives, nothing held.
-  void differentiate(Wheels& by, const WheelsetState& state, WheelsetSolution& out) {
-    go_on(progress, 0);
-    by.left.differentiate(state.left, {}, out.left, by_left, progress);
-    by.right.differentiate(state.right(), {}, out.right, by_right, progress);
-    sum(state, out);
-    slopes = {};
-    const Vec3<double> left = left_lever(state), right = right_lever(state);
-    for (std::size_t k = 0; k < state_variables; ++k) {
-      const Vec3<double> axis = turning_axis(state.left, k);
-      slopes.force[k] = by_left.force[k] + by_right.force[k];
-      slopes.moment[k] = by_left.moment[k] + by_right.moment[k] + cross(left, by_left.force[k]) +
-                         cross(right, by_right.force[k]) + cross(cross(axis, left), out.left.force) +
-                         cross(cross(axis, right), out.right.force);
-    }
-  }
-
-  Three residual(const Target& target, const WheelsetState& state, const WheelsetSolution& out) const {
-    const Three found = {out.force.z, target.of_wheels ? out.left.force.z - out.right.force.z : out.moment.x,
-                         dot(axle(state.left), out.moment)};
-    Three r{};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (target.finds(i)) r[i] = (found[i] - target.value[i]) / target.size[i];
-    return r;
-  }
-
-  /// Derivatives of the residual by a variable of the state.
-  Three residual_slope(const Target& target, const WheelsetState& state, const WheelsetSolution& out,
-                       std::size_t variable) const {
-    const Vec3<double> direction = axle(state.left), moment = slopes.moment[variable];
-    const Three found = {
-        slopes.force[variable].z, target.of_wheels ? by_left.force[variable].z - by_right.force[variable].z : moment.x,
-        dot(direction, moment) + dot(cross(turning_axis(state.left, variable), direction), out.moment)};
-    Three r{};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (target.finds(i)) r[i] = found[i] / target.size[i];
-    return r;
-  }
-
-  /// Of the residual by the unknowns in their sizes; that of 1 for what is not looked for.
-  Matrix3 jacobian(const Target& target, const WheelsetState& state, const WheelsetSolution& out) const {
-    Matrix3 m{};
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Three slope = residual_slope(target, state, out, unknown_columns[j]);
-      for (std::size_t i = 0; i < 3; ++i)
-        m[i][j] = target.finds(i) && target.finds(j) ? slope[i] * target.unknown_size[j] : i == j;
-    }
-    return m;
-  }
-
-  Target target_of(const WheelsetState& state, const WheelsetLoad& load, const WheelsetSolution& out) const {
-    const double base = left_place.wheel.lateral, radius = left_place.nominal_radius;
-    Target target{.load = load.vertical.has_value(), .torque = load.axle_torque.has_value()};
-    double whole = std::max(std::abs(out.force.z), 1.0);
-    if (target.load) {
-      if (const auto* both = std::get_if<AxleLoad>(&*load.vertical)) {
-        whole = both->vertical_force;
-        target.value = {whole, both->roll_moment};
-        target.size[1] = whole * base;
-      } else {
-        const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
-        whole = left + right;
-        target.of_wheels = true;
-        target.value = {whole, left - right};
-        target.size[1] = whole;
-      }
-    }
-    target.value[2] = -load.axle_torque.value_or(0);
-    target.size[0] = whole, target.size[2] = whole * radius;
-    constexpr double height = 1e-5, creepage = 1e-3, least_speed = 1e-3; // [m], [-], [m/s]
-    target.unknown_size = {height, height / base,
-                           creepage * std::max(std::abs(state.left.forward_velocity), least_speed) / radius};
-    return target;
-  }
-
-  /// Where both rigid wheels touch, lowered until each bears its share; rolling freely.
-  Status start(const WheelsetLoad& load, WheelsetState& state) {
-    double radius = left_place.nominal_radius;
-    if (load.vertical) {
-      const WheelsetContact touch = rigid.solve(state);
-      if (touch.status == Status::no_contact) return touch.status;
-      state.left.roll = touch.roll, state.left.vertical = touch.vertical;
-      radius = (touch.left.radius + touch.right.radius) / 2;
-    }
-    if (load.axle_torque) state.left.pitch_velocity = state.left.forward_velocity / radius;
-    if (load.vertical) {
-      const auto* both = std::get_if<AxleLoad>(&*load.vertical);
-      lower(first(), state,
-            both ? WheelLoads{both->vertical_force / 2, both->vertical_force / 2}
-                 : std::get<WheelLoads>(*load.vertical));
-      state.left.roll += apart() / (2 * left_place.wheel.lateral);
-      state.left.vertical = (trial.left.vertical + trial.right.vertical) / 2;
-    }
-    return Status::ok;
-  }
-
-  /// Each wheel by itself lowered until it bears its load: `trial`.
-  void lower(Wheels& by, const WheelsetState& state, const WheelLoads& loads) {
-    ++evaluations;
-    go_on(progress, 0);
-    by.left.solve(state.left, loads.left, trial.left, progress);
-    by.right.solve(state.right(), loads.right, trial.right, progress);
-    sum(state, trial);
-  }
-  /// By how much the left wheel is then higher than the right one.
-  double apart() const { return trial.left.vertical - trial.right.vertical; }
-
-  Wheels& first() { return coarse ? *coarse : wheels; }
-
-  /// Newton's method, with Broyden's updates while they do; `state` becomes the best one found. Of no use across jumps.
-  bool newton(Wheels& by, Wheels& for_slopes, const Target& target, WheelsetState& state, WheelsetSolution& out) {
-    constexpr int most_iterations = 25, most_halvings = 6;
-    constexpr double good = 0.1;        // reduction of the residual
-    constexpr double longest_step = 30; // in the unknowns' sizes
-    const double wanted = tolerance();
-    evaluate(by, state, out);
-    Three value = residual(target, state, out), step{};
-    Matrix3 slope{};
-    bool stale = true;
-    for (int k = 0; k < most_iterations && largest(value) > wanted; ++k) {
-      if (stale) {
-        differentiate(for_slopes, state, trial);
-        slope = jacobian(target, state, trial);
-      }
-      if (!solve_linear(slope, value, step)) break;
-      const Three here = unknowns_of(state);
-      WheelsetState there = state;
-      Three next{}, scaled{};
-      double part = std::min(1.0, longest_step / largest(step));
-      for (int halving = 0;; ++halving, part /= 2) {
-        if (halving == most_halvings) break;
-        Three u = here;
-        for (std::size_t i = 0; i < 3; ++i) {
-          scaled[i] = target.finds(i) ? -part * step[i] : 0;
-          u[i] += scaled[i] * target.unknown_size[i];
-        }
-        set_unknowns(there, u);
-        evaluate(by, there, trial);
-        next = residual(target, there, trial);
-        if (length(next) < length(value)) break;
-      }
-      ++out.iterations;
-      const double reduction = length(next) / length(value);
-      if (!(reduction < 1)) {
-        if (stale) break;
-        stale = true; // the updates have led astray
-        continue;
-      }
-      Three change{};
-      for (std::size_t i = 0; i < 3; ++i) change[i] = next[i] - value[i];
-      update(slope, scaled, change);
-      stale = reduction > good;
-      state = there, value = next;
-      const int iterations = out.iterations;
-      std::swap(out, trial);
-      out.iterations = iterations;
-    }
-    out.residual = largest(value);
-    return out.residual <= wanted;
-  }
-
-  /// The pitch velocity at which the contacts balance the torque, bracketed; `trial` by `forces` for a state.
-  template <class Forces> Status bracket_pitch(const Target& target, WheelsetState& state, const Forces& forces) {
-    if (!target.torque) {
+  /// Brackets the pitch velocity at which the contacts balance the torque; `forces` finds those of a state in `trial`.
+  template <class Forces>
+  bool bracket_pitch(const WheelsetEquations& equations, WheelsetState& state, const Forces& forces) {
+    constexpr auto pitch = WheelsetEquations::pitch_velocity;
+    const auto residual = [&] {
+      ++iterations;
       forces(state);
-      return Status::ok;
-    }
-    double& pitch = state.left.pitch_velocity;
-    const double reach = 1e3 * target.unknown_size[2]; // up to full sliding
-    return find_zero(pitch, target.unknown_size[2], {pitch - reach, pitch + reach}, tolerance() / 4, [&](double) {
-      if (has_spent_all()) return 0.0;
-      forces(state);
-      return residual(target, state, trial)[2];
-    });
+      return equations.residual(state, trial)[pitch];
+    };
+    if (!equations.finds(pitch)) return residual(), true;
+    const double step = equations.size_of(pitch), reach = 1e3 * step; // up to full sliding
+    return find(state.left.pitch_velocity, step, reach, tolerance / 4, residual);
   }
 
   /// By shares of the load: the wheels are lowered each by itself until they bear theirs; the roll angle at which both
   /// are at the same height, and the share that has the roll moment, are bracketed. Forces of a wheel are a smooth
-  /// function of its load also where they change much with its height.
-  Status bracket(Wheels& by, const Target& target, WheelsetState& state, int& iterations) {
-    if (!target.load)
-      return bracket_pitch(target, state, [&](const WheelsetState& s) { evaluate(by, s, trial), ++iterations; });
+  /// function of its load also where they change much with its height. False where no pitch, roll or share is there.
+  bool bracket(const WheelsetEquations& equations, WheelsetState& state) {
+    if (!equations.finds(WheelsetEquations::height))
+      return bracket_pitch(equations, state, [&](const WheelsetState& s) { evaluate(first(), s, trial); });
     constexpr double least_share = 1e-3, first_step = 0.05, largest_roll = 0.05;
-    double share = target.of_wheels ? 0.5 + target.value[1] / (2 * target.value[0]) : 0.5;
-    Status level = Status::ok, pitch = Status::ok;
-    const auto find_roll = [&](double part) {
-      const WheelLoads loads = {part * target.value[0], (1 - part) * target.value[0]};
-      double& roll = state.left.roll;
-      level = find_zero(roll, target.unknown_size[1], {roll - largest_roll, roll + largest_roll},
-                        tolerance() * target.unknown_size[0], [&](double) {
-                          if (has_spent_all()) return 0.0;
-                          pitch = bracket_pitch(target, state,
-                                                [&](const WheelsetState& s) { lower(by, s, loads), ++iterations; });
-                          return apart();
-                        });
-      return target.of_wheels ? 0 : -residual(target, state, trial)[1];
+    bool has_pitch = true, has_roll = true;
+    const auto moment = [&](double share) {
+      const auto lowered_apart = [&] {
+        has_pitch = bracket_pitch(equations, state, [&](const WheelsetState& s) { lower(s, equations.loads(share)); });
+        return apart();
+      };
+      has_roll = find(state.left.roll, equations.size_of(WheelsetEquations::roll), largest_roll,
+                      tolerance * equations.size_of(WheelsetEquations::height), lowered_apart);
+      return equations.has_wheel_loads() ? 0 : -equations.residual(state, trial)[1];
     };
-    const Status shared = find_zero(share, first_step, {least_share, 1 - least_share}, tolerance(), find_roll);
-    state.left.vertical = (trial.left.vertical + trial.right.vertical) / 2;
-    for (const Status status : {pitch, level, shared})
-      if (status == Status::no_solution) return status;
-    return Status::ok;
-  }
-
-  void solve(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
-    out.residual = 0, out.iterations = 0, evaluations = 0;
-    if (is_valid(state, load)) {
-      find_balance(state, load, out);
-    } else {
-      out.left = out.right = {};
-      sum(state, out);
-      out.status = Status::invalid_input;
-    }
-    conclude(load, out);
-  }
-
-  /// Makes status and numbers agree, as conclude() of a wheel does.
-  void conclude(const WheelsetLoad& load, WheelsetSolution& out) const {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    if (out.status == Status::invalid_input) {
-      out.force = out.moment = {none, none, none};
-      out.residual = none;
-    } else if (!is_finite(out)) {
-      out.left = out.right = {};
-      out.force = out.moment = {}, out.vertical = out.roll = out.pitch_velocity = 0;
-      out.status = Status::not_converged, out.residual = 1;
-    }
-    if (load.vertical && is_solved(out.status))
-      for (const WheelRailSolution* wheel : {&out.left, &out.right})
-        out.warnings.add_if(wheel->force.z < limit(Warning::wheel_lifted) * out.force.z / 2, Warning::wheel_lifted);
-    // What was not solved has a residual that says so, and the reason that a wheel has.
-    if (out.status == Status::not_converged && out.residual <= tolerance()) out.residual = 1;
-    out.reason = usual_reason(out.status, Unsolved::off_its_rail, Unsolved::no_balance);
-    for (const WheelRailSolution* wheel : {&out.left, &out.right})
-      if (out.status == Status::not_converged && wheel->status == out.status && out.reason == Unsolved::residual)
-        out.reason = wheel->reason;
-  }
-
-  void find_balance(WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& out) {
-    if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
-    if (const Status status = start(load, state); status != Status::ok) {
-      out.left = out.right = {};
-      sum(state, out);
-      out.status = status;
-      return;
-    }
-    evaluate(first(), state, out);
-    const Target target = target_of(state, load, out);
-    const WheelsetState begin = state;
-    bool found = newton(first(), first(), target, state, out);
-    Status reason = Status::not_converged;
-    if (!found) {
-      state = begin;
-      const Status bracketed = bracket(first(), target, state, out.iterations);
-      if (bracketed == Status::no_solution && !has_spent_all()) reason = Status::no_solution;
-      found = newton(first(), first(), target, state, out);
-    }
-    if (coarse) found = newton(wheels, *coarse, target, state, out);
-    if (!found) out.status = reason;
-  }
-
-  static bool is_valid(const WheelsetState& state, const WheelsetLoad& load) {
-    if (!is_in_range(state.left) || !is_in_range(state.right())) return false;
-    if (load.axle_torque && !std::isfinite(*load.axle_torque)) return false;
-    if (!load.vertical) return true;
-    if (const auto* both = std::get_if<AxleLoad>(&*load.vertical))
-      return is_vertical_force(both->vertical_force) && std::isfinite(both->roll_moment);
-    const auto& [left, right] = std::get<WheelLoads>(*load.vertical);
-    return is_vertical_force(left) && is_vertical_force(right);
-  }
-
-  void differentiate(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out,
-                     WheelsetDerivatives& derivatives) {
-    solve(state, load, out);
-    derivatives = {};
-    if (!is_solved(out.status)) return;
-    const double residual = out.residual;
-    const int iterations = out.iterations;
-    const Warnings warnings = out.warnings;
-    differentiate(wheels, state, out);
-    out.residual = residual, out.iterations = iterations, out.warnings = warnings;
-    if (!is_solved(out.status)) {
-      out.residual = 1, out.reason = Unsolved::derivatives;
-      return;
-    }
-    hold(target_of(state, load, out), state, out, derivatives);
-  }
-
-  /// From derivatives with nothing held to those with the prescribed forces held: du/dx = -R_u^-1 R_x.
-  void hold(const Target& target, const WheelsetState& state, const WheelsetSolution& out,
-            WheelsetDerivatives& d) const {
-    const Matrix3 matrix = jacobian(target, state, out);
-    // Adds what the unknowns do when the residual would change by `by`.
-    const auto add = [&](std::size_t k, const Three& by) {
-      Three change{};
-      if (!solve_linear(matrix, by, change)) return;
-      const std::array<double*, 3> found = {&d.vertical[k], &d.roll[k], &d.pitch_velocity[k]};
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (!target.finds(j)) continue;
-        *found[j] = -change[j] * target.unknown_size[j];
-        d.force[k] = d.force[k] + *found[j] * slopes.force[unknown_columns[j]];
-        d.moment[k] = d.moment[k] + *found[j] * slopes.moment[unknown_columns[j]];
-      }
-    };
-    for (std::size_t k = 0; k < state_variables; ++k) {
-      const auto at = std::find(unknown_columns.begin(), unknown_columns.end(), k) - unknown_columns.begin();
-      if (at < 3 && target.finds(static_cast<std::size_t>(at))) continue;
-      d.force[k] = slopes.force[k], d.moment[k] = slopes.moment[k];
-      add(k, residual_slope(target, state, out, k));
-    }
-    const double by_force = -1 / target.size[0], by_second = -1 / target.size[1];
-    if (target.load && !target.of_wheels) {
-      add(column(WheelsetVariable::vertical_force), {by_force, 0, 0});
-      add(column(WheelsetVariable::roll_moment), {0, by_second, 0});
-    } else if (target.load) {
-      add(column(WheelsetVariable::vertical_force_left), {by_force, by_second, 0});
-      add(column(WheelsetVariable::vertical_force_right), {by_force, -by_second, 0});
-    }
-    if (target.torque) add(column(WheelsetVariable::axle_torque), {0, 0, 1 / target.size[2]});
+    const bool has_share =
+        find_root_nearby(equations.share(), first_step, least_share, 1 - least_share, tolerance, moment).has_value();
+    state.left.vertical = middle();
+    return has_pitch && has_roll && has_share;
   }
 };
 
@@ -529,8 +279,7 @@ WheelsetOnTrack::~WheelsetOnTrack() = default;
 void WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
                             const Progress& progress) {
   const CallProgress told(workspace_->progress, progress);
-  WheelsetState there = state;
-  workspace_->solve(there, load, solution);
+  workspace_->solve(state, load, solution);
 }
 
 WheelsetSolution WheelsetOnTrack::solve(const WheelsetState& state, const WheelsetLoad& load,
