@@ -11,7 +11,6 @@
 #include "microslip/railway/unsolved.hpp"
 #include "microslip/railway/wheelset.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -62,7 +61,7 @@ struct WheelRailMethod {
   /// Surface of gaps and creepages: that of the shape that is given, or the true one.
   PatchShape surface() const { return shape.value_or(PatchShape::curved); }
   /// The largest residual of a solution: the tolerance that counts.
-  double solved_tolerance() const { return level == WheelRailLevel::exact ? std::max(tolerance, 1e-6) : tolerance; }
+  double solved_tolerance() const;
   /// Weight of the change of displacements by the angles of a patch's rows: 0 of a curved patch, 1 of a
   /// conformal one. Unless the shape is given it rises smoothly, 1/2 where the rail's surface turns by 14 degrees
   /// [rad] across the patch, where a cosine differs by 3 %.

@@ -3,6 +3,7 @@
 #include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/numerics/damped_newton.hpp"
 #include "microslip/railway/call_progress.hpp"
+#include "microslip/railway/wheel_levels.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/railway/wheel_status.hpp"
 #include "microslip/railway/wheelset_contact.hpp"
@@ -63,7 +64,7 @@ struct WheelsetOnTrack::Workspace {
   double tolerance; ///< of the residual
   WheelsetSearch rigid;
   WheelPair wheels;
-  std::optional<WheelPair> fast; ///< at the level exact: for starts and slopes
+  std::optional<WheelPair> fast; ///< where the wheels are solved by elements: for starts and slopes
   WheelsetSolution trial{};
   WheelPairDerivatives slopes{};
   int evaluations = 0, iterations = 0; ///< of both wheels, of the search, in this solve
@@ -72,7 +73,7 @@ struct WheelsetOnTrack::Workspace {
   Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& method)
       : tolerance(method.tolerance), rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}),
         wheels(l, r, method) {
-    if (method.level != WheelRailLevel::exact) return;
+    if (!level_of(method).by_elements) return;
     tolerance = std::max(tolerance, 1e-5);
     fast.emplace(l, r, fast_method(method));
   }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "microslip/railway/equivalent_contact.hpp"
+#include "microslip/railway/wheel_rail.hpp"
+
+namespace microslip {
+
+/// A level of theory for wheels: all that tells it from the others once rows bear the wheel's load. A new one is a row
+/// of the table in wheel_levels.cpp with its word; creep forces of rows are those of CoarseContact.
+struct WheelLevel {
+  const char* name;
+  /// Each patch is solved by elements, its derivatives are differences of whole solves. The others have the forces and
+  /// derivatives of their rows.
+  bool by_elements;
+  double least_tolerance; ///< of the vertical force, relative: less counts as this
+  /// Throws Error for what a method of this level cannot be, or lacks.
+  void (*require)(const WheelRailMethod& method);
+  /// Turns a solution by rows into one of this level. Throws Stopped where `progress` says so.
+  void (*solve)(EquivalentContact& contact, const WheelState<double>& state, const WheelRailMethod& method,
+                std::optional<double> vertical_force, WheelRailSolution& out, const Progress& progress);
+};
+
+const WheelLevel& level_of(const WheelRailMethod& method);
+
+} // namespace microslip

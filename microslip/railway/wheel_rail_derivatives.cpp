@@ -1,0 +1,180 @@
+#include "microslip/railway/wheel_rail_derivatives.hpp"
+
+#include "microslip/railway/relative_motion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr auto height_number = static_cast<std::size_t>(WheelVariable::vertical);
+
+/// Derivatives by the ten basic numbers of a state, and by the vertical force.
+struct BasicDerivatives {
+  std::array<Wrench, basic_motions> by{};
+  Wrench by_force{};
+};
+
+/// Steps of differences.
+struct DifferenceSteps {
+  double place, yaw, creepage; ///< [m], [rad], [-]
+
+  double of(std::size_t basic, double speed) const {
+    constexpr double radius = 0.5; // [m]
+    switch (static_cast<WheelVariable>(basic)) {
+    case WheelVariable::lateral:
+    case WheelVariable::vertical:
+      return place;
+    case WheelVariable::roll:
+      return place / radius;
+    case WheelVariable::yaw:
+      return yaw;
+    case WheelVariable::forward_velocity:
+    case WheelVariable::lateral_velocity:
+    case WheelVariable::vertical_velocity:
+      return creepage * speed;
+    default:
+      return creepage * speed / radius;
+    }
+  }
+};
+
+/// Forward differences of rows: a hundred-thousandth or less of an approach of 50 um and a creepage of 0.001.
+constexpr DifferenceSteps row_steps = {1e-10, 5e-9, 5e-10};
+
+/// Central differences of elements. Elements come and go with every micrometre or so, each with a kink in the forces,
+/// and so do those that slide with the creepage: steps take some together. They are small beside the patch's approach
+/// [m], on which the load depends where the height is given, and beside creepages of 0.001.
+DifferenceSteps element_steps(double approach, bool force_given) {
+  constexpr double of_approach = 0.02, of_approach_with_force = 0.08;
+  return {(force_given ? of_approach_with_force : of_approach) * approach, 2e-5, 1e-5};
+}
+
+/// Along the track [m], and of the wheel's pitch [rad]: surfaces vary slowly there.
+constexpr std::array<std::pair<std::size_t, double>, 2> place_steps = {std::pair{longitudinal_number, 1e-6},
+                                                                       {pitch_number, 2e-6}};
+constexpr double longer_along = 20; ///< these steps for elements
+using PlaceDerivatives = std::array<Wrench, place_steps.size()>;
+
+bool is_velocity(std::size_t basic) {
+  return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
+}
+
+WheelState<double> moved(WheelState<double> state, std::size_t number, double step) {
+  *state.numbers()[number] += step;
+  return state;
+}
+
+/// From derivatives with the height held to those with the vertical force held, by the implicit function theorem.
+BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
+  const Wrench& by_height = height_held.by[height_number];
+  BasicDerivatives out;
+  out.by_force = 1 / by_height.force.z * by_height, out.by_force.height = 1 / by_height.force.z;
+  for (std::size_t k = 0; k < basic_motions; ++k)
+    out.by[k] = height_held.by[k] - height_held.by[k].force.z * out.by_force;
+  return out;
+}
+
+/// Differences around a state.
+class Differences {
+public:
+  Differences(const NearbyForces& forces, bool surfaces_vary, const WheelState<double>& state,
+              std::optional<double> vertical_force, const WheelRailSolution& found)
+      : forces_(forces), surfaces_vary_(surfaces_vary), state_(state), vertical_force_(vertical_force) {
+    state_.vertical = found.vertical;
+    for (const WheelRailPatch& patch : found.patches)
+      speed_ = std::max(speed_, patch.rolling_speed), approach_ = std::max(approach_, patch.approach);
+    here_ = forces.of_elements || vertical_force ? forces.of_rows(state_) : Wrench::of(found);
+    basic_ = of_rows();
+    if (vertical_force) basic_ = with_force_held(basic_);
+    if (surfaces_vary)
+      for (std::size_t k = 0; k < place_steps.size(); ++k) by_place_[k] = of_rows_along(k);
+    if (forces.of_elements) refine();
+  }
+
+  const WheelState<double>& state() const { return state_; } ///< in the height that was found
+  const BasicDerivatives& basic() const { return basic_; }
+  const PlaceDerivatives& by_place() const { return by_place_; }
+
+private:
+  Wrench forward(std::size_t number, double step, const std::function<Wrench(const WheelState<double>&)>& forces) {
+    Wrench d = 1 / step * (forces(moved(state_, number, step)) - here_);
+    d.height = 0; // held
+    return d;
+  }
+
+  /// With the height held. Velocities alone need no new pressures: they come first, instead of the last solve.
+  BasicDerivatives of_rows() {
+    const double scale = surfaces_vary_ ? 100 : 1;
+    BasicDerivatives derivatives;
+    for (std::size_t k = basic_motions; k-- > 0;)
+      if (const double step = scale * row_steps.of(k, speed_); step > 0)
+        derivatives.by[k] = forward(k, step, is_velocity(k) ? forces_.of_moving_rows : forces_.of_rows);
+    return derivatives;
+  }
+
+  /// By the position along the track or the pitch, with what the basic ones hold held.
+  Wrench of_rows_along(std::size_t k) {
+    const Wrench d = forward(place_steps[k].first, place_steps[k].second, forces_.of_rows);
+    return d - d.force.z * basic_.by_force;
+  }
+
+  Wrench central(std::size_t number, double step) {
+    const Wrench up = forces_.of_elements(moved(state_, number, step), vertical_force_);
+    Wrench d = 0.5 / step * (up - forces_.of_elements(moved(state_, number, -step), vertical_force_));
+    if (!vertical_force_) d.height = 0; // as it is given
+    return d;
+  }
+
+  /// From those of rows to those of elements, with held what is given.
+  void refine() {
+    constexpr double share_of_force = 1e-3;
+    const DifferenceSteps steps = element_steps(approach_, vertical_force_.has_value());
+    for (std::size_t k = 0; k < basic_motions; ++k) {
+      const double step = steps.of(k, speed_);
+      if (step > 0 && !(vertical_force_ && k == height_number)) basic_.by[k] = central(k, step);
+    }
+    if (surfaces_vary_)
+      for (std::size_t k = 0; k < place_steps.size(); ++k)
+        by_place_[k] = central(place_steps[k].first, longer_along * place_steps[k].second);
+    if (!vertical_force_) return;
+    const double step = share_of_force * *vertical_force_;
+    const Wrench up = forces_.of_elements(state_, *vertical_force_ + step);
+    basic_.by_force = 0.5 / step * (up - forces_.of_elements(state_, *vertical_force_ - step));
+  }
+
+  const NearbyForces& forces_;
+  bool surfaces_vary_;
+  WheelState<double> state_;
+  std::optional<double> vertical_force_;
+  double speed_ = 0, approach_ = 0; ///< the largest of the patches [m/s], [m]
+  Wrench here_;                     ///< of rows
+  BasicDerivatives basic_;
+  PlaceDerivatives by_place_{};
+};
+
+} // namespace
+
+void differentiate(const NearbyForces& forces, const NominalPlacement& nominal, bool surfaces_vary,
+                   const WheelState<double>& state, std::optional<double> vertical_force,
+                   const WheelRailSolution& found, WheelRailDerivatives& d) {
+  const Differences differences(forces, surfaces_vary, state, vertical_force, found);
+  const auto& [by, by_force] = differences.basic();
+  const auto motions = relative_motions(nominal, differences.state());
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    const Wrench turned = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
+    Wrench sum = turned - turned.force.z * by_force + motions[k].ahead * differences.by_place()[0];
+    if (k == pitch_number) sum = sum + differences.by_place()[1];
+    for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * by[i];
+    d.force[k] = sum.force, d.moment[k] = sum.moment, d.vertical[k] = sum.height;
+  }
+  if (vertical_force)
+    d.force[height_number] = d.moment[height_number] = {}, d.vertical[height_number] = 0;
+  else
+    d.vertical[height_number] = 1;
+  d.force[state_numbers] = by_force.force, d.moment[state_numbers] = by_force.moment;
+  d.vertical[state_numbers] = by_force.height;
+}
+
+} // namespace microslip
