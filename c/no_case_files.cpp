@@ -66,6 +66,8 @@ microslip_code microslip_wheel_rail_create(const microslip_problem* /*problem*/,
 }
 void microslip_wheel_rail_destroy(microslip_wheel_rail* /*wheel_rail*/) {}
 WITHOUT_RESULT(microslip_wheel_rail_state, const microslip_wheel_rail*, size_t, double*)
+WITHOUT_RESULT(microslip_wheel_rail_continue, microslip_wheel_rail*, size_t, size_t, const double*, size_t, double*,
+               int*)
 WITHOUT_RESULT(microslip_wheel_rail_solve, microslip_wheel_rail*, size_t, size_t, const double*, size_t, double*, int*)
 WITHOUT_RESULT(microslip_wheel_rail_differentiate, microslip_wheel_rail*, size_t, size_t, const double*, size_t,
                double*, int*, size_t, size_t, double*)

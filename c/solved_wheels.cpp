@@ -21,6 +21,7 @@ Input read(const io::CaseInputs& inputs, const io::CreepTables& tables, io::Prof
 
 void solve(WheelRail& solver, const io::LoadedWheelState& given, WheelRailSolution& solution,
            const Progress& progress) {
+  solver.reset(); // a solution depends on the inputs alone
   solver.solve(given.state, given.vertical_force, solution, progress);
 }
 void solve(WheelsetOnTrack& solver, const io::LoadedWheelsetState& given, WheelsetSolution& solution,

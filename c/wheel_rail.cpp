@@ -160,6 +160,20 @@ microslip_code solve_states(microslip_wheel_rail& handle, const StateRows& rows,
       });
 }
 
+/// Where a state begins.
+enum class Start { anew, from_last };
+
+microslip_code solve_rows(microslip_wheel_rail* wheel_rail, const StateRows& rows, Start start) noexcept {
+  if (const microslip_code code = rows.check(); code != MICROSLIP_OK) return code;
+  return with_handle(wheel_rail, [&] {
+    const auto solve = [&](const io::LoadedWheelState& given) {
+      if (start == Start::anew) wheel_rail->solver.reset();
+      wheel_rail->solver.solve(given.state, given.vertical_force, wheel_rail->solution);
+    };
+    return solve_states(*wheel_rail, rows, solve, [](std::size_t) {});
+  });
+}
+
 } // namespace
 
 microslip_code microslip_wheel_rail_create(const microslip_problem* problem, microslip_wheel_rail** wheel_rail,
@@ -191,14 +205,12 @@ microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail
 
 microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
                                           const double* states, size_t result_width, double* results, int* status) {
-  const StateRows rows{count, state_width, states, result_width, results, status};
-  if (const microslip_code code = rows.check(); code != MICROSLIP_OK) return code;
-  return with_handle(wheel_rail, [&] {
-    const auto solve = [&](const io::LoadedWheelState& given) {
-      wheel_rail->solver.solve(given.state, given.vertical_force, wheel_rail->solution);
-    };
-    return solve_states(*wheel_rail, rows, solve, [](std::size_t) {});
-  });
+  return solve_rows(wheel_rail, {count, state_width, states, result_width, results, status}, Start::anew);
+}
+
+microslip_code microslip_wheel_rail_continue(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
+                                             const double* states, size_t result_width, double* results, int* status) {
+  return solve_rows(wheel_rail, {count, state_width, states, result_width, results, status}, Start::from_last);
 }
 
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
@@ -212,6 +224,7 @@ microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_ra
   if (code != MICROSLIP_OK) return code;
   return with_handle(wheel_rail, [&] {
     const auto solve = [&](const io::LoadedWheelState& given) {
+      wheel_rail->solver.reset();
       wheel_rail->solver.differentiate(given.state, given.vertical_force, wheel_rail->solution,
                                        wheel_rail->derivatives);
     };

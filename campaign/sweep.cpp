@@ -143,6 +143,7 @@ public:
 
   Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
     const io::LoadedWheelState& s = cases_.state(root, tables, is_new, io::read_wheel_rail_case);
+    cases_.solver().reset(); // rows do not depend on each other
     return cases_.solver().solve(s.state, s.vertical_force, progress);
   }
   static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }

@@ -292,6 +292,7 @@ WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, co
   std::vector<std::vector<InteriorState>> interior;
   auto result =
       solve_states<WheelRailResult>(input, progress, [&](const io::LoadedWheelState& s, const Progress& within) {
+        solver.reset(); // states do not depend on each other
         WheelRailSolution solution = solver.solve(s.state, s.vertical_force, within);
         for (const ContactSolution& fields : solution.fields)
           if (has_points)

@@ -134,6 +134,7 @@ public:
   }
 
   void evaluate(Values& v) override {
+    solver_->reset(); // as a function of the inputs alone
     solver_->solve(state(v), vertical_force(v), found_);
     std::size_t place = first_input_ + state_numbers + 1;
     for (const WheelQuantity& q : wheel_results()) store(v, place++, q, q.value(found_));
@@ -145,6 +146,7 @@ public:
 
   std::span<const double> differentiate(const Values& v) override {
     WheelRailDerivatives d;
+    solver_->reset();
     solver_->differentiate(state(v), vertical_force(v), found_, d);
     double* value = derivatives_.data();
     for (const WheelDerivative& row : wheel_derivatives().first(outputs))

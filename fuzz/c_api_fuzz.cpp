@@ -531,10 +531,12 @@ void solve_states(Draw& draw, const Said& said, microslip_wheel_rail* made) {
   const double* const from = draw.pointer(given.data());
   double* const results = draw.pointer(found.results.data());
   int* const status = found.status.data();
-  const int code = with_jacobians ? microslip_wheel_rail_differentiate(handle, count, wide, from, found.width, results,
-                                                                       status, found.rows, found.columns,
-                                                                       draw.pointer(found.jacobians.data()))
-                                  : microslip_wheel_rail_solve(handle, count, wide, from, found.width, results, status);
+  const int code =
+      with_jacobians
+          ? microslip_wheel_rail_differentiate(handle, count, wide, from, found.width, results, status, found.rows,
+                                               found.columns, draw.pointer(found.jacobians.data()))
+          : (draw.count(0, 1) == 0 ? microslip_wheel_rail_solve : microslip_wheel_rail_continue)(
+                handle, count, wide, from, found.width, results, status);
   found.look_at(code, too_wide || jacobian_too_wide, with_jacobians);
   look_at_patches(draw, said, handle);
 }

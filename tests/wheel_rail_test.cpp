@@ -243,7 +243,10 @@ Compared difference(WheelRail& contact, const WheelState<double>& state, std::op
                     const StateQuantity& quantity, double half) {
   WheelState<double> below = state, above = state;
   quantity.of(below) -= half, quantity.of(above) += half;
-  const auto low = contact.solve(below, force), high = contact.solve(above, force);
+  contact.reset();
+  const auto low = contact.solve(below, force);
+  contact.reset();
+  const auto high = contact.solve(above, force);
   return {0.5 / half * (high.force - low.force), 0.5 / half * (high.moment - low.moment),
           0.5 / half * (high.vertical - low.vertical)};
 }

@@ -329,6 +329,18 @@ module microslip
       integer(c_int) :: code
     end function
 
+    !> Each state starts from the one before.
+    function microslip_wheel_rail_continue(wheel_rail, count, state_width, states, result_width, results, status) &
+        bind(c) result(code)
+      import
+      type(c_ptr), value :: wheel_rail
+      integer(c_size_t), value :: count, state_width, result_width
+      real(c_double), intent(in) :: states(*)
+      real(c_double), intent(inout) :: results(*)
+      integer(c_int), intent(inout) :: status(*)
+      integer(c_int) :: code
+    end function
+
     !> Element (k, n, i) of jacobian(column_count, row_count, count) is the derivative of result n by number k of the
     !> state i.
     function microslip_wheel_rail_differentiate(wheel_rail, count, state_width, states, result_width, results, status, &
@@ -405,7 +417,8 @@ module microslip
   public :: microslip_solve, microslip_differentiate, microslip_number, microslip_field
   public :: microslip_solve_case
   public :: microslip_wheel_rail_create, microslip_wheel_rail_destroy, microslip_wheel_rail_state
-  public :: microslip_wheel_rail_solve, microslip_wheel_rail_differentiate, microslip_wheel_rail_patches
+  public :: microslip_wheel_rail_solve, microslip_wheel_rail_continue
+  public :: microslip_wheel_rail_differentiate, microslip_wheel_rail_patches
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
   public :: microslip_warning
   public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text

@@ -447,8 +447,14 @@ MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_ra
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         size_t state_width, const double* states, size_t result_width,
                                                         double* results, int* status);
-/* The same with derivatives, which hold where no patch comes or goes. `jacobian` gets a matrix for each state, row by
- * row: the first row_count numbers of MICROSLIP_WHEEL_DERIVATIVE by the first column_count ones of
+/* The same for the steps of a simulation: each state starts from the one before, the first one from the last state of
+ * the call before, which takes two thirds of the time where they are near each other and changes results by about the
+ * tolerance. */
+MICROSLIP_API microslip_code microslip_wheel_rail_continue(microslip_wheel_rail* wheel_rail, size_t count,
+                                                           size_t state_width, const double* states,
+                                                           size_t result_width, double* results, int* status);
+/* As microslip_wheel_rail_solve with derivatives, which hold where no patch comes or goes. `jacobian` gets a matrix for
+ * each state, row by row: the first row_count numbers of MICROSLIP_WHEEL_DERIVATIVE by the first column_count ones of
  * MICROSLIP_WHEEL_STATE, in SI units. Derivatives by what was not given are zero: by `vertical` with a vertical force,
  * by `vertical_force` without one; so are all of a state that is neither MICROSLIP_OK nor MICROSLIP_IMPLAUSIBLE. With
  * the theory "fastsim2" some three solves, and no memory either. */

@@ -63,11 +63,12 @@ TEST(CHotCall, AWheelOnARailAtTheCoarseLevelAsWell) {
     if (k % 11 == 6) states.at(k, "vertical_force") = -1;
     if (k % 11 == 7) states.at(k, "yaw") = not_a_number;
   }
-  SolvedRows solved(states.count()), differentiated(states.count());
+  SolvedRows solved(states.count()), following(states.count()), differentiated(states.count());
   Rows patches(MICROSLIP_WHEEL_PATCH, 8);
   std::size_t count = 0;
   microslip_code got = MICROSLIP_NO_RESULT;
   expect_silent([&] { solved.solve(pair.pointer, states); });
+  expect_silent([&] { following.go_on(pair.pointer, states); });
   expect_silent(
       [&] { got = microslip_wheel_rail_patches(pair.pointer, patches.width(), 8, patches.data(), &count, nullptr); });
   expect_silent([&] { differentiated.differentiate(pair.pointer, states); });

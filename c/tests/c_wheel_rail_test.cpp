@@ -44,6 +44,7 @@ TEST(CWheelRail, HasTheNumbersOfTheLibrary) {
     ASSERT_EQ(found.solve(handle.pointer, states), MICROSLIP_OK) << name;
     io::LoadedWheelState expected = input.states.front();
     moved.of(expected.state) += 1e-4;
+    solver.reset();
     const WheelRailSolution solution = solver.solve(expected.state, expected.vertical_force);
     for (const WheelQuantity& q : wheel_quantities())
       EXPECT_TRUE(same(found.results.at(0, std::string(q.name).c_str()), q.value(solution))) << name << ' ' << q.name;
@@ -94,6 +95,22 @@ TEST(CWheelRail, SolvesManyStatesAndTellsOfTheFirstThatIsNotSolved) {
   EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 0, 0, nullptr, 0, nullptr, nullptr), MICROSLIP_OK);
 }
 
+TEST(CWheelRail, GoesOnFromTheLastStateToTheSameForces) {
+  const CWheelRailCase handle;
+  Rows states = first_states(handle.pointer, 40);
+  for (std::size_t k = 0; k < states.count(); ++k) states.at(k, "lateral") = 5e-5 * static_cast<double>(k);
+  SolvedRows anew(40), following(40);
+  EXPECT_EQ(anew.solve(handle.pointer, states), MICROSLIP_OK);
+  EXPECT_EQ(following.go_on(handle.pointer, states), MICROSLIP_OK);
+  double rounds = 0;
+  for (std::size_t k = 0; k < states.count(); ++k) {
+    for (const char* name : {"force_x", "force_y", "force_z"})
+      EXPECT_NEAR(following.results.at(k, name), anew.results.at(k, name), 1e-5 * states.at(k, "vertical_force"));
+    rounds += anew.results.at(k, "iterations") - following.results.at(k, "iterations");
+  }
+  EXPECT_GT(rounds, 20);
+}
+
 TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
   const CWheelRailCase handle;
   Rows states = first_states(handle.pointer, 3);
@@ -109,6 +126,7 @@ TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
     state.vertical = states.at(k, "vertical");
     WheelRailSolution solution;
     WheelRailDerivatives d;
+    solver.reset();
     solver.differentiate(state, k == 0 ? std::optional(80e3) : std::nullopt, solution, d);
     ASSERT_EQ(found.status[k], MICROSLIP_OK);
     EXPECT_EQ(found.results.at(k, "force_y"), solution.force.y);
@@ -276,6 +294,7 @@ TEST(CWheelRail, RefusesWhatMakesNoSense) {
   const CWheelRailCase handle;
   double numbers[31] = {};
   EXPECT_EQ(microslip_wheel_rail_solve(nullptr, 1, 31, numbers, 0, nullptr, nullptr), MICROSLIP_NULL_POINTER);
+  EXPECT_EQ(microslip_wheel_rail_continue(nullptr, 1, 31, numbers, 0, nullptr, nullptr), MICROSLIP_NULL_POINTER);
   EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 1, 31, nullptr, 0, nullptr, nullptr), MICROSLIP_NULL_POINTER);
   EXPECT_EQ(microslip_wheel_rail_solve(handle.pointer, 1, 31, numbers, 1, nullptr, nullptr), MICROSLIP_NULL_POINTER);
   EXPECT_EQ(microslip_wheel_rail_differentiate(handle.pointer, 1, 31, numbers, 0, nullptr, nullptr, 1, 1, nullptr),

@@ -69,6 +69,10 @@ struct SolvedRows {
     return microslip_wheel_rail_solve(wheel_rail, states.count(), states.width(), states.data(), results.width(),
                                       results.data(), status.data());
   }
+  microslip_code go_on(microslip_wheel_rail* wheel_rail, Rows& states) {
+    return microslip_wheel_rail_continue(wheel_rail, states.count(), states.width(), states.data(), results.width(),
+                                         results.data(), status.data());
+  }
   microslip_code differentiate(microslip_wheel_rail* wheel_rail, Rows& states) {
     return microslip_wheel_rail_differentiate(
         wheel_rail, states.count(), states.width(), states.data(), results.width(), results.data(), status.data(),

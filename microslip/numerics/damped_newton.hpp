@@ -56,12 +56,12 @@ template <std::size_t n, class Equations> NewtonResult find_root(Equations&& equ
   NewtonResult result;
   while (result.steps < most_steps && largest_magnitude(value) > tolerance) {
     if (stale) slope = equations.jacobian();
-    std::array<double, n* n> matrix = slope;
-    std::array<double, n> step = value, tried{}, next{};
-    if (!eliminate(matrix, {step})) break;
-    double part = std::min(1.0, longest_step / largest_magnitude(step));
+    std::array<double, n> tried{}, next{};
+    const auto step = solve_linear<n>(slope, value);
+    if (!step) break;
+    double part = std::min(1.0, longest_step / largest_magnitude(*step));
     for (int halving = 0; halving < most_halvings; ++halving, part /= 2) {
-      for (std::size_t i = 0; i < n; ++i) tried[i] = -part * step[i];
+      for (std::size_t i = 0; i < n; ++i) tried[i] = -part * (*step)[i];
       next = equations.residual(tried);
       if (norm(next) < norm(value)) break;
     }

@@ -34,20 +34,29 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
 /// about -1. Steps from loads that have not converged tell nothing about it.
 class Descent {
 public:
-  /// What the next step leaves of what is missing, if it leaves the share that the last one left.
-  double share_left(double missing) const {
-    return known_ ? std::clamp(std::abs(missing / missing_before_), 0.01, 1.0) : 1;
+  /// With a slope that is known, or 0.
+  explicit Descent(double slope) : slope_(slope) {}
+
+  double slope() const { return slope_; }
+
+  /// Takes what is missing at a depth.
+  void see(double here, double missing, bool converged) {
+    const double slope = (missing - missing_) / (here - here_);
+    if (seen_ && converged_ && slope < -0.05 && slope > -4) slope_ = slope;
+    share_left_ = slope_ == 0 && !seen_
+                      ? 1
+                      : (slope_ == 0 ? 0 : std::abs(1 + slope_)) + (seen_ ? std::abs(missing / missing_) : 0);
+    here_ = here, missing_ = missing, seen_ = true, converged_ = converged;
   }
 
-  double next(double here, double missing, bool converged) {
-    const double slope = known_ && converged_ ? (missing - missing_before_) / (here - before_) : -1;
-    before_ = here, missing_before_ = missing, known_ = true, converged_ = converged;
-    return std::max(here - missing / (slope < -0.05 && slope > -4 ? slope : -1), 0.1 * here);
-  }
+  /// What lowering the wheel by all that is missing leaves of it.
+  double share_left() const { return std::clamp(share_left_, 0.01, 1.0); }
+
+  double next() const { return std::max(here_ - missing_ / (slope_ == 0 ? -1 : slope_), 0.1 * here_); }
 
 private:
-  double before_ = 0, missing_before_ = 0;
-  bool known_ = false, converged_ = false;
+  double slope_, share_left_ = 1, here_ = 0, missing_ = 0;
+  bool seen_ = false, converged_ = false;
 };
 
 /// Rows of equal width in a patch's frame that bear what the given rows bear, which are of any width. Lengths, middles,
@@ -89,16 +98,26 @@ std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFra
   return even;
 }
 
+/// The moment of a row itself, beyond that of its forces at its centre [N m].
+double moment_beside(const LoadedRow& row, const RowForces& forces) {
+  return forces.mz - row.centre * forces.fy;
+}
+
 } // namespace
+
+void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, const Vec3<double>& centre) {
+  const Vec3<double> normal = row.normal(), tangent{0, normal.z, -normal.y};
+  const Vec3<double> leaning = Vec3<double>{f.x - row.slope * f.z, 0, 0} + f.y * tangent + f.z * normal;
+  force = force + leaning;
+  moment = moment + cross(row.point + Vec3<double>{x, 0, 0} - centre, leaning);
+}
 
 void WheelForces::add(const Vec3<double>& f, const PatchRow& row, double x, const PatchFrame& frame,
                       const Vec3<double>& centre, WheelRailPatch& patch) {
+  add(f, row, x, centre);
   const Vec3<double> tangential = Vec3<double>{f.x, 0, 0} + f.y * row.tangent();
   const Vec3<double> whole = tangential + f.z * row.normal();
   const Vec3<double> place = row.point + Vec3<double>{x, 0, 0};
-  const Vec3<double> leaning = whole - Vec3<double>{row.slope * f.z, 0, 0}; // along the true normal
-  force = force + leaning;
-  moment = moment + cross(place - centre, leaning);
   patch.fx += whole.x, patch.fs += dot(whole, frame.tangent()), patch.normal_force += dot(whole, frame.normal());
   patch.moment += dot(cross(place - frame.origin, tangential), frame.normal());
 }
@@ -108,8 +127,8 @@ CoarseContact::CoarseContact(const WheelRailBodies& bodies, const WheelRailMetho
     : bodies_(bodies), method_(method), nominal_(nominal), equivalent_(equivalent), search_(bodies.rail, bodies.wheel),
       penetration_(bodies.rail, bodies.wheel, most_rows), rows_(bodies.rail, bodies.wheel, most_rows, equivalent),
       normal_(most_rows), forward_(cells, most_rows), backward_(cells, most_rows, RollingDirection::backward),
-      shear_(most_rows), speed_(most_rows), loaded_(most_rows), flat_rows_(most_rows), forces_(most_rows),
-      flat_forces_(most_rows) {
+      shear_(most_rows), last_shear_(most_rows), speed_(most_rows), loaded_(most_rows), flat_rows_(most_rows),
+      forces_(most_rows), flat_forces_(most_rows) {
   normal_rows_.reserve(most_rows);
   patches_.reserve(most_rows);
   if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_rows);
@@ -143,11 +162,19 @@ void CoarseContact::sample(const WheelState<double>& state, double depth) {
 /// The rows in such a position.
 void CoarseContact::place_rows(const WheelState<double>& state, double depth) {
   sample(state, depth);
+  take_rows();
+}
+
+/// Those of the overlap that was sampled, with what the last ones know of them.
+void CoarseContact::take_rows() {
   complete_ = rows_.place(placement_, regions_, penetration_);
   normal_rows_.clear();
+  std::swap(shear_, last_shear_);
   for (const ContactRow& row : rows_.rows()) {
     normal_rows_.push_back(row.normal);
-    normal_rows_.back().shear = shear_[normal_rows_.size() - 1];
+    double& shear = shear_[normal_rows_.size() - 1];
+    shear = warm_ && row.normal.before != no_row ? last_shear_[row.normal.before] : 0;
+    normal_rows_.back().shear = shear;
   }
 }
 
@@ -225,6 +252,34 @@ void CoarseContact::move(const WheelState<double>& state) {
   roll();
 }
 
+bool CoarseContact::shift(const WheelState<double>& state) {
+  constexpr int most_steps = 12;
+  put(state, state.vertical);
+  penetration_.start();
+  clearance_ = search_.shift(placement_), depth_ = -clearance_;
+  regions_ = search_.regions(0);
+  penetration_.sample(placement_, regions_.first(std::min(regions_.size(), most_rows)), depth_);
+  take_rows();
+  const bool found = !normal_rows_.empty() && find_loads({}, most_steps).change == 0;
+  warm_ = found;
+  if (found) roll();
+  return found;
+}
+
+WheelForces CoarseContact::forces() const {
+  WheelForces wheel;
+  const Vec3<double> centre = placement_.wheel.frame.origin;
+  for (std::size_t k = 0; k < normal_rows_.size(); ++k) {
+    const LoadedRow& row = loaded_[k];
+    if (!(row.load > 0)) continue;
+    const RowForces& f = forces_[k];
+    const PatchRow& at = rows_.rows()[k].at;
+    wheel.add({f.fx, f.fy, row.load}, at, row.centre, centre);
+    wheel.moment = wheel.moment + moment_beside(row, f) * at.normal();
+  }
+  return wheel;
+}
+
 /// Finds all points at most `reach` [m] above the lowest one of the gap, which is returned; its gap is infinite if the
 /// wheel is nowhere above the rail.
 ContactPoint CoarseContact::search(const WheelState<double>& state, double reach) {
@@ -248,13 +303,26 @@ double CoarseContact::hertzian_lowering(const ContactPoint& point, double vertic
   return hertz_from_load(gap, bodies_.material, vertical_force / cosine).approach / cosine;
 }
 
+/// The depth [m] by virtual penetration, sampled at about that depth.
+double CoarseContact::predict_depth(const WheelState<double>& state, double from, double vertical_force) {
+  sample(state, from);
+  return predicted_ = penetration_.depth_for(vertical_force, bodies_.material.contact_modulus(), placement_.radius);
+}
+
 /// A first depth [m]: after Hertz, from there by virtual penetration.
 double CoarseContact::first_depth(const WheelState<double>& state, const ContactPoint& touch, double vertical_force) {
   constexpr double wider = 1.3, most = 3; // of Hertz's
   const double hertzian = hertzian_lowering(touch, vertical_force);
-  sample(state, wider * hertzian);
-  const double depth = penetration_.depth_for(vertical_force, bodies_.material.contact_modulus(), placement_.radius);
+  const double depth = predict_depth(state, wider * hertzian, vertical_force);
   return depth > hertzian / most && depth < most * hertzian ? depth : hertzian;
+}
+
+double CoarseContact::largest_depth(const ContactPoint& touch, double start) const {
+  return std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
+}
+
+void CoarseContact::reset() {
+  warm_ = false, last_ = {};
 }
 
 void CoarseContact::solve(const WheelState<double>& state, std::optional<double> vertical_force,
@@ -264,30 +332,45 @@ void CoarseContact::solve(const WheelState<double>& state, std::optional<double>
   clearance_ = touch.gap;
   out.status = Status::no_contact;
   if (!std::isfinite(clearance_)) return;
-  std::fill(shear_.begin(), shear_.end(), 0.0);
-  warm_ = false;
   if (!vertical_force) {
     if (clearance_ < 0) lower(state, -clearance_, out);
     return;
   }
+  if (solve_from_last(state, touch, *vertical_force, out)) return;
+  reset();
+  out.iterations = 0;
   const double start = first_depth(state, touch, *vertical_force);
-  deepest_ = std::max(largest_overlap * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
-  if (!settle(state, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
+  deepest_ = largest_depth(touch, start);
+  if (!settle(state, touch, *vertical_force, start, out)) bracket(state, *vertical_force, start, out);
+}
+
+/// From the last force's height, if it was near. False if that leads to no solution.
+bool CoarseContact::solve_from_last(const WheelState<double>& state, const ContactPoint& touch, double vertical_force,
+                                    WheelRailSolution& out) {
+  constexpr double most_force = 2, most_depth = 2, most_move = 1e-3; // over the last ones; [m]
+  const double force = vertical_force / last_.force;
+  if (!warm_ || !(force < most_force && force > 1 / most_force && std::abs(touch.s_rail - last_.rail_s) < most_move))
+    return false;
+  const double near = last_.depth * std::cbrt(force * force);
+  const double start = last_.ratio * predict_depth(state, near, vertical_force);
+  if (!(start < most_depth * near && start > near / most_depth)) return false;
+  deepest_ = largest_depth(touch, start);
+  return settle(state, touch, vertical_force, start, out);
 }
 
 /// The wheel lowered by a depth [m] that is given. Returns its vertical force [N].
 double CoarseContact::lower(const WheelState<double>& state, double depth, WheelRailSolution& out) {
-  constexpr int most_steps = 60;
+  constexpr int most_steps = 60, steps_from_last = 12;
   ++out.iterations;
-  std::fill(shear_.begin(), shear_.end(), 0.0); // which matters for a vertical force only
   place_rows(state, depth);
   out.vertical = state.vertical - clearance_ - depth;
   if (normal_rows_.empty()) {
     out.status = Status::no_contact;
+    warm_ = false;
     return 0;
   }
   const bool warm = warm_;
-  RowNormal::Result found = find_loads({}, most_steps);
+  RowNormal::Result found = find_loads({}, warm ? steps_from_last : most_steps);
   if (warm && found.change > 0) {
     warm_ = false;
     found = find_loads({}, most_steps);
@@ -300,30 +383,36 @@ double CoarseContact::lower(const WheelState<double>& state, double depth, Wheel
 }
 
 /// Steps of loads, tangential forces and height in turn from a depth [m] on. False if they do not settle.
-bool CoarseContact::settle(const WheelState<double>& state, double vertical_force, double depth,
-                           WheelRailSolution& out) {
+bool CoarseContact::settle(const WheelState<double>& state, const ContactPoint& touch, double vertical_force,
+                           double depth, WheelRailSolution& out) {
   constexpr int most_iterations = 12;
-  Descent descent;
+  Descent descent(last_.slope);
   while (out.iterations < most_iterations) {
     ++out.iterations;
+    const bool first = !warm_;
     place_rows(state, depth);
-    if (normal_rows_.empty() || !complete_) return false;
+    if (normal_rows_.empty() || !complete_) {
+      warm_ = false;
+      return false;
+    }
     // Rows move with the height: a few steps are enough, unless they do not settle.
-    const int steps = out.iterations == 1 ? 4 : out.iterations < 5 ? 2 : 12;
+    const int steps = first ? 4 : out.iterations == 1 ? 3 : out.iterations < 5 ? 2 : 12;
     const RowNormal::Result found = find_loads(vertical_force, steps);
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;
-    const double left = std::abs(found.stiffness * found.lowering) * descent.share_left(missing);
+    descent.see(depth, missing, found.change == 0);
+    const double left = std::abs(found.stiffness * found.lowering) * descent.share_left();
     out.residual = (left + std::abs(change)) / vertical_force;
     if (out.residual <= method_.tolerance && found.change == 0) {
       depth_ += found.lowering;
+      last_ = {vertical_force, touch.s_rail, depth_, depth_ / predicted_, descent.slope()};
       out.vertical = state.vertical - clearance_ - depth_;
       put(state, out.vertical);
       out.status = Status::ok;
       return true;
     }
-    depth = descent.next(depth, missing, found.change == 0);
+    depth = descent.next();
   }
   return false;
 }
@@ -432,8 +521,7 @@ void CoarseContact::sum(WheelRailSolution& out) {
       const RowForces& f = forces_[k];
       const PatchRow& at = rows_.rows()[k].at;
       wheel.add({f.fx, f.fy, row.load}, at, row.centre, patch.outline.frame, centre, sum);
-      // The moment of the row itself, beyond that of its forces at its centre.
-      const double own = f.mz - row.centre * f.fy;
+      const double own = moment_beside(row, f);
       sum.moment += own;
       wheel.moment = wheel.moment + own * at.normal();
       sum.contact_area += 2 * row.half_length * row.width, sum.slip_area += f.slip_area;

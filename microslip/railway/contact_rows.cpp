@@ -40,12 +40,13 @@ double curvature_along_track(const WheelLocus<double>& locus, const ArcPoint& p)
 ContactRows::ContactRows(const Profile& rail, const Profile& wheel, std::size_t most_rows,
                          const EquivalentRail* equivalent)
     : rail_(&rail), wheel_(&wheel), equivalent_(equivalent), most_(most_rows) {
-  rows_.reserve(most_rows);
+  rows_.reserve(most_rows), last_.reserve(most_rows);
   count_.reserve(VirtualPenetration::most_samples(rail, most_rows));
 }
 
 bool ContactRows::place(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions,
                         const VirtualPenetration& penetration) {
+  std::swap(rows_, last_);
   rows_.clear();
   if (regions.size() >= most_) return false;
   count_rows(penetration);
@@ -57,14 +58,26 @@ bool ContactRows::place(const WheelPlacement<double>& placement, std::span<const
     sum += weight, moment += weight * (count_[k] + count_[k + 1]) / 2;
   });
   const double phase = sum > 0 ? moment / sum : 0;
+  const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
   const std::span<const Sample> samples = penetration.samples();
   for (std::size_t first = 0, next = 0, region = 0; first < samples.size(); first = next, ++region) {
     while (!samples[next++].last) {
     }
-    if (!cut(placement, samples.subspan(first, next - first), static_cast<int>(region), &count_[first], phase))
+    if (!cut(placement.rail.frame, locus, samples.subspan(first, next - first), static_cast<int>(region),
+             &count_[first], phase))
       return false;
   }
+  find_before();
   return true;
+}
+
+/// A number stands twice where a row is parted between two regions.
+void ContactRows::find_before() {
+  std::size_t old = 0;
+  for (ContactRow& row : rows_) {
+    while (old < last_.size() && last_[old].number < row.number) ++old;
+    if (old < last_.size() && last_[old].number == row.number) row.normal.before = old++;
+  }
 }
 
 /// Counts rows through all regions: the integral of their density up to each sample.
@@ -95,10 +108,11 @@ void ContactRows::count_rows(const VirtualPenetration& penetration) {
   for (double& rows : count_) rows *= most / count;
 }
 
-bool ContactRows::cut(const WheelPlacement<double>& placement, std::span<const Sample> region, int index,
-                      const double* count, double phase) {
+bool ContactRows::cut(const Frame<double>& rail, const WheelLocus<double>& locus, std::span<const Sample> region,
+                      int index, const double* count, double phase) {
   const std::size_t first_row = rows_.size();
   double edge = region.front().s;
+  int number = static_cast<int>(std::floor(*count - phase));
   std::size_t at = 0;
   const auto add_until = [&](double next) {
     if (!(next > edge)) return true;
@@ -106,13 +120,14 @@ bool ContactRows::cut(const WheelPlacement<double>& placement, std::span<const S
     const double middle = (edge + next) / 2;
     while (at + 2 < region.size() && region[at + 1].s < middle) ++at;
     const Sample &a = region[at], &b = region[at + 1];
-    add(placement, edge, next, a.wheel_s + (middle - a.s) / (b.s - a.s) * (b.wheel_s - a.wheel_s), index);
+    ContactRow& row = add(rail, locus, edge, next, a.wheel_s + (middle - a.s) / (b.s - a.s) * (b.wheel_s - a.wheel_s));
+    row.region = index, row.number = number, row.joined = true;
     edge = next;
     return true;
   };
   for (std::size_t k = 1; k < region.size(); ++k) {
     const double from = count[k - 1], to = count[k], low = region[k - 1].s;
-    for (double mark = std::floor(from - phase) + 1 + phase; mark < to; ++mark)
+    for (double mark = std::floor(from - phase) + 1 + phase; mark < to; ++mark, ++number)
       if (!add_until(low + (mark - from) / (to - from) * (region[k].s - low))) return false;
   }
   if (!add_until(region.back().s)) return false;
@@ -120,36 +135,34 @@ bool ContactRows::cut(const WheelPlacement<double>& placement, std::span<const S
   return true;
 }
 
-void ContactRows::add(const WheelPlacement<double>& placement, double low, double high, double wheel_s, int region) {
-  constexpr double precision = 1e-10; // [m]
+ContactRow& ContactRows::add(const Frame<double>& rail, const WheelLocus<double>& locus, double low, double high,
+                             double wheel_s) {
+  constexpr double precision = 1e-12; // [m]
   ContactRow& row = rows_.emplace_back();
-  row.region = region, row.joined = true;
   row.at.s = row.at.rail_s = (low + high) / 2;
-  const Frame<double>& rail = placement.rail.frame;
   const CurvePoint r = rail_->at(row.at.s);
   const Vec3<double> point = rail.outer({0, r.value.y, r.value.z});
   const Vec3<double> slope = rail.axes * Vec3<double>{0, r.first.y, r.first.z};
   row.at.point = {0, point.y, point.z};
   row.at.angle = std::atan2(slope.z, slope.y);
 
-  const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
-  const LocusPoint<double> there = wheel_above(locus, *wheel_, point, precision, wheel_s);
-  const double above = height_above(there, point);
-  row.at.wheel_s = wheel_s;
-  const double cosine = std::cos(row.at.angle), sine = std::sin(row.at.angle);
-  const double along_normal = cosine + sine * there.sine / there.cosine;
-  row.normal.place = {there.place.x, point.y, point.z};
+  const WheelAbove there = wheel_above(locus, *wheel_, point, precision, wheel_s);
+  row.at.wheel_s = there.s;
+  const double size = std::sqrt(slope.y * slope.y + slope.z * slope.z);
+  const double along_normal = (slope.y + slope.z * there.locus.sine / there.locus.cosine) / size;
+  row.normal.place = {there.locus.place.x, point.y, point.z};
   row.normal.s = row.at.s;
   row.normal.angle = row.at.angle;
-  row.normal.width = (high - low) * std::hypot(slope.y, slope.z);
-  const bool on_wheel = wheel_s >= 0 && wheel_s <= wheel_->length();
-  const double gap = above / along_normal;
+  row.normal.width = (high - low) * size;
+  const bool on_wheel = there.s >= 0 && there.s <= wheel_->length();
+  const double gap = height_above(there.locus, point) / along_normal;
   row.normal.gap = on_wheel && std::isfinite(gap) ? gap : nowhere;
-  row.normal.curvature = curvature_along_track(locus, arc_point(wheel_->at(wheel_s))) / 2;
-  if (!equivalent_) return;
+  row.normal.curvature = curvature_along_track(locus, there.profile) / 2;
+  if (!equivalent_) return row;
   const EquivalentRail::Along along = equivalent_->at(row.at.s);
   row.normal.place.x = along.x, row.normal.curvature = along.curvature / 2;
   row.at.slope = along.slope;
+  return row;
 }
 
 } // namespace microslip

@@ -16,6 +16,7 @@ struct ContactRow {
   PatchRow at;         ///< at x = 0 of the track axes; s is the rail profile's parameter
   NormalRow normal;    ///< its centre is on the wheel's locus
   int region = 0;      ///< of the overlap
+  int number = 0;      ///< from where the count of rows has its mean: that of the same row in a position nearby
   bool joined = false; ///< to the row before, without a hole between them
 };
 
@@ -33,8 +34,8 @@ public:
               const EquivalentRail* equivalent = nullptr);
 
   /// Rows of the wheel in its position, with the regions of overlap there and the virtual penetration in them. Rows are
-  /// wider where there would be more than can be. False if there are as many regions: rows at the field side are left
-  /// out. Cost some 300 ns a row.
+  /// wider where there would be more than can be. Rows with the numbers of the last call's are these, moved. False if
+  /// there are as many regions: rows at the field side are left out. Cost some 300 ns a row.
   bool place(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions,
              const VirtualPenetration& penetration);
 
@@ -42,16 +43,17 @@ public:
 
 private:
   void count_rows(const VirtualPenetration& penetration);
-  bool cut(const WheelPlacement<double>& placement, std::span<const VirtualPenetration::Sample> region, int index,
-           const double* count, double phase);
-  void add(const WheelPlacement<double>& placement, double low, double high, double wheel_s, int region);
+  bool cut(const Frame<double>& rail, const WheelLocus<double>& locus,
+           std::span<const VirtualPenetration::Sample> region, int index, const double* count, double phase);
+  ContactRow& add(const Frame<double>& rail, const WheelLocus<double>& locus, double low, double high, double wheel_s);
+  void find_before();
 
   const Profile* rail_;
   const Profile* wheel_;
   const EquivalentRail* equivalent_;
   std::size_t most_;
-  std::vector<ContactRow> rows_;
-  std::vector<double> count_; ///< of rows up to each sample, through all regions
+  std::vector<ContactRow> rows_, last_; ///< those of the last position
+  std::vector<double> count_;           ///< of rows up to each sample, through all regions
 };
 
 } // namespace microslip

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace microslip {
 namespace {
@@ -380,6 +381,8 @@ struct Traversal {
 
 /// Follows the locus of a search over the rail.
 struct LocusWalk {
+  using KnownEdge = ContactSearch::KnownEdge;
+
   const ContactSearch& search;
   const ProfileArcs &rail_arcs = search.rail_, &wheel_arcs = search.wheel_;
   RailCurve rail{rail_arcs, search.turned_.rail.frame};
@@ -453,12 +456,44 @@ struct LocusWalk {
     return place;
   }
 
+  /// A step of Newton's method after which its error is rounding, in arcs.
+  static constexpr double last_step = 1e-9;
+
   /// Where the gap is `lowering` on the path from `inside`, where it is smaller, to `bound`; it grows on this path as
-  /// far as that. `step` is the first one tried.
-  ContactRegion::End edge(double inside, double bound, double step, double lowering) {
+  /// far as that. Starts from the edge that is known, which it becomes, or else from a `step`.
+  ContactRegion::End edge(double inside, double bound, double step, double lowering, KnownEdge& known) {
+    std::optional<ContactRegion::End> end;
+    if (known.slope != 0) end = follow(inside, bound, lowering, known);
+    return end ? *end : bracket(inside, bound, step, lowering, known);
+  }
+
+  /// By Newton's method from the known edge; nothing where it leaves the path.
+  std::optional<ContactRegion::End> follow(double inside, double bound, double lowering, KnownEdge& known) {
+    constexpr int most_steps = 6;
+    last_arc = known.rail_arc;
+    double u = known.parameter + (lowering - known.gap) / known.slope;
+    for (int k = 0; k < most_steps; ++k) {
+      if (!((u - inside) * (bound - u) > 0)) return {};
+      const Place place = at(u);
+      const double change = (lowering - place.gap) / place.slope;
+      if (!std::isfinite(change)) return {};
+      if (std::abs(change) <= last_step) return moved(place, u, change, lowering, known);
+      u += change;
+    }
+    return {};
+  }
+
+  /// The edge that is a last step further.
+  ContactRegion::End moved(const Place& place, double u, double change, double lowering, KnownEdge& known) {
+    known = {u + change, lowering, place.slope, last_arc};
+    return end_at(change == 0 ? place : at(known.parameter), Corner::none);
+  }
+
+  ContactRegion::End bracket(double inside, double bound, double step, double lowering, KnownEdge& known) {
     const double way = bound < inside ? -1 : 1;
     double outside = inside;
     Place place;
+    known = {};
     do {
       if (outside == bound) return end_at(at(bound), Corner::end);
       inside = outside;
@@ -473,14 +508,16 @@ struct LocusWalk {
     for (int k = 0; k < 100; ++k) {
       if (!((u - inside) * way > 0 && (outside - u) * way > 0)) u = (inside + outside) / 2;
       place = at(u);
-      const double change = (place.gap - lowering) / place.slope;
+      const double change = (lowering - place.gap) / place.slope;
       if (place.gap < lowering) {
         inside = u;
       } else {
         outside = u;
         rail_ends = std::isinf(place.gap);
       }
-      const double next = k % 8 == 7 || std::isinf(place.gap) ? (inside + outside) / 2 : u - change;
+      const double next = k % 8 == 7 || std::isinf(place.gap) ? (inside + outside) / 2 : u + change;
+      if (std::isfinite(place.gap) && std::abs(change) <= last_step && (next - inside) * (outside - next) >= 0)
+        return moved(place, u, change, lowering, known);
       if (std::abs(next - u) <= 1e-15 * (1 + std::abs(u)) || std::abs(outside - inside) <= 1e-15 * (1 + std::abs(u)))
         break;
       u = next;
@@ -509,6 +546,7 @@ ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(
   ends_.resize(wheel_.arcs().size());
   ends_of_.resize(ends_.size());
   points_.reserve(256);
+  edges_.reserve(512);
   regions_.reserve(32);
 }
 
@@ -544,7 +582,13 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
     p.place = rotation_about_x(view) * p.place;
     p.inclination += view;
   }
+  edges_.assign(2 * points_.size(), {});
   return points_;
+}
+
+double ContactSearch::shift(const WheelPlacement<double>& placement) {
+  turned_ = placement;
+  return LocusWalk{*this}.at(nearest_arc_).gap;
 }
 
 std::span<const ContactRegion> ContactSearch::regions(double lowering) {
@@ -556,13 +600,13 @@ std::span<const ContactRegion> ContactSearch::regions(double lowering) {
     ContactRegion region;
     region.first = k;
     const ContactPoint& first = points_[k];
-    region.inner =
-        walk.edge(first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, walk.first_step(first, lowering), lowering);
+    region.inner = walk.edge(first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, walk.first_step(first, lowering),
+                             lowering, edges_[2 * k]);
     // Between two minima there is a maximum: one that is not among the points is higher than they reach.
     while (k + 1 < n && points_[k + 1].gap < lowering && !(points_[k].minimum && points_[k + 1].minimum)) ++k;
     const ContactPoint& last = points_[k];
     region.outer = walk.edge(last.wheel_arc, k + 1 < n ? points_[k + 1].wheel_arc : walk.end(),
-                             walk.first_step(last, lowering), lowering);
+                             walk.first_step(last, lowering), lowering, edges_[2 * k + 1]);
     region.count = k + 1 - region.first;
     regions_.push_back(region);
   }

@@ -33,15 +33,18 @@ double approach_of(const ContactGroup& one, std::span<const PointLoad> loads, do
 /// Changes of the normal forces [N] that were those of each patch on its own, when each lifts the others off; as they
 /// were where together they have none.
 void couple(const std::vector<ContactGroup>& groups, std::vector<double>& direct, std::vector<double>& lowered) {
-  std::vector<double> matrix;
-  for (std::size_t k = 0; k < groups.size(); ++k)
-    for (std::size_t l = 0; l < groups.size(); ++l) {
+  const std::size_t n = groups.size();
+  std::vector<double> rows;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t l = 0; l < n; ++l) {
       PointLoad unit = groups[l].exact.load();
       unit.force = 1;
-      matrix.push_back(k == l ? 1 : groups[k].stiffness * groups[k].exact.lift_by(unit));
+      rows.push_back(k == l ? 1 : groups[k].stiffness * groups[k].exact.lift_by(unit));
     }
-  std::vector<double> coupled = direct, coupled_lowered = lowered;
-  if (eliminate(matrix, {coupled, coupled_lowered})) direct = coupled, lowered = coupled_lowered;
+    rows.push_back(direct[k]), rows.push_back(lowered[k]);
+  }
+  if (!eliminate(rows, n, 2)) return;
+  for (std::size_t k = 0; k < n; ++k) direct[k] = rows[k * (n + 2) + n], lowered[k] = rows[k * (n + 2) + n + 1];
 }
 
 /// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force

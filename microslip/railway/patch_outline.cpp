@@ -42,6 +42,7 @@ OverRail over_rail(const WheelPlacement<double>& placement, const WheelLocus<dou
     const double step = (out.place.y - place.y) / std::max(slope.y, 0.02);
     out.overlap = place.z + slope.z * step - out.place.z;
     out.rail_s += std::clamp(step, -2e-3, 2e-3);
+    if (std::abs(step) < 1e-9) break; // the error of the next one would be rounding
   }
   return out;
 }

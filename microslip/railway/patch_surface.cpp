@@ -89,12 +89,13 @@ void PatchSurface::find_gaps(PatchRow& row, std::span<const double> x, std::span
 
 Creepage PatchSurface::creepage_at(const PatchRow& row, double gap, double speed) const {
   const double rise = equivalent_ ? equivalent_->at(row.rail_s).rise : 0;
-  const Vec3<double> on_rail = row.point + rise * row.normal(), point = on_rail + gap * row.normal();
+  const Vec3<double> normal = row.normal(), tangent{0, normal.z, -normal.y};
+  const Vec3<double> on_rail = row.point + rise * normal, point = on_rail + gap * normal;
   // A roller's velocity is that of its surface.
   const Vec3<double>& of_rail = placement_.roller_radius != 0 ? on_rail : point;
   const Vec3<double> over = placement_.wheel.velocity_at(point) - placement_.rail.velocity_at(of_rail);
   const Vec3<double> turning = placement_.wheel.angular_velocity - placement_.rail.angular_velocity;
-  return {over.x / speed, dot(row.tangent(), over) / speed, dot(row.normal(), turning) / speed};
+  return {over.x / speed, dot(tangent, over) / speed, dot(normal, turning) / speed};
 }
 
 Creepage PatchSurface::creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap,

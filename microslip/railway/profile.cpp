@@ -3,7 +3,6 @@
 #include "microslip/error.hpp"
 #include "microslip/numerics/natural_spline.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -73,12 +72,27 @@ Profile::Profile(ProfileRole role, std::span<const ProfilePoint> points, std::sp
   };
   for (const std::size_t kink : kinks_) add_until(kink);
   add_until(points.size() - 1);
+  find_marks();
+}
+
+void Profile::find_marks() {
+  const std::size_t count = 2 * pieces_.size();
+  marks_per_metre_ = static_cast<double>(count) / length();
+  std::uint32_t piece = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    while (piece + 1 < pieces_.size() && pieces_[piece + 1].start * marks_per_metre_ <= static_cast<double>(k)) ++piece;
+    marks_.push_back(piece);
+  }
 }
 
 std::size_t Profile::piece_at(double s) const {
-  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), s,
-                                      [](double value, const ProfilePiece& piece) { return value < piece.start; });
-  return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
+  const double mark = s * marks_per_metre_;
+  if (!(mark > 0)) return 0;
+  std::size_t piece =
+      mark < static_cast<double>(marks_.size()) ? marks_[static_cast<std::size_t>(mark)] : marks_.back();
+  while (piece > 0 && pieces_[piece].start > s) --piece;
+  while (piece + 1 < pieces_.size() && pieces_[piece + 1].start <= s) ++piece;
+  return piece;
 }
 
 CurvePoint Profile::at(double s) const {

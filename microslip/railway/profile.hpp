@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -53,14 +54,18 @@ public:
   double length() const { return pieces_.back().start + pieces_.back().length; }
 
   /// The index of the piece that holds s, the later one at a joint; the first or the last one for s outside [0,
-  /// length]. Cost O(log pieces).
+  /// length]. Cost O(1) for pieces of about the same length.
   std::size_t piece_at(double s) const;
   /// Outside [0, length] the first and the last piece go on as straight lines.
   CurvePoint at(double s) const;
 
 private:
+  void find_marks();
+
   ProfileRole role_;
   std::vector<ProfilePiece> pieces_;
+  std::vector<std::uint32_t> marks_; ///< the pieces at evenly spaced s
+  double marks_per_metre_ = 0;
   std::vector<std::size_t> kinks_;
 };
 

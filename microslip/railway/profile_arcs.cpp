@@ -46,9 +46,9 @@ double angle_of(const ArcPoint& p) {
 } // namespace
 
 ArcPoint arc_point(const CurvePoint& p, double length) {
-  const double square = p.first.y * p.first.y + p.first.z * p.first.z, speed = std::sqrt(square);
-  return {p.value, p.first.y / speed, p.first.z / speed, speed * length,
-          (p.first.y * p.second.z - p.first.z * p.second.y) / square * length};
+  const double speed = std::sqrt(p.first.y * p.first.y + p.first.z * p.first.z), inverse = 1 / speed;
+  return {p.value, p.first.y * inverse, p.first.z * inverse, speed * length,
+          (p.first.y * p.second.z - p.first.z * p.second.y) * inverse * inverse * length};
 }
 
 ArcPoint ProfileArcs::at(const ProfileArc& arc, double u) const {

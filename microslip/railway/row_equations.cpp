@@ -43,8 +43,9 @@ RowEquations::RowEquations(std::size_t most_rows, InstructionSet instruction_set
   for (std::vector<double>* pairs :
        {&distance_, &factor_, &gap_by_load_, &gap_by_kappa_, &turn_by_load_, &turn_by_kappa_})
     pairs->resize(most_rows * most);
-  for (std::vector<double>* row : {&level_, &sine_, &weight_, &half_width_, &given_gap_, &curvature_, &log_curvature_,
-                                   &load_, &log_kappa_, &half_length_, &by_load_, &gap_, &turn_, &turn_by_length_})
+  for (std::vector<double>* row :
+       {&level_, &sine_, &weight_, &half_width_, &given_gap_, &curvature_, &log_curvature_, &load_, &log_kappa_,
+        &half_length_, &by_load_, &by_largest_, &gap_, &turn_, &inverse_turn_, &turn_by_length_})
     row->resize(most);
 }
 
@@ -52,7 +53,8 @@ void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std
   count_ = places.size(), stride_ = filled_up(count_);
   for (std::size_t j = 0; j < count_; ++j) {
     const NormalRow& row = rows[places[j]];
-    level_[j] = std::cos(row.angle), sine_[j] = std::sin(row.angle), weight_[j] = row.vertical_weight();
+    level_[j] = std::cos(row.angle), sine_[j] = std::sin(row.angle);
+    weight_[j] = row.width * (level_[j] + row.shear * sine_[j]);
     half_width_[j] = row.width / 2, given_gap_[j] = row.gap;
     curvature_[j] = row.curvature, log_curvature_[j] = std::log(row.curvature);
   }
@@ -66,12 +68,14 @@ void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std
 }
 
 void RowEquations::find_half_lengths(bool held) {
-  largest_ = *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
+  const auto largest = std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(count_));
+  largest_row_ = static_cast<std::size_t>(largest - load_.begin()), largest_ = *largest;
   for (std::size_t j = 0; j < count_; ++j) {
     // (q + root)/2, a smooth max(q, least).
     const double least = least_load * largest_, root = std::sqrt(load_[j] * load_[j] + 4 * least * least);
     half_length_[j] = std::sqrt((load_[j] + root) / pi * std::exp(-log_kappa_[j]));
     by_load_[j] = held ? 0 : 0.5 / root;
+    by_largest_[j] = held ? 0 : 2 * least_load * least / (root * (load_[j] + root));
   }
   std::fill(half_length_.begin() + static_cast<std::ptrdiff_t>(count_),
             half_length_.begin() + static_cast<std::ptrdiff_t>(stride_), 1.0);
@@ -87,19 +91,35 @@ void RowEquations::find(std::span<const double> load, std::span<const double> lo
                half_length_.data(), half_width_.data(), load_.data(), by_load_.data(), gap_by_load_.data(),
                gap_by_kappa_.data(), turn_by_load_.data(), turn_by_kappa_.data(), gap_.data(), turn_.data(),
                turn_by_length_.data()});
+  for (std::size_t j = 0; j < count_; ++j) inverse_turn_[j] = 1 / turn_[j];
   for (std::size_t k = 0; k < count_; ++k)
     for (std::size_t j = 0; j < count_; ++j) {
-      turn_by_load_[k * stride_ + j] /= turn_[j], turn_by_kappa_[k * stride_ + j] /= turn_[j];
+      turn_by_load_[k * stride_ + j] *= inverse_turn_[j], turn_by_kappa_[k * stride_ + j] *= inverse_turn_[j];
     }
   for (std::size_t j = 0; j < count_; ++j) {
     const double curvature = curvature_[j] * half_length_[j] * half_length_[j];
-    const double by_own = turn_by_length_[j] / turn_[j] - 2, by_length = curvature / 2 - turn_[j];
+    const double by_own = turn_by_length_[j] * inverse_turn_[j] - 2, by_length = curvature / 2 - turn_[j];
     const std::size_t own = j * stride_ + j;
     turn_by_load_[own] += by_own * by_load_[j], turn_by_kappa_[own] -= by_own / 2;
     // What a_j does to e_j vanishes with the other condition.
     gap_by_load_[own] += by_length * by_load_[j], gap_by_kappa_[own] -= by_length / 2;
     gap_[j] += given_gap_[j] + curvature / 4;
     turn_[j] = std::log(2 * turn_[j] / curvature);
+  }
+  add_largest();
+}
+
+/// All half-lengths depend on the largest load, that of rows with next to none more than slightly. Their logarithms
+/// have the derivatives -1/2 by ln(kappa).
+void RowEquations::add_largest() {
+  constexpr double slight = 1e-7;
+  const std::size_t at = largest_row_ * stride_;
+  for (std::size_t k = 0; k < count_; ++k) {
+    if (!(by_largest_[k] * largest_ > slight)) continue;
+    for (std::size_t j = 0; j < count_; ++j) {
+      gap_by_load_[at + j] -= 2 * by_largest_[k] * gap_by_kappa_[k * stride_ + j];
+      turn_by_load_[at + j] -= 2 * by_largest_[k] * turn_by_kappa_[k * stride_ + j];
+    }
   }
 }
 
@@ -143,6 +163,7 @@ RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
   const double part = std::isfinite(u) ? u / (u + half_share) : 1, small = small_load * largest_,
                size = load / (load + small), both = n.rise + load, less = n.rise / both, held = 1 - part * size;
   OwnShare own{1 - held * less};
+  own.by_largest = -less * part * small_load * load / ((load + small) * (load + small));
   own.by_load = less * part * small / ((load + small) * (load + small)) + held * n.rise / (both * both);
   const double by_u = std::isfinite(u) ? less * size * part * (1 - part) : 0;
   own.by_load += by_u * by_load;
@@ -171,6 +192,7 @@ void RowEquations::smooth_kappa() {
     }
     turn_[j] += sum;
     turn_by_load_[j * stride_ + j] += sum * by_load_[j], turn_by_kappa_[j * stride_ + j] -= sum / 2;
+    turn_by_load_[largest_row_ * stride_ + j] += sum * by_largest_[j];
   }
 }
 
@@ -188,6 +210,7 @@ void RowEquations::hold_to_neighbours() {
     for (std::size_t k = 0; k < count_; ++k)
       turn_by_load_[k * stride_ + j] *= own.share, turn_by_kappa_[k * stride_ + j] *= own.share;
     turn_by_kappa_[j * stride_ + j] += held, turn_by_load_[j * stride_ + j] += change * own.by_load;
+    turn_by_load_[largest_row_ * stride_ + j] += change * own.by_largest;
     for (std::size_t side = 0; side < 2; ++side) {
       const std::size_t k = n.row[side];
       const double by_share = n.share[side] > 0 ? held * (relative(k) - mean) / n.rise : 0;

@@ -12,18 +12,18 @@
 
 namespace microslip {
 
+inline constexpr std::size_t no_row = static_cast<std::size_t>(-1);
+
 /// A row of a contact: a strip along x whose undeformed gap is h + A (x - x0)^2.
 struct NormalRow {
-  Vec3<double> place;   ///< of its centre, in track axes [m]
-  double s = 0;         ///< of its centre, along the surface; rows are in ascending order [m]
-  double angle = 0;     ///< of its plane against the track's y [rad]
-  double width = 0;     ///< [m], > 0
-  double gap = 0;       ///< h [m], along the row's normal, negative where the undeformed bodies overlap
-  double curvature = 0; ///< A [1/m], > 0
-  double shear = 0;     ///< force along s over the normal one [-]: it bears some of the weight
-
-  /// The vertical force for each newton per metre of its load [m].
-  double vertical_weight() const { return width * (std::cos(angle) + shear * std::sin(angle)); }
+  Vec3<double> place;          ///< of its centre, in track axes [m]
+  double s = 0;                ///< of its centre, along the surface; rows are in ascending order [m]
+  double angle = 0;            ///< of its plane against the track's y [rad]
+  double width = 0;            ///< [m], > 0
+  double gap = 0;              ///< h [m], along the row's normal, negative where the undeformed bodies overlap
+  double curvature = 0;        ///< A [1/m], > 0
+  double shear = 0;            ///< force along s over the normal one [-]: it bears some of the weight
+  std::size_t before = no_row; ///< the row of the last position that it was, if any
 };
 
 /// Distance [m] at which a row feels the pressure of another one.
@@ -78,17 +78,20 @@ private:
   };
   /// How far a row's equation is its own.
   struct OwnShare {
-    double share = 1, by_load = 0;        ///< and its derivatives with respect to the row's load
+    double share = 1, by_load = 0;        ///< and its derivatives with respect to the row's load,
+    double by_largest = 0;                ///< the largest one
     std::array<double, 2> by_neighbour{}; ///< and the neighbours'
   };
 
   void find_half_lengths(bool held);
+  void add_largest();
   void find_neighbours();
   void smooth_kappa();
   OwnShare own_share(std::size_t j) const;
 
   detail::FindRowPairs find_pairs_;
   std::size_t count_ = 0, stride_ = 0;
+  std::size_t largest_row_ = 0;
   double largest_ = 0;
   // Of pairs of rows, as detail::RowPairs has them.
   std::vector<double> distance_, factor_, gap_by_load_, gap_by_kappa_, turn_by_load_, turn_by_kappa_;
@@ -97,7 +100,8 @@ private:
   std::vector<double> load_, log_kappa_;
   std::vector<double> half_length_; ///< with a least load, so that none is 0 [m]
   std::vector<double> by_load_;     ///< d ln(a)/dq, 0 where half-lengths are held
-  std::vector<double> gap_, turn_, turn_by_length_;
+  std::vector<double> by_largest_;  ///< the same by the largest load
+  std::vector<double> gap_, turn_, inverse_turn_, turn_by_length_;
   std::vector<Neighbours> neighbours_;
 };
 

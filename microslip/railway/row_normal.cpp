@@ -15,12 +15,20 @@ constexpr double pi = std::numbers::pi;
 /// With no more rows than that all of them are in the equations.
 constexpr std::size_t few_rows = 24;
 
+/// Numbers of each of Newton's equations, with two sides.
+constexpr std::size_t columns_of(std::size_t order) {
+  constexpr std::size_t block = 8; // for eliminate()
+  return (order + 2 + block - 1) / block * block;
+}
+
 } // namespace
 
 RowNormal::RowNormal(std::size_t most_rows) : equations_(most_rows) {
-  for (std::vector<double>* row : {&load_, &log_kappa_, &half_length_, &width_, &s_, &next_load_, &change_, &constant_})
+  for (std::vector<double>* row :
+       {&load_, &log_kappa_, &half_length_, &width_, &next_load_, &change_, &constant_, &turn_constant_})
     row->resize(most_rows);
-  system_.resize(4 * most_rows * most_rows), right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
+  system_.resize(2 * most_rows * columns_of(2 * most_rows));
+  right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
   in_contact_.resize(most_rows);
   active_.reserve(most_rows), near_.reserve(most_rows), is_near_.resize(most_rows);
 }
@@ -39,15 +47,14 @@ void RowNormal::start(std::span<const NormalRow> rows) {
   }
 }
 
-/// Each row has the load and the kappa of the last solve's row that holds its centre. False if none of them bears a
-/// load.
+/// Each row has the load and the kappa of the row that it was. False if none of them bears a load.
 bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
-  std::size_t old = 0;
   bool any = false;
+  std::size_t old = 0; // new rows have the kappa of those beside them
   for (std::size_t k = 0; k < rows.size() && count_ > 0; ++k) {
-    while (old + 1 < count_ && rows[k].s > s_[old] + width_[old] / 2) ++old;
-    const bool inside = std::abs(rows[k].s - s_[old]) <= 0.5001 * width_[old];
-    next_load_[k] = inside ? load_[old] : 0;
+    const bool known = rows[k].before < count_;
+    if (known) old = rows[k].before;
+    next_load_[k] = known ? load_[old] : 0;
     change_[k] = log_kappa_[old];
     in_contact_[k] = next_load_[k] > 0;
     any |= next_load_[k] > 0;
@@ -85,21 +92,35 @@ void RowNormal::change_alike() {
 /// Newton's equations of the active rows: loads over the largest one, then changes of ln(kappa) unless `linear`.
 void RowNormal::fill_system(bool linear, double length) {
   const RowEquations& e = equations_;
-  const double largest = e.largest();
-  const std::size_t n = active_.size(), m = linear ? n : 2 * n;
+  const double load = e.largest() / length, one = 1 / length;
+  const std::size_t n = active_.size(), m = linear ? n : 2 * n, columns = columns_of(m);
+  std::fill_n(system_.begin(), m * columns, 0.0);
+  for (std::size_t l = 0; l < n; ++l) {
+    const std::size_t k = active_[l];
+    double* const by_load = &system_[l];
+    for (std::size_t i = 0; i < n; ++i) by_load[i * columns] = e.gap_by_load(active_[i], k) * load;
+    if (linear) continue;
+    double *const by_kappa = by_load + n, *const turns = by_load + n * columns;
+    for (std::size_t i = 0; i < n; ++i) by_kappa[i * columns] = e.gap_by_kappa(active_[i], k) * one;
+    for (std::size_t i = 0; i < n; ++i) turns[i * columns] = e.turn_by_load(active_[i], k) * e.largest();
+    for (std::size_t i = 0; i < n; ++i) turns[i * columns + n] = e.turn_by_kappa(active_[i], k);
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = active_[i];
-    right_[i] = constant_[j] / length, per_lowering_[i] = e.level(j) / length;
-    double* const row = &system_[i * m];
-    for (std::size_t l = 0; l < n; ++l) row[l] = e.gap_by_load(j, active_[l]) * (largest / length);
-    if (linear) continue;
-    for (std::size_t l = 0; l < n; ++l) row[n + l] = e.gap_by_kappa(j, active_[l]) / length;
-    double turn = -e.turn(j);
-    for (std::size_t k = 0; k < e.size(); ++k) turn += e.turn_by_load(j, k) * e.load(k);
-    right_[n + i] = turn, per_lowering_[n + i] = 0;
-    double* const second = &system_[(n + i) * m];
-    for (std::size_t l = 0; l < n; ++l) second[l] = e.turn_by_load(j, active_[l]) * largest;
-    for (std::size_t l = 0; l < n; ++l) second[n + l] = e.turn_by_kappa(j, active_[l]);
+    double* const sides = &system_[i * columns + m];
+    sides[0] = constant_[j] * one, sides[1] = e.level(j) * one;
+    if (!linear) sides[n * columns] = turn_constant_[j];
+  }
+}
+
+/// Without a solution loads are no numbers, and the next step starts anew.
+void RowNormal::solve_system(bool linear) {
+  const std::size_t m = linear ? active_.size() : 2 * active_.size(), columns = columns_of(m);
+  const bool regular = eliminate(std::span(system_).first(m * columns), m, 2);
+  for (std::size_t i = 0; i < m; ++i) {
+    const double* const sides = &system_[i * columns + m];
+    right_[i] = regular ? sides[0] : std::numeric_limits<double>::quiet_NaN();
+    per_lowering_[i] = sides[1];
   }
 }
 
@@ -132,19 +153,20 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, bool linear, 
   constexpr int most_sets = 30;
   const RowEquations& e = equations_;
   const double length = std::abs(e.gap_by_load(0, 0)) * e.largest(); // about that of gaps
-  for (std::size_t j = 0; j < near_.size(); ++j) {                   // what e has without loads
-    constant_[j] = -e.gap(j);
-    for (std::size_t k = 0; k < near_.size(); ++k) constant_[j] += e.gap_by_load(j, k) * e.load(k);
-  }
+  for (std::size_t j = 0; j < near_.size(); ++j)                     // what e and the other equation have without loads
+    constant_[j] = -e.gap(j), turn_constant_[j] = -e.turn(j);
+  for (std::size_t k = 0; k < near_.size(); ++k)
+    for (std::size_t j = 0; j < near_.size(); ++j) {
+      constant_[j] += e.gap_by_load(j, k) * e.load(k);
+      turn_constant_[j] += e.turn_by_load(j, k) * e.load(k);
+    }
   for (int sets = 0; sets < most_sets; ++sets) {
     active_.clear();
     for (std::size_t j = 0; j < near_.size(); ++j)
       if (in_contact_[near_[j]]) active_.push_back(j);
     const std::size_t n = active_.size(), m = linear ? n : 2 * n;
     fill_system(linear, length);
-    // Without a solution loads are no numbers, and the next step starts anew.
-    if (!eliminate(std::span(system_).first(m * m), {std::span(right_).first(m), std::span(per_lowering_).first(m)}))
-      std::fill_n(right_.begin(), m, std::numeric_limits<double>::quiet_NaN());
+    solve_system(linear);
     double force = 0;
     result.stiffness = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -209,7 +231,7 @@ RowNormal::Result RowNormal::solve(const CombinedMaterial& material, std::span<c
   unit_ = (1 - material.poisson_ratio) / (pi * material.shear_modulus);
   if (warm) warm = start_from_last(rows);
   count_ = rows.size();
-  for (std::size_t k = 0; k < count_; ++k) width_[k] = rows[k].width, s_[k] = rows[k].s;
+  for (std::size_t k = 0; k < count_; ++k) width_[k] = rows[k].width;
   if (!warm) start(rows);
   near_.clear();
   std::fill_n(is_near_.begin(), count_, 0);

@@ -39,8 +39,8 @@ public:
     int steps = 0;
   };
   /// At most `most_steps` steps, fewer once the change is less than 1e-5, with which the next one's would be 1e-10.
-  /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads at the
-  /// same s if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
+  /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads of the
+  /// rows `before` if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
   Result solve(const CombinedMaterial& material, std::span<const NormalRow> rows, std::optional<double> vertical_force,
                bool warm, int most_steps) noexcept;
 
@@ -55,6 +55,7 @@ private:
   void change_alike();
   bool solve_active(std::optional<double> vertical_force, bool linear, Result& result);
   void fill_system(bool linear, double length);
+  void solve_system(bool linear);
   bool change_contact(bool linear, double length, double lowering);
   void take_step(bool linear, Result& result);
   bool touch_elsewhere(std::span<const NormalRow> rows, double lowering);
@@ -63,13 +64,14 @@ private:
   std::size_t count_ = 0;
   double unit_ = 0; ///< (1 - nu)/(pi G) [1/Pa]
   // Of each row.
-  std::vector<double> load_, log_kappa_, half_length_, width_, s_;
+  std::vector<double> load_, log_kappa_, half_length_, width_;
   std::vector<double> next_load_, change_; ///< of loads, and by how much ln(kappa) changes
   std::vector<char> in_contact_;
   std::vector<std::size_t> near_; ///< those of the equations: the others have no part in a step
   std::vector<char> is_near_;
   std::vector<std::size_t> active_; ///< those of the equations that are in contact
-  std::vector<double> system_, right_, per_lowering_, constant_;
+  std::vector<double> system_;      ///< Newton's equations: a matrix with two sides behind, those of the next line
+  std::vector<double> right_, per_lowering_, constant_, turn_constant_;
 };
 
 } // namespace microslip

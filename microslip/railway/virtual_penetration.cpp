@@ -12,16 +12,17 @@ constexpr int least_intervals = 12;        // across all regions
 
 } // namespace
 
-LocusPoint<double> wheel_above(const WheelLocus<double>& locus, const Profile& wheel, const Vec3<double>& point,
-                               double precision, double& wheel_s) {
+WheelAbove wheel_above(const WheelLocus<double>& locus, const Profile& wheel, const Vec3<double>& point,
+                       double precision, double s) {
   constexpr int most_steps = 20;
   constexpr double longest = 2e-3, least_cosine = 0.02; // [m], [-]
-  LocusPoint<double> there;
+  WheelAbove there{{}, {}, s};
   for (int k = 0; k < most_steps; ++k) {
-    there = locus.at(arc_point(wheel.at(wheel_s)));
-    const double along = there.speed * there.cosine;
-    const double move = (point.y - there.place.y) / (std::abs(along) > least_cosine ? along : least_cosine);
-    wheel_s += std::clamp(move, -longest, longest);
+    there.profile = arc_point(wheel.at(there.s));
+    there.locus = locus.at(there.profile);
+    const double along = there.locus.speed * there.locus.cosine;
+    const double move = (point.y - there.locus.place.y) / (std::abs(along) > least_cosine ? along : least_cosine);
+    there.s += std::clamp(move, -longest, longest);
     if (std::abs(move) < precision) break;
   }
   return there;
@@ -48,11 +49,11 @@ VirtualPenetration::Place VirtualPenetration::find(const WheelPlacement<double>&
   const Vec3<double> point = placement.rail.frame.outer({0, r.value.y, r.value.z});
   const Vec3<double> along = placement.rail.frame.axes * Vec3<double>{0, r.first.y, r.first.z};
   const double size = std::sqrt(along.y * along.y + along.z * along.z);
-  const LocusPoint<double> wheel = wheel_above(locus, *wheel_, point, precision, wheel_s);
-  return {.wheel_s = wheel_s,
-          .overlap = -height_above(wheel, point),
+  const WheelAbove wheel = wheel_above(locus, *wheel_, point, precision, wheel_s);
+  return {.wheel_s = wheel.s,
+          .overlap = -height_above(wheel.locus, point),
           .level = along.y / size,
-          .lean = (along.y * wheel.sine - along.z * wheel.cosine) / size,
+          .lean = (along.y * wheel.locus.sine - along.z * wheel.locus.cosine) / size,
           .height = placement.wheel.frame.origin.z,
           .search = search_};
 }
@@ -95,7 +96,7 @@ void VirtualPenetration::sample(const WheelPlacement<double>& placement, std::sp
     double slope = add(inner.s_rail, find(placement, locus, inner.s_rail, inner.s_wheel));
     const auto continue_to = [&](double s, auto&& find_there) {
       const Sample before = samples_.back();
-      const double next = add(s, find_there(before.wheel_s + (s - before.s) * rate)), step = s - before.s;
+      const double step = s - before.s, next = add(s, find_there(before.wheel_s + step * rate));
       samples_[samples_.size() - 2].curvature = step > 0 ? std::abs(next - slope) / step : 0;
       slope = next;
     };

@@ -10,10 +10,16 @@
 
 namespace microslip {
 
+/// A point of the wheel's profile, its circle's lowest point, and where the profile's parameter leads next.
+struct WheelAbove {
+  ArcPoint profile;
+  LocusPoint<double> locus;
+  double s = 0; ///< [m]
+};
 /// The wheel's circle whose lowest line is above a point of the rail [m], found by Newton's method from the profile's
-/// parameter on, which is moved there, to `precision` [m].
-LocusPoint<double> wheel_above(const WheelLocus<double>& locus, const Profile& wheel, const Vec3<double>& point,
-                               double precision, double& wheel_s);
+/// parameter on, to `precision` [m].
+WheelAbove wheel_above(const WheelLocus<double>& locus, const Profile& wheel, const Vec3<double>& point,
+                       double precision, double s);
 /// Vertical distance from a point of the rail to the wheel there [m]: what is left to the circle, along the tangent.
 double height_above(const LocusPoint<double>& wheel, const Vec3<double>& point);
 

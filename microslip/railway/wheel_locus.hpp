@@ -31,14 +31,15 @@ public:
     const Vec3<T>& axle = wheel.axes.ey;
     lean_ = axle.x * axle.x;
     across_ = sqrt(axle.y * axle.y + axle.z * axle.z);
-    level_cosine_ = axle.y / across_;
-    level_sine_ = axle.z / across_;
+    inverse_across_ = T(1) / across_;
+    level_cosine_ = axle.y * inverse_across_;
+    level_sine_ = axle.z * inverse_across_;
   }
 
   LocusPoint<T> at(const ArcPoint& p) const {
     using std::sqrt;
     LocusPoint<T> l;
-    T sine = T(p.sine) / across_;
+    T sine = T(p.sine) * inverse_across_;
     const T rest = T(1) - sine * sine;
     l.exists = value_of(rest) >= 0;
     const double side = p.cosine < 0 ? -1 : 1;
@@ -49,17 +50,17 @@ public:
 
     const auto &ex = wheel_.axes.ex, &ez = wheel_.axes.ez;
     const T nx = ex.y * l.sine - ex.z * l.cosine, nz = ez.y * l.sine - ez.z * l.cosine;
-    const T across = side * sqrt(nx * nx + nz * nz); // cos alpha
-    l.ahead_sine = nx / across;
-    l.ahead_cosine = -(nz / across);
+    const T inverse = side / sqrt(nx * nx + nz * nz); // 1/cos alpha
+    l.ahead_sine = nx * inverse;
+    l.ahead_cosine = -(nz * inverse);
     const T rho = T(radius_) - T(p.place.z);
     l.place = wheel_.outer({rho * l.ahead_sine, T(p.place.y), -(rho * l.ahead_cosine)});
 
     // chi is the angle in the tangent plane between the profile's direction and the y, z plane: cos alpha cos chi =
     // c cos(delta - delta0), sin chi = e_x/cos alpha; tau' = -alpha' tan chi/cos alpha and delta' = alpha'/cos chi
-    const T chi_cosine = cosine * across_ / across;
-    l.turn = T(p.turn) / chi_cosine;
-    l.speed = p.speed * chi_cosine + p.turn * (rho * lean_ / (chi_cosine * across * across * across));
+    const T chi_cosine = cosine * across_ * inverse, inverse_chi = T(1) / chi_cosine;
+    l.turn = T(p.turn) * inverse_chi;
+    l.speed = p.speed * chi_cosine + p.turn * (rho * lean_ * inverse_chi * inverse * inverse * inverse);
     return l;
   }
 
@@ -73,7 +74,7 @@ public:
 private:
   Frame<T> wheel_;
   double radius_;
-  T lean_, across_, level_cosine_, level_sine_;
+  T lean_, across_, inverse_across_, level_cosine_, level_sine_;
 };
 
 } // namespace microslip

@@ -20,6 +20,7 @@ public:
   /// Throws Error as WheelRail.
   WheelPair(const WheelRailBodies& left, const WheelRailBodies& right, const WheelRailMethod& method);
 
+  void reset() { left_.reset(), right_.reset(); } ///< forgets the last state
   /// Finds the forces where the state puts the wheels, or with each by itself lowered until it bears its load.
   void solve(const WheelsetState& state, const std::optional<WheelLoads>& loads, WheelsetSolution& out,
              const Progress& progress);

@@ -88,6 +88,7 @@ private:
 
   /// No number of a state makes it throw: the state has a status, and others can be solved.
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
+    if (level.by_elements) contact.rows().reset(); // next to nothing of the cost, and the grids are the same each time
     try {
       if (solve_rows(state, vertical_force, out)) level.solve(contact, state, method, vertical_force, out, progress);
     } catch (const Error&) {
@@ -134,16 +135,24 @@ private:
     return is_finite(out);
   }
 
+  Wrench of_rows() {
+    const WheelForces forces = contact.rows().forces();
+    return {forces.force, forces.moment};
+  }
+
   NearbyForces nearby_forces() {
     NearbyForces forces;
     forces.of_rows = [this](const WheelState<double>& state) {
       solve_rows(state, {}, trial);
       return Wrench::of(trial);
     };
+    forces.of_shifted_rows = [this](const WheelState<double>& state) {
+      if (!contact.rows().shift(state)) throw Error("wheel: nearby pressures are not found");
+      return of_rows();
+    };
     forces.of_moving_rows = [this](const WheelState<double>& state) {
       contact.rows().move(state);
-      contact.rows().sum(trial);
-      return Wrench::of(trial);
+      return of_rows();
     };
     if (level.by_elements)
       forces.of_elements = [this](const WheelState<double>& state, std::optional<double> vertical_force) {
@@ -173,6 +182,10 @@ WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optiona
   WheelRailSolution solution;
   solve(state, vertical_force, solution, progress);
   return solution;
+}
+
+void WheelRail::reset() {
+  workspace_->contact.rows().reset();
 }
 
 void WheelRail::differentiate(const WheelState<double>& state, std::optional<double> vertical_force,

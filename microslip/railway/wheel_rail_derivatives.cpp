@@ -41,7 +41,8 @@ struct DifferenceSteps {
 };
 
 /// Forward differences of rows: a hundred-thousandth or less of an approach of 50 um and a creepage of 0.001.
-constexpr DifferenceSteps row_steps = {1e-10, 5e-9, 5e-10};
+// Forces have a noise of some 1e-8 N.
+constexpr DifferenceSteps row_steps = {3e-10, 5e-9, 5e-10};
 
 /// Central differences of elements. Elements come and go with every micrometre or so, each with a kink in the forces,
 /// and so do those that slide with the creepage: steps take some together. They are small beside the patch's approach
@@ -56,6 +57,18 @@ constexpr std::array<std::pair<std::size_t, double>, 2> place_steps = {std::pair
                                                                        {pitch_number, 2e-6}};
 constexpr double longer_along = 20; ///< these steps for elements
 using PlaceDerivatives = std::array<Wrench, place_steps.size()>;
+
+/// The ten basic numbers of a state in the order of their differences.
+constexpr std::array<WheelVariable, basic_motions> in_order = {WheelVariable::forward_velocity,
+                                                               WheelVariable::lateral_velocity,
+                                                               WheelVariable::vertical_velocity,
+                                                               WheelVariable::roll_velocity,
+                                                               WheelVariable::pitch_velocity,
+                                                               WheelVariable::yaw_velocity,
+                                                               WheelVariable::lateral,
+                                                               WheelVariable::yaw,
+                                                               WheelVariable::roll,
+                                                               WheelVariable::vertical};
 
 bool is_velocity(std::size_t basic) {
   return basic >= static_cast<std::size_t>(WheelVariable::forward_velocity);
@@ -85,7 +98,8 @@ public:
     state_.vertical = found.vertical;
     for (const WheelRailPatch& patch : found.patches)
       speed_ = std::max(speed_, patch.rolling_speed), approach_ = std::max(approach_, patch.approach);
-    here_ = forces.of_elements || vertical_force ? forces.of_rows(state_) : Wrench::of(found);
+    forces.of_rows(state_);
+    here_ = (surfaces_vary ? forces.of_rows : forces.of_shifted_rows)(state_); // to more digits than a solution has
     basic_ = of_rows();
     if (vertical_force) basic_ = with_force_held(basic_);
     if (surfaces_vary)
@@ -104,13 +118,17 @@ private:
     return d;
   }
 
-  /// With the height held. Velocities alone need no new pressures: they come first, instead of the last solve.
+  /// With the height held. Each state starts from the one before: velocities alone need no new pressures and come
+  /// first, what changes the loads most comes last.
   BasicDerivatives of_rows() {
     const double scale = surfaces_vary_ ? 100 : 1;
+    const auto& elsewhere = surfaces_vary_ ? forces_.of_rows : forces_.of_shifted_rows;
     BasicDerivatives derivatives;
-    for (std::size_t k = basic_motions; k-- > 0;)
+    for (const WheelVariable which : in_order) {
+      const auto k = static_cast<std::size_t>(which);
       if (const double step = scale * row_steps.of(k, speed_); step > 0)
-        derivatives.by[k] = forward(k, step, is_velocity(k) ? forces_.of_moving_rows : forces_.of_rows);
+        derivatives.by[k] = forward(k, step, is_velocity(k) ? forces_.of_moving_rows : elsewhere);
+    }
     return derivatives;
   }
 

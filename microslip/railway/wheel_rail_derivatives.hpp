@@ -24,7 +24,9 @@ struct Wrench {
 struct NearbyForces {
   /// By its rows, in the state's height.
   std::function<Wrench(const WheelState<double>& state)> of_rows;
-  /// The same of a state that differs from the last one of these in velocities alone.
+  /// The same of a state next to the last one of these.
+  std::function<Wrench(const WheelState<double>& state)> of_shifted_rows;
+  /// The same of one that differs from it in velocities alone.
   std::function<Wrench(const WheelState<double>& state)> of_moving_rows;
   /// By the elements of its patches, in the state's height or with a vertical force [N]; none if the rows' forces are
   /// the solution's.

@@ -92,14 +92,14 @@ void WheelsetEquations::hold(const WheelsetState& state, const WheelsetSolution&
                              WheelsetDerivatives& out) const {
   const Matrix matrix = jacobian(state, found, by);
   // Adds what the unknowns do when the residuals would change by `change` with a variable.
-  const auto add = [&](std::size_t variable, Vector change) {
-    Matrix rows = matrix;
-    if (!eliminate(rows, {change})) return;
+  const auto add = [&](std::size_t variable, const Vector& change) {
+    const auto moved = solve_linear<3>(matrix, change);
+    if (!moved) return;
     const std::array<double*, 3> unknown = {&out.vertical[variable], &out.roll[variable],
                                             &out.pitch_velocity[variable]};
     for (std::size_t j = 0; j < 3; ++j) {
       if (!finds(j)) continue;
-      *unknown[j] = -change[j] * size_of(j);
+      *unknown[j] = -(*moved)[j] * size_of(j);
       out.force[variable] = out.force[variable] + *unknown[j] * by.force[numbers[j]];
       out.moment[variable] = out.moment[variable] + *unknown[j] * by.moment[numbers[j]];
     }

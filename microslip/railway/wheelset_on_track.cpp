@@ -82,6 +82,7 @@ struct WheelsetOnTrack::Workspace {
 
   void solve(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
     out.residual = 0, iterations = 0, evaluations = 0;
+    wheels.reset(), first().reset();
     if (is_valid(state, load))
       find_balance(state, load, out);
     else
@@ -123,6 +124,10 @@ private:
       found = balance(first(), equations, state, out);
     }
     if (fast) found = balance(wheels, equations, state, out);
+    if (found && !fast) {
+      wheels.reset();
+      evaluate(wheels, state, out); // what the state has, to the last bit
+    }
     if (!found) out.status = reason;
   }
 

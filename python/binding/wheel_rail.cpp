@@ -72,7 +72,10 @@ void PythonWheelRail::for_batch(
   run_batch(states.count(), chunk, thread_count(threads), [&]() -> BatchWorker {
     return [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n,
                                                                      const Progress& progress) {
-      for (std::size_t i = first; i < first + n; ++i) solve(*solver, i, progress);
+      for (std::size_t i = first; i < first + n; ++i) {
+        solver->reset(); // states do not depend on each other
+        solve(*solver, i, progress);
+      }
     };
   });
 }
@@ -139,6 +142,7 @@ std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const Profi
 WheelRailSolution solve(PythonWheelRail& self, const py::kwargs& given) {
   const auto [state, force] = StateArrays(given, self.bodies.wheelset.nominal_radius).single("solve");
   return self.solver.run([&, state = state, force = force](WheelRail& solver, const Progress& progress) {
+    solver.reset(); // the last state has no part in it
     return solver.solve(state, force, progress);
   });
 }

@@ -59,6 +59,7 @@ DifferentiatedState differentiate(PythonWheelRail& self, const py::kwargs& given
   DifferentiatedState out({}, {}, 1);
   self.solver.run([&, state = state, force = force](WheelRail& solver, const Progress& progress) {
     WheelRailDerivatives derivatives;
+    solver.reset();
     solver.differentiate(state, force, out.solution, derivatives, progress);
     store(derivatives, out.of_state(0));
   });

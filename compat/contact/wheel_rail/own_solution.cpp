@@ -160,7 +160,10 @@ public:
   const WheelState<double>& state() const { return state_; }
 
 private:
-  void solve() { solver_.solve(state_, vertical_force_, solution_); }
+  void solve() {
+    solver_.reset(); // contacts do not depend on what was solved before
+    solver_.solve(state_, vertical_force_, solution_);
+  }
 
   /// Changes a number of the state until what a solution misses is small beside `scale` [N]. Ends where none is found.
   template <class Missing> void find(double& number, double first_step, double scale, const Missing& missing) {

@@ -65,13 +65,11 @@ public:
   std::array<double, 4> coefficients() const {
     constexpr std::size_t n = 4;
     std::array<double, n * n> matrix{};
-    std::array<double, n> b = values_;
     for (std::size_t r = 0; r < n; ++r) {
       for (std::size_t c = 0; c < n; ++c) matrix[r * n + c] = weights_[r + c];
       matrix[r * n + r] += ridge * weights_[0];
     }
-    eliminate(matrix, {b});
-    return b;
+    return solve_linear<n>(matrix, values_).value_or(std::array<double, n>{});
   }
 
 private:
