@@ -389,14 +389,13 @@ bool CoarseContact::settle(const WheelState<double>& state, const ContactPoint& 
   Descent descent(last_.slope);
   while (out.iterations < most_iterations) {
     ++out.iterations;
-    const bool first = !warm_;
     place_rows(state, depth);
     if (normal_rows_.empty() || !complete_) {
       warm_ = false;
       return false;
     }
     // Rows move with the height: a few steps are enough, unless they do not settle.
-    const int steps = first ? 4 : out.iterations == 1 ? 3 : out.iterations < 5 ? 2 : 12;
+    const int steps = out.iterations == 1 ? 4 : out.iterations < 5 ? 2 : 12;
     const RowNormal::Result found = find_loads(vertical_force, steps);
     const double change = roll();
     // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.

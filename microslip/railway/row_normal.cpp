@@ -12,9 +12,6 @@ namespace microslip {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// With no more rows than that all of them are in the equations.
-constexpr std::size_t few_rows = 24;
-
 /// Numbers of each of Newton's equations, with two sides.
 constexpr std::size_t columns_of(std::size_t order) {
   constexpr std::size_t block = 8; // for eliminate()
@@ -72,7 +69,7 @@ bool RowNormal::choose_rows() {
   const std::size_t before = near_.size();
   near_.clear();
   for (std::size_t j = 0; j < count_; ++j) {
-    is_near_[j] |= count_ <= few_rows || taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1));
+    is_near_[j] |= taken(j) || (j > 0 && taken(j - 1)) || (j + 1 < count_ && taken(j + 1));
     if (is_near_[j]) near_.push_back(j);
   }
   return near_.size() != before;
