@@ -76,9 +76,6 @@ microslip_quantity description_of(const Entry& q) {
   out.shift_unit = q.shift_unit.data();
   return out;
 }
-microslip_quantity description_of(const WheelDerivative& entry) {
-  return description_of(*entry.of);
-}
 microslip_quantity description_of(const description::NamedInput& named) {
   const description::Input& input = *named.input;
   microslip_quantity out = description_of(named.path, input.unit.empty() ? "-" : input.unit, input.text);

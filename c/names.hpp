@@ -17,9 +17,6 @@ namespace microslip::c {
 template <class Entry> std::string_view name_of(const Entry& entry) {
   return entry.name;
 }
-inline std::string_view name_of(const WheelDerivative& entry) {
-  return entry.of->name;
-}
 inline std::string_view name_of(const description::NamedInput& entry) {
   return entry.path;
 }

@@ -230,9 +230,9 @@ microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_ra
     };
     const auto write = [&](std::size_t k) {
       double* value = jacobian + k * row_count * column_count;
-      for (const WheelDerivative& row : wheel_derivatives().first(row_count))
+      for (std::size_t row = 0; row < row_count; ++row)
         for (const WheelInput& column : wheel_inputs().first(column_count))
-          *value++ = row.value(wheel_rail->derivatives, column.variable);
+          *value++ = wheel_rail->derivatives.at(row, column.variable);
     };
     return solve_states(*wheel_rail, rows, solve, write);
   });

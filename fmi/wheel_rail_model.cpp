@@ -24,7 +24,7 @@ using description::NamedInput;
 constexpr std::string_view kind_of_case = description::case_kinds[1];
 constexpr std::size_t patches_shown = MICROSLIP_FMU_PATCHES;
 /// Of wheel_results(): forces, moments and height are outputs, since they have derivatives.
-constexpr std::size_t outputs = 7;
+constexpr std::size_t outputs = differentiated_results;
 
 /// Start values of inputs that a case file must have.
 constexpr std::pair<std::string_view, double> start_numbers[] = {{"track.gauge", 1.435},
@@ -145,13 +145,9 @@ public:
   }
 
   std::span<const double> differentiate(const Values& v) override {
-    WheelRailDerivatives d;
     solver_->reset();
-    solver_->differentiate(state(v), vertical_force(v), found_, d);
-    double* value = derivatives_.data();
-    for (const WheelDerivative& row : wheel_derivatives().first(outputs))
-      for (std::size_t k = 0; k < wheel_variables; ++k) *value++ = row.value(d, k);
-    return derivatives_;
+    solver_->differentiate(state(v), vertical_force(v), found_, derivatives_);
+    return derivatives_.values;
   }
 
 private:
@@ -180,7 +176,7 @@ private:
   std::optional<WheelRail> solver_;
   std::size_t first_input_ = parameters().size();
   WheelRailSolution found_;
-  std::array<double, outputs * wheel_variables> derivatives_{};
+  WheelRailDerivatives derivatives_;
 };
 
 } // namespace

@@ -127,8 +127,8 @@ TEST_P(GeneralSurfaces, OfAnEccentricWheelCarryItUpAndDown) {
     contact.differentiate(state, 5e3, found, d);
     ASSERT_EQ(found.status, Status::ok);
     EXPECT_NEAR(found.vertical, round.vertical + off * std::cos(pitch), 2e-8) << pitch;
-    EXPECT_NEAR(d.vertical[pitch_number], -off * std::sin(pitch), 1e-2 * off) << pitch;
-    EXPECT_NEAR(d.vertical[longitudinal_number], 0, 1e-5);
+    EXPECT_NEAR(d.vertical(pitch_number), -off * std::sin(pitch), 1e-2 * off) << pitch;
+    EXPECT_NEAR(d.vertical(longitudinal_number), 0, 1e-5);
     EXPECT_NEAR(found.patches[0].place.x, -off * std::sin(pitch), 2e-7);
   }
 }
@@ -151,9 +151,9 @@ TEST_P(GeneralSurfaces, OfARampLiftTheWheel) {
     // a circle on a straight line
     EXPECT_NEAR(found.vertical, level.vertical + slope * place + radius * (std::hypot(1, slope) - 1), 3e-8);
     EXPECT_NEAR(found.patches[0].place.x, radius * slope, 1e-2 * radius * slope);
-    EXPECT_NEAR(d.vertical[longitudinal_number], slope, 1e-3 * slope);
-    EXPECT_NEAR(d.vertical[static_cast<std::size_t>(WheelVariable::deflection_longitudinal)], slope, 1e-3 * slope);
-    EXPECT_NEAR(d.force[longitudinal_number].y, 0, 1);
+    EXPECT_NEAR(d.vertical(longitudinal_number), slope, 1e-3 * slope);
+    EXPECT_NEAR(d.vertical(static_cast<std::size_t>(WheelVariable::deflection_longitudinal)), slope, 1e-3 * slope);
+    EXPECT_NEAR(d.force(longitudinal_number).y, 0, 1);
     // At rest the force passes through the axle.
     state.forward_velocity = state.pitch_velocity = 0;
     const auto resting = contact.solve(state, 5e3);

@@ -327,8 +327,8 @@ TEST(TableLevel, DerivativesAreThoseOfDifferences) {
       *up.numbers()[k] += step, *down.numbers()[k] -= step;
       const Vec3<double> wanted = 1 / (2 * step) * (contact.solve(up, 50e3).force - contact.solve(down, 50e3).force);
       const double size = std::sqrt(dot(wanted, wanted));
-      EXPECT_NEAR(d.force[k].x, wanted.x, 2e-3 * size) << "variable " << k;
-      EXPECT_NEAR(d.force[k].y, wanted.y, 2e-3 * size) << "variable " << k;
+      EXPECT_NEAR(d.force(k).x, wanted.x, 2e-3 * size) << "variable " << k;
+      EXPECT_NEAR(d.force(k).y, wanted.y, 2e-3 * size) << "variable " << k;
     };
     check(WheelVariable::lateral_velocity, 1e-6 * speed);
     check(WheelVariable::pitch_velocity, 1e-6 * speed);

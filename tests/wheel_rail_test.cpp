@@ -277,27 +277,27 @@ TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
           const StateQuantity& q = state_quantities()[k];
           SCOPED_TRACE(q.name);
           if (held && q.name == "vertical") {
-            EXPECT_EQ(size(d.force[k]) + size(d.moment[k]) + d.vertical[k], 0);
+            EXPECT_EQ(size(d.force(k)) + size(d.moment(k)) + d.vertical(k), 0);
             continue;
           }
           const Compared wanted = difference(contact, state, force, q, half_step(q));
           // What hardly moves the wheel against the rail has the errors of larger numbers, whose sum it is.
           const double errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
-          off += size(d.force[k] - wanted.force) > 1e-4 * size(wanted.force) + errors ||
-                 size(d.moment[k] - wanted.moment) > 1e-4 * size(wanted.moment) + errors;
+          off += size(d.force(k) - wanted.force) > 1e-4 * size(wanted.force) + errors ||
+                 size(d.moment(k) - wanted.moment) > 1e-4 * size(wanted.moment) + errors;
           // A roll's is a sum over arms of 0.75 m, along which differences over 1e-10 m err by some 5e-7.
-          EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 4e-7);
+          EXPECT_NEAR(d.vertical(k), wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 4e-7);
         }
         EXPECT_LE(off, 1) << y; // forces have kinks, where a row comes into contact or a cell begins to slide
         if (held) {             // held by a force, the height changes with it as the stiffness says
           const auto low = contact.solve(state, 49.995e3), high = contact.solve(state, 50.005e3);
-          EXPECT_LT(size(d.force[state_numbers] - 0.1 * (high.force - low.force)), 1e-4);
-          EXPECT_NEAR(d.vertical[state_numbers] * 10 / (high.vertical - low.vertical), 1, 1e-4);
-          EXPECT_NEAR(d.force[state_numbers].z, 1, 1e-12);
-          EXPECT_NEAR(d.force[0].z, 0, 1e-6);
+          EXPECT_LT(size(d.force(state_numbers) - 0.1 * (high.force - low.force)), 1e-4);
+          EXPECT_NEAR(d.vertical(state_numbers) * 10 / (high.vertical - low.vertical), 1, 1e-4);
+          EXPECT_NEAR(d.force(state_numbers).z, 1, 1e-12);
+          EXPECT_NEAR(d.force(0).z, 0, 1e-6);
         } else {
-          EXPECT_EQ(size(d.force[state_numbers]), 0);
-          EXPECT_EQ(d.vertical[1], 1);
+          EXPECT_EQ(size(d.force(state_numbers)), 0);
+          EXPECT_EQ(d.vertical(1), 1);
         }
       }
   }
@@ -363,11 +363,11 @@ TEST(WheelRail, HasDerivativesAtTheExactLevel) {
         // Rail and axle turned together move the contact hardly, by a sum of ways on which kinks differ.
         const bool is_sum = q.name == "deflection_roll" || q.name == "deviation_roll";
         const double of_ways = is_sum ? 0.02 : 0, errors = q.unit == "m" || q.unit == "rad" ? 1e-6 * 1e9 : 0.3;
-        EXPECT_LT(size(d.force[k] - wanted.force), 1e-3 * size(wanted.force) + of_ways * size(d.force[0]) + errors);
-        EXPECT_LT(size(d.moment[k] - wanted.moment), 1e-3 * size(wanted.moment) + of_ways * size(d.moment[0]) + errors);
-        EXPECT_NEAR(d.vertical[k], wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 6e-6);
+        EXPECT_LT(size(d.force(k) - wanted.force), 1e-3 * size(wanted.force) + of_ways * size(d.force(0)) + errors);
+        EXPECT_LT(size(d.moment(k) - wanted.moment), 1e-3 * size(wanted.moment) + of_ways * size(d.moment(0)) + errors);
+        EXPECT_NEAR(d.vertical(k), wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 6e-6);
       }
-      EXPECT_NEAR(d.force[state_numbers].z, held ? 1 : 0, 2e-6);
+      EXPECT_NEAR(d.force(state_numbers).z, held ? 1 : 0, 2e-6);
     }
 }
 
@@ -390,8 +390,8 @@ TEST(WheelRail, HasTheSlopesOfItsForcesAtTheExactLevel) {
       squares += i * i * spacing;
     }
     const double slope = sum / squares;
-    errors.push_back(std::abs(d.force[0].y - slope) / (std::abs(slope) + least));
-    EXPECT_GT(d.force[0].y * slope, 0) << y;
+    errors.push_back(std::abs(d.force(0).y - slope) / (std::abs(slope) + least));
+    EXPECT_GT(d.force(0).y * slope, 0) << y;
   }
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[places / 2], 0.006);

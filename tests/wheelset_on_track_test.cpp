@@ -215,19 +215,19 @@ void expect_derivatives(WheelsetOnTrack& wheelset, const WheelsetState& state, c
     // By the forward velocity alone terms of 5e5 N/(m/s) cancel where the pitch velocity follows it.
     const double cancelled = which == WheelsetVariable::forward_velocity ? 1e3 : 1e-3 / step;
     const double size = std::sqrt(dot(force, force)) + std::sqrt(dot(moment, moment)) + cancelled;
-    expect_near(d.force[k].x, force.x, size), expect_near(d.force[k].y, force.y, size);
-    expect_near(d.force[k].z, force.z, size), expect_near(d.moment[k].x, moment.x, size);
-    expect_near(d.moment[k].y, moment.y, size), expect_near(d.moment[k].z, moment.z, size);
+    expect_near(d.force(k).x, force.x, size), expect_near(d.force(k).y, force.y, size);
+    expect_near(d.force(k).z, force.z, size), expect_near(d.moment(k).x, moment.x, size);
+    expect_near(d.moment(k).y, moment.y, size), expect_near(d.moment(k).z, moment.z, size);
     if (forces.load().vertical) {
       const double z = slope(b.vertical, a.vertical), roll = slope(b.roll, a.roll);
       const double change = std::abs(z) + std::abs(roll) + std::max(1e-12 / step, 1e-9 * cancelled);
-      expect_near(d.vertical[k], z, change), expect_near(d.roll[k], roll, change);
+      expect_near(d.vertical(k), z, change), expect_near(d.roll(k), roll, change);
     } else {
-      EXPECT_EQ(d.vertical[k], 0);
+      EXPECT_EQ(d.vertical(k), 0);
     }
     if (forces.axle_torque) {
       const double pitch = slope(b.pitch_velocity, a.pitch_velocity);
-      expect_near(d.pitch_velocity[k], pitch, std::abs(pitch) + 1e-8 / step);
+      expect_near(d.pitch_velocity(k), pitch, std::abs(pitch) + 1e-8 / step);
     }
   }
 }

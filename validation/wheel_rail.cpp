@@ -338,7 +338,7 @@ DerivativeErrors derivative_errors(const WheelRailBodies& bodies, WheelRailLevel
       contact.solve(below, force, low);
       contact.solve(above, force, high);
       const Vec3<double> difference = 0.5 / step * (high.force - low.force);
-      const Vec3<double> off = difference - d.force[static_cast<std::size_t>(variable)];
+      const Vec3<double> off = difference - d.force(static_cast<std::size_t>(variable));
       const double error = std::sqrt(dot(off, off) / (dot(difference, difference) + 1));
       (velocity ? errors.velocities : errors.places).push_back(error);
     }
@@ -363,8 +363,8 @@ DerivativeErrors derivative_differences(const WheelRailBodies& bodies, int state
     other.differentiate(state, force, s, by_other);
     if (s.status != Status::ok) continue;
     for (const auto& [variable, member] : variables) {
-      const Vec3<double>& finer_one = by_other.force[static_cast<std::size_t>(variable)];
-      const Vec3<double> off = finer_one - d.force[static_cast<std::size_t>(variable)];
+      const Vec3<double> finer_one = by_other.force(static_cast<std::size_t>(variable));
+      const Vec3<double> off = finer_one - d.force(static_cast<std::size_t>(variable));
       (is_velocity(variable) ? errors.velocities : errors.places)
           .push_back(std::sqrt(dot(off, off) / (dot(finer_one, finer_one) + 1)));
     }

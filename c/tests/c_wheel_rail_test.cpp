@@ -134,13 +134,13 @@ TEST(CWheelRail, HasTheDerivativesOfTheLibrary) {
       const bool is_force = variable == static_cast<std::size_t>(WheelVariable::vertical_force);
       const std::string by = is_force ? "vertical_force" : std::string(state_quantities()[variable].name);
       const auto derivative = [&](const char* of) { return found.derivative(k, of, by.c_str()); };
-      EXPECT_EQ(derivative("force_x"), d.force[variable].x);
-      EXPECT_EQ(derivative("force_y"), d.force[variable].y);
-      EXPECT_EQ(derivative("force_z"), d.force[variable].z);
-      EXPECT_EQ(derivative("moment_x"), d.moment[variable].x);
-      EXPECT_EQ(derivative("moment_y"), d.moment[variable].y);
-      EXPECT_EQ(derivative("moment_z"), d.moment[variable].z);
-      EXPECT_EQ(derivative("vertical"), d.vertical[variable]);
+      EXPECT_EQ(derivative("force_x"), d.force(variable).x);
+      EXPECT_EQ(derivative("force_y"), d.force(variable).y);
+      EXPECT_EQ(derivative("force_z"), d.force(variable).z);
+      EXPECT_EQ(derivative("moment_x"), d.moment(variable).x);
+      EXPECT_EQ(derivative("moment_y"), d.moment(variable).y);
+      EXPECT_EQ(derivative("moment_z"), d.moment(variable).z);
+      EXPECT_EQ(derivative("vertical"), d.vertical(variable));
     }
   }
   EXPECT_NEAR(found.derivative(0, "force_z", "vertical_force"), 1, 1e-12);

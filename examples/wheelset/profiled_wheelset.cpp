@@ -125,8 +125,8 @@ void ProfiledWheelset::rates(const State& z, State& rate, Jacobian& jacobian) {
   jacobian = {};
   for (std::size_t k = 0; k < 4; ++k) jacobian[k][lateral_rate + k] = 1;
   for (const auto& [column, variable] : variables) {
-    const auto &force = derivatives_.force[static_cast<std::size_t>(variable)],
-               &moment = derivatives_.moment[static_cast<std::size_t>(variable)];
+    const auto force = derivatives_.force(static_cast<std::size_t>(variable)),
+               moment = derivatives_.moment(static_cast<std::size_t>(variable));
     jacobian[lateral_rate][column] = force.y / p_.mass;
     jacobian[height_rate][column] = force.z / p_.mass;
     jacobian[roll_rate][column] = moment.x / p_.roll_inertia;

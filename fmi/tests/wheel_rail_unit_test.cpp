@@ -176,9 +176,9 @@ TEST(WheelRailUnit, DirectionalDerivatives) {
   ASSERT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, unknowns, 3, knowns, 3, seed, changes), fmi2OK);
   const auto rail = static_cast<std::size_t>(WheelVariable::deviation_vertical);
   const auto along = [&](const auto& row) { return 1e-6 * row(0) + 2e-6 * row(rail) + 100 * row(state_numbers); };
-  const double wanted[] = {along([&](std::size_t k) { return d.vertical[k]; }),
-                           along([&](std::size_t k) { return d.force[k].y; }),
-                           along([&](std::size_t k) { return d.moment[k].z; })};
+  const double wanted[] = {along([&](std::size_t k) { return d.vertical(k); }),
+                           along([&](std::size_t k) { return d.force(k).y; }),
+                           along([&](std::size_t k) { return d.moment(k).z; })};
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(changes[k], wanted[k], 1e-12 * std::abs(wanted[k]));
   const fmi2ValueReference local = r.at("patch[1].fx");
   EXPECT_EQ(FMI(fmi2GetDirectionalDerivative)(instance.unit, &local, 1, knowns, 1, seed, changes), fmi2Error);

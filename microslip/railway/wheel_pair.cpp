@@ -44,9 +44,9 @@ void WheelPair::differentiate(const WheelsetState& state, WheelsetSolution& out,
   sum(state, out);
   const Vec3<double> left = left_lever(state), right = right_lever(state);
   for (std::size_t k = 0; k < basic_motions; ++k) {
-    const Vec3<double>&by_left = by_left_.force[k], &by_right = by_right_.force[k], axis = turning_axis(state.left, k);
+    const Vec3<double> by_left = by_left_.force(k), by_right = by_right_.force(k), axis = turning_axis(state.left, k);
     derivatives.force[k] = by_left + by_right;
-    derivatives.moment[k] = by_left_.moment[k] + by_right_.moment[k] + cross(left, by_left) + cross(right, by_right) +
+    derivatives.moment[k] = by_left_.moment(k) + by_right_.moment(k) + cross(left, by_left) + cross(right, by_right) +
                             cross(cross(axis, left), out.left.force) + cross(cross(axis, right), out.right.force);
     derivatives.difference[k] = by_left.z - by_right.z;
   }

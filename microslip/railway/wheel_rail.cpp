@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace microslip {
@@ -34,16 +35,14 @@ void mirror(WheelRailDerivatives& d) {
   WheelState<double> mirrored = ones.mirrored();
   for (std::size_t k = 0; k < wheel_variables; ++k) {
     const double sign = k < state_numbers ? *mirrored.numbers()[k] : 1;
-    d.force[k] = sign * d.force[k], d.moment[k] = sign * d.moment[k], d.vertical[k] *= sign;
-    for (double* odd : {&d.force[k].y, &d.moment[k].x, &d.moment[k].z}) *odd = -*odd;
+    const Vec3<double> force = d.force(k), moment = d.moment(k);
+    d.set(k, sign * Vec3<double>{force.x, -force.y, force.z}, sign * Vec3<double>{-moment.x, moment.y, -moment.z});
+    d.at(6, k) *= sign;
   }
 }
 
 bool is_finite(const WheelRailDerivatives& d) {
-  double sum = 0;
-  for (std::size_t k = 0; k < wheel_variables; ++k)
-    sum += dot(d.force[k], {1, 1, 1}) + dot(d.moment[k], {1, 1, 1}) + d.vertical[k];
-  return std::isfinite(sum);
+  return std::isfinite(std::accumulate(d.values.begin(), d.values.end(), 0.0));
 }
 
 } // namespace

@@ -51,12 +51,27 @@ enum class WheelVariable {
 };
 inline constexpr std::size_t wheel_variables = state_numbers + 1;
 
-/// Derivatives of what a wheel bears, in SI units, by each WheelVariable. Those by what was not given are zero: by the
-/// height with a vertical force, by the vertical force with a height.
-struct WheelRailDerivatives {
-  std::array<Vec3<double>, wheel_variables> force, moment;
-  std::array<double, wheel_variables> vertical{}; ///< of the wheelset's height
+/// Derivatives in SI units of forces and moments about x, y, z, of the height and what follows in the tables of
+/// results, by each variable.
+template <std::size_t results, std::size_t variables> struct ForceDerivatives {
+  std::array<double, results * variables> values{}; ///< result by result
+
+  double& at(std::size_t result, std::size_t variable) { return values[result * variables + variable]; }
+  double at(std::size_t result, std::size_t variable) const { return values[result * variables + variable]; }
+  Vec3<double> force(std::size_t k) const { return {at(0, k), at(1, k), at(2, k)}; }
+  Vec3<double> moment(std::size_t k) const { return {at(3, k), at(4, k), at(5, k)}; }
+  double vertical(std::size_t k) const { return at(6, k); } ///< of the wheelset's height
+
+  void set(std::size_t k, const Vec3<double>& force, const Vec3<double>& moment) {
+    at(0, k) = force.x, at(1, k) = force.y, at(2, k) = force.z;
+    at(3, k) = moment.x, at(4, k) = moment.y, at(5, k) = moment.z;
+  }
 };
+
+/// Derivatives of what a wheel bears: of wheel_derivatives() (wheel_rail_quantities.hpp) by each WheelVariable. Those
+/// by what was not given are zero: by the height with a vertical force, by the vertical force with a height.
+inline constexpr std::size_t differentiated_results = 7;
+struct WheelRailDerivatives : ForceDerivatives<differentiated_results, wheel_variables> {};
 
 /// Solves one wheel on its rail, state after state, with all tables made once.
 class WheelRail {

@@ -9,6 +9,7 @@ namespace microslip {
 namespace {
 
 constexpr auto height_number = static_cast<std::size_t>(WheelVariable::vertical);
+constexpr std::size_t height_result = 6;
 
 /// Derivatives by the ten basic numbers of a state, and by the vertical force.
 struct BasicDerivatives {
@@ -87,6 +88,11 @@ BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   for (std::size_t k = 0; k < basic_motions; ++k)
     out.by[k] = height_held.by[k] - height_held.by[k].force.z * out.by_force;
   return out;
+}
+
+void set(WheelRailDerivatives& d, std::size_t variable, const Wrench& by) {
+  d.set(variable, by.force, by.moment);
+  d.at(height_result, variable) = by.height;
 }
 
 /// Differences around a state.
@@ -185,14 +191,13 @@ void differentiate(const NearbyForces& forces, const NominalPlacement& nominal, 
     Wrench sum = turned - turned.force.z * by_force + motions[k].ahead * differences.by_place()[0];
     if (k == pitch_number) sum = sum + differences.by_place()[1];
     for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * by[i];
-    d.force[k] = sum.force, d.moment[k] = sum.moment, d.vertical[k] = sum.height;
+    set(d, k, sum);
   }
   if (vertical_force)
-    d.force[height_number] = d.moment[height_number] = {}, d.vertical[height_number] = 0;
+    set(d, height_number, {});
   else
-    d.vertical[height_number] = 1;
-  d.force[state_numbers] = by_force.force, d.moment[state_numbers] = by_force.moment;
-  d.vertical[state_numbers] = by_force.height;
+    d.at(height_result, height_number) = 1;
+  set(d, state_numbers, by_force);
 }
 
 } // namespace microslip

@@ -208,16 +208,6 @@ constexpr auto all_wheel_inputs = [] {
   return all;
 }();
 
-constexpr WheelDerivative all_wheel_derivatives[] = {
-    {&all_wheel_results[0], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].x; }},
-    {&all_wheel_results[1], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].y; }},
-    {&all_wheel_results[2], [](const WheelRailDerivatives& d, std::size_t k) { return d.force[k].z; }},
-    {&all_wheel_results[3], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].x; }},
-    {&all_wheel_results[4], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].y; }},
-    {&all_wheel_results[5], [](const WheelRailDerivatives& d, std::size_t k) { return d.moment[k].z; }},
-    {&all_wheel_results[6], [](const WheelRailDerivatives& d, std::size_t k) { return d.vertical[k]; }},
-};
-
 using Strength = const SurfaceStrength&;
 using Values = std::vector<double>;
 
@@ -258,8 +248,8 @@ std::span<const WheelQuantity> wheel_results() {
 std::span<const PatchQuantity> patch_results() {
   return all_patch_results;
 }
-std::span<const WheelDerivative> wheel_derivatives() {
-  return all_wheel_derivatives;
+std::span<const WheelQuantity> wheel_derivatives() {
+  return wheel_results().first(differentiated_results);
 }
 std::span<const DamageField> damage_fields() {
   return all_damage_fields;

@@ -55,12 +55,6 @@ template <class Of> struct RailwayQuantity {
 using WheelQuantity = RailwayQuantity<WheelRailSolution>;
 using PatchQuantity = RailwayQuantity<WheelRailPatch>;
 
-/// A number of a wheel that has derivatives.
-struct WheelDerivative {
-  const WheelQuantity* of = nullptr;
-  double (*value)(const WheelRailDerivatives& derivatives, std::size_t variable) = nullptr;
-};
-
 inline constexpr const char* profile_end_codes = "1: a patch ends where a profile ends";
 
 /// A field of damage on a patch: a value for each element, none where a strength is not given.
@@ -82,7 +76,7 @@ std::span<const WheelInput> wheel_inputs();
 const WheelInput& vertical_force_input();
 std::span<const WheelQuantity> wheel_results();
 std::span<const PatchQuantity> patch_results();
-std::span<const WheelDerivative> wheel_derivatives();
+std::span<const WheelQuantity> wheel_derivatives();
 
 /// T-gamma of a patch (damage/wear.hpp).
 double t_gamma(const WheelRailPatch& patch);

@@ -15,7 +15,8 @@ constexpr std::size_t column(WheelsetVariable which) {
 static_assert(column(WheelsetVariable::vertical_force) == basic_motions);
 static_assert(static_cast<std::size_t>(WheelVariable::yaw_velocity) == column(WheelsetVariable::yaw_velocity));
 
-/// Of the unknowns.
+/// Of the unknowns: their numbers in the state, and in the table of results.
+constexpr std::array<std::size_t, 3> results = {6, 7, 8};
 constexpr std::array<std::size_t, 3> numbers = {column(WheelsetVariable::vertical), column(WheelsetVariable::roll),
                                                 column(WheelsetVariable::pitch_velocity)};
 
@@ -95,19 +96,19 @@ void WheelsetEquations::hold(const WheelsetState& state, const WheelsetSolution&
   const auto add = [&](std::size_t variable, const Vector& change) {
     const auto moved = solve_linear<3>(matrix, change);
     if (!moved) return;
-    const std::array<double*, 3> unknown = {&out.vertical[variable], &out.roll[variable],
-                                            &out.pitch_velocity[variable]};
+    Vec3<double> force = out.force(variable), moment = out.moment(variable);
     for (std::size_t j = 0; j < 3; ++j) {
       if (!finds(j)) continue;
-      *unknown[j] = -(*moved)[j] * size_of(j);
-      out.force[variable] = out.force[variable] + *unknown[j] * by.force[numbers[j]];
-      out.moment[variable] = out.moment[variable] + *unknown[j] * by.moment[numbers[j]];
+      const double unknown = out.at(results[j], variable) = -(*moved)[j] * size_of(j);
+      force = force + unknown * by.force[numbers[j]];
+      moment = moment + unknown * by.moment[numbers[j]];
     }
+    out.set(variable, force, moment);
   };
   for (std::size_t k = 0; k < basic_motions; ++k) {
     const auto unknown = static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), k) - numbers.begin());
     if (unknown < 3 && finds(unknown)) continue;
-    out.force[k] = by.force[k], out.moment[k] = by.moment[k];
+    out.set(k, by.force[k], by.moment[k]);
     add(k, slope(state, found, by, k));
   }
   const double by_force = -1 / sizes_[0], by_second = -1 / sizes_[1];

@@ -65,11 +65,13 @@ enum class WheelsetVariable {
 };
 inline constexpr std::size_t wheelset_variables = 15;
 
-/// Derivatives in SI units by each WheelsetVariable, with all that is prescribed held. Those by what was not given are
-/// zero: by height, roll and pitch velocity where they are found, by forces that are not prescribed.
-struct WheelsetDerivatives {
-  std::array<Vec3<double>, wheelset_variables> force, moment;
-  std::array<double, wheelset_variables> vertical{}, roll{}, pitch_velocity{}; ///< of what is found
+/// Derivatives of the first numbers of wheelset_quantities(), with all that is prescribed held, by each
+/// WheelsetVariable. Those by what was not given are zero: by height, roll and pitch velocity where they are found, by
+/// forces that are not prescribed.
+inline constexpr std::size_t differentiated_wheelset_results = 9;
+struct WheelsetDerivatives : ForceDerivatives<differentiated_wheelset_results, wheelset_variables> {
+  double roll(std::size_t k) const { return at(7, k); }
+  double pitch_velocity(std::size_t k) const { return at(8, k); }
 };
 
 /// Solves both wheels of a wheelset on their rails, state after state, with all tables made once.

@@ -10,11 +10,11 @@ using namespace py::literals;
 
 namespace {
 
-const std::size_t result_count = wheel_derivatives().size();
+constexpr std::size_t result_count = differentiated_results;
 
 std::vector<std::string_view> results() {
   std::vector<std::string_view> names;
-  for (const WheelDerivative& row : wheel_derivatives()) names.push_back(row.of->name);
+  for (const WheelQuantity& row : wheel_derivatives()) names.push_back(row.name);
   return names;
 }
 
@@ -23,12 +23,6 @@ std::vector<std::string_view> variables() {
   for (const StateQuantity& q : state_quantities()) names.push_back(q.name);
   names.push_back(force_name);
   return names;
-}
-
-/// Row by row.
-void store(const WheelRailDerivatives& d, double* to) {
-  for (const WheelDerivative& row : wheel_derivatives())
-    for (std::size_t k = 0; k < wheel_variables; ++k) *to++ = row.value(d, k);
 }
 
 } // namespace
@@ -43,7 +37,9 @@ template <class Solution> struct Differentiated {
   Differentiated(Solution of, Shape states, std::size_t count)
       : solution(std::move(of)), shape(std::move(states)), jacobian(count * result_count * wheel_variables) {}
 
-  double* of_state(std::size_t k) { return jacobian.data() + k * result_count * wheel_variables; }
+  void store(std::size_t state, const WheelRailDerivatives& d) {
+    std::copy(d.values.begin(), d.values.end(), jacobian.data() + state * d.values.size());
+  }
 };
 using DifferentiatedState = Differentiated<WheelRailSolution>;
 using DifferentiatedStates = Differentiated<SolvedStates>;
@@ -61,7 +57,7 @@ DifferentiatedState differentiate(PythonWheelRail& self, const py::kwargs& given
     WheelRailDerivatives derivatives;
     solver.reset();
     solver.differentiate(state, force, out.solution, derivatives, progress);
-    store(derivatives, out.of_state(0));
+    out.store(0, derivatives);
   });
   return out;
 }
@@ -75,7 +71,7 @@ DifferentiatedStates differentiate_batch(PythonWheelRail& self, int threads, con
     WheelRailDerivatives derivatives;
     solver.differentiate(state, force, out.solution.solutions[i], derivatives, progress);
     out.solution.solutions[i].fields.clear();
-    store(derivatives, out.of_state(i));
+    out.store(i, derivatives);
   });
   return out;
 }

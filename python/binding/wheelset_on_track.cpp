@@ -23,9 +23,13 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 constexpr std::string_view found_names[] = {"vertical", "roll"};
-constexpr std::string_view rows[] = {"force_x",  "force_y",  "force_z", "moment_x",      "moment_y",
-                                     "moment_z", "vertical", "roll",    "pitch_velocity"};
-constexpr std::size_t row_count = std::size(rows);
+constexpr std::size_t row_count = differentiated_wheelset_results;
+
+Names rows() {
+  Names names;
+  for (const WheelsetQuantity& q : wheelset_quantities().first(row_count)) names.push_back(q.name);
+  return names;
+}
 
 /// Of WheelsetVariable.
 Names columns() {
@@ -137,13 +141,7 @@ DifferentiatedWheelset differentiate(PythonWheelset& self, const py::kwargs& giv
   self.run([&, state = state, load = load](WheelsetOnTrack& solver, const Progress& progress) {
     solver.differentiate(state, load, out.solution, d, progress);
   });
-  out.jacobian.resize(row_count * wheelset_variables);
-  for (std::size_t k = 0; k < wheelset_variables; ++k) {
-    const Vec3<double>&f = d.force[k], &m = d.moment[k];
-    const std::array<double, row_count> column = {
-        f.x, f.y, f.z, m.x, m.y, m.z, d.vertical[k], d.roll[k], d.pitch_velocity[k]};
-    for (std::size_t row = 0; row < row_count; ++row) out.jacobian[row * wheelset_variables + k] = column[row];
-  }
+  out.jacobian.assign(d.values.begin(), d.values.end());
   return out;
 }
 
@@ -160,10 +158,7 @@ void bind_wheelset_derivatives(py::module_& module) {
           "All derivatives of [N], [N m], [m], [rad] and [rad/s] by SI units, shape (9, 15),\n"
           "as `results` and `variables` say; zero by what was not given.")
       .def_property_readonly(
-          "results",
-          [](const Self&) {
-            return tuple_of({std::begin(rows), std::end(rows)});
-          },
+          "results", [](const Self&) { return tuple_of(rows()); },
           "Names of the Jacobian's rows: forces [N], moments [N m], and height [m], roll [rad] and\n"
           "pitch velocity [rad/s] where they are found.")
       .def_property_readonly(
@@ -172,8 +167,7 @@ void bind_wheelset_derivatives(py::module_& module) {
       .def(
           "derivative",
           [](const Self& self, const std::string& row, const std::string& by) {
-            return self.jacobian[index_of(row, {std::begin(rows), std::end(rows)}, "number that is differentiated") *
-                                     wheelset_variables +
+            return self.jacobian[index_of(row, rows(), "number that is differentiated") * wheelset_variables +
                                  index_of(by, columns(), "number of the state")];
           },
           "of"_a, "by"_a, "One column of one row by their names [SI units]: derivative(\"force_y\", \"lateral\").");
