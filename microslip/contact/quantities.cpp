@@ -71,11 +71,12 @@ constexpr Quantity all_quantities[] = {
 };
 
 using Values = const std::vector<double>&;
+constexpr bool odd = true;
 
 constexpr FieldQuantity all_fields[] = {
     {"x", "x", "m", "m", "centre of the element along the rolling direction",
      [](Solution s) -> Values { return s.elements.x; }},
-    {"y", "y", "m", "m", "lateral centre of the element", [](Solution s) -> Values { return s.elements.y; }},
+    {"y", "y", "m", "m", "lateral centre of the element", [](Solution s) -> Values { return s.elements.y; }, odd},
     {"width", "dx", "m", "m", "length of the element along x", [](Solution s) -> Values { return s.elements.width; }},
     {"area", "dA", "m^2", "m^2", "what the element counts for in the forces",
      [](Solution s) -> Values { return s.elements.area; }},
@@ -83,15 +84,16 @@ constexpr FieldQuantity all_fields[] = {
     {"bound", "g", "Pa", "Pa", "traction bound", [](Solution s) -> Values { return s.fields.bound; }},
     {"px", "p_x", "Pa", "Pa", "longitudinal traction on body 1",
      [](Solution s) -> Values { return s.fields.traction.x; }},
-    {"py", "p_y", "Pa", "Pa", "lateral traction on body 1", [](Solution s) -> Values { return s.fields.traction.y; }},
+    {"py", "p_y", "Pa", "Pa", "lateral traction on body 1", [](Solution s) -> Values { return s.fields.traction.y; },
+     odd},
     {"sx", "s_x", "-", "m", "relative slip of body 1 over body 2, longitudinal",
      [](Solution s) -> Values { return s.fields.slip.x; }},
     {"sy", "s_y", "-", "m", "relative slip of body 1 over body 2, lateral",
-     [](Solution s) -> Values { return s.fields.slip.y; }},
+     [](Solution s) -> Values { return s.fields.slip.y; }, odd},
     {"ux", "u_x", "m", "m", "displacement difference u1 - u2, longitudinal",
      [](Solution s) -> Values { return s.fields.displacement.x; }},
     {"uy", "u_y", "m", "m", "displacement difference u1 - u2, lateral",
-     [](Solution s) -> Values { return s.fields.displacement.y; }},
+     [](Solution s) -> Values { return s.fields.displacement.y; }, odd},
     {"gap", "e", "m", "m", "distance of the deformed bodies", [](Solution s) -> Values { return s.fields.gap; }},
     {"friction", "mu", "-", "-", "coefficient of friction, where it depends on slip or temperature",
      [](Solution s) -> Values { return s.fields.friction; }},

@@ -29,6 +29,7 @@ struct Quantity {
 struct FieldQuantity {
   std::string_view name, symbol, unit, shift_unit, description;
   const std::vector<double>& (*values)(const ContactSolution& solution); ///< empty: the solution does not have it
+  bool is_odd = false; ///< its values change their sign in a mirror whose plane is x, z
 
   std::string_view unit_of(const ContactSolution& solution) const {
     return solution.motion == ContactMotion::shift ? shift_unit : unit;

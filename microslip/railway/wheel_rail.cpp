@@ -1,6 +1,5 @@
 #include "microslip/railway/wheel_rail.hpp"
 
-#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/call_progress.hpp"
 #include "microslip/railway/wheel_assessment.hpp"
@@ -17,29 +16,6 @@
 
 namespace microslip {
 namespace {
-
-/// A left wheel's solution as that of a right one.
-void mirror(WheelRailSolution& out) {
-  for (double* odd : {&out.force.y, &out.moment.x, &out.moment.z}) *odd = -*odd;
-  for (WheelRailPatch& patch : out.patches)
-    for (double* odd :
-         {&patch.place.y, &patch.angle, &patch.creepage.lateral, &patch.creepage.spin, &patch.fs, &patch.moment})
-      *odd = -*odd;
-  for (ContactSolution& fields : out.fields) mirror(fields);
-}
-
-/// And its derivatives.
-void mirror(WheelRailDerivatives& d) {
-  WheelState<double> ones;
-  for (double* x : ones.numbers()) *x = 1;
-  WheelState<double> mirrored = ones.mirrored();
-  for (std::size_t k = 0; k < wheel_variables; ++k) {
-    const double sign = k < state_numbers ? *mirrored.numbers()[k] : 1;
-    const Vec3<double> force = d.force(k), moment = d.moment(k);
-    d.set(k, sign * Vec3<double>{force.x, -force.y, force.z}, sign * Vec3<double>{-moment.x, moment.y, -moment.z});
-    d.at(6, k) *= sign;
-  }
-}
 
 bool is_finite(const WheelRailDerivatives& d) {
   return std::isfinite(std::accumulate(d.values.begin(), d.values.end(), 0.0));

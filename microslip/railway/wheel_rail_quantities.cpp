@@ -1,5 +1,6 @@
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
+#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/damage/fatigue.hpp"
 #include "microslip/damage/wear.hpp"
 #include "microslip/railway/derailment.hpp"
@@ -18,61 +19,63 @@ using State = WheelState<double>&;
 using Solution = const WheelRailSolution&;
 using Patch = const WheelRailPatch&;
 
+constexpr bool odd = true;
+
 constexpr StateQuantity all_state_quantities[] = {
     {"wheel", "lateral", "m", 1, "position of the wheelset's centre, to the left positive",
-     [](State s) -> double& { return s.lateral; }},
+     [](State s) -> double& { return s.lateral; }, odd},
     {"wheel", "vertical", "m", 1, "height of the wheelset's centre above the nominal radius, upwards positive",
      [](State s) -> double& { return s.vertical; }},
     {"wheel", "roll", "rad", 1, "roll of the wheelset; positive raises the left wheel",
-     [](State s) -> double& { return s.roll; }},
+     [](State s) -> double& { return s.roll; }, odd},
     {"wheel", "yaw", "rad", 1, "yaw of the wheelset; positive turns to the left",
-     [](State s) -> double& { return s.yaw; }},
+     [](State s) -> double& { return s.yaw; }, odd},
     {"wheel", "forward_velocity", "m/s", 1000, "velocity of the wheelset's centre along the track",
      [](State s) -> double& { return s.forward_velocity; }},
     {"wheel", "lateral_velocity", "m/s", 1000, "velocity of the wheelset's centre to the left",
-     [](State s) -> double& { return s.lateral_velocity; }},
+     [](State s) -> double& { return s.lateral_velocity; }, odd},
     {"wheel", "vertical_velocity", "m/s", 1000, "velocity of the wheelset's centre upwards",
      [](State s) -> double& { return s.vertical_velocity; }},
     {"wheel", "roll_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its x",
-     [](State s) -> double& { return s.roll_velocity; }},
+     [](State s) -> double& { return s.roll_velocity; }, odd},
     {"wheel", "pitch_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its axle; positive rolls forward",
      [](State s) -> double& { return s.pitch_velocity; }},
     {"wheel", "yaw_velocity", "rad/s", 1e5, "angular velocity of the wheelset about its z",
-     [](State s) -> double& { return s.yaw_velocity; }},
+     [](State s) -> double& { return s.yaw_velocity; }, odd},
     {"track", "curvature", "1/m", 1, "curvature of the track; positive in a curve to the left",
-     [](State s) -> double& { return s.curvature; }},
+     [](State s) -> double& { return s.curvature; }, odd},
     {"wheel", "deflection_longitudinal", "m", 1, "motion of the wheel's centre against the axle, forward",
      [](State s) -> double& { return s.deflection.longitudinal; }},
     {"wheel", "deflection_lateral", "m", 1, "the same to the left",
-     [](State s) -> double& { return s.deflection.lateral; }},
+     [](State s) -> double& { return s.deflection.lateral; }, odd},
     {"wheel", "deflection_vertical", "m", 1, "the same upwards",
      [](State s) -> double& { return s.deflection.vertical; }},
     {"wheel", "deflection_roll", "rad", 1, "rotation of the wheel against the axle about x",
-     [](State s) -> double& { return s.deflection.roll; }},
-    {"wheel", "deflection_yaw", "rad", 1, "the same about z", [](State s) -> double& { return s.deflection.yaw; }},
+     [](State s) -> double& { return s.deflection.roll; }, odd},
+    {"wheel", "deflection_yaw", "rad", 1, "the same about z", [](State s) -> double& { return s.deflection.yaw; }, odd},
     {"wheel", "deflection_longitudinal_velocity", "m/s", 1000, "velocity of that motion, forward",
      [](State s) -> double& { return s.deflection.longitudinal_velocity; }},
     {"wheel", "deflection_lateral_velocity", "m/s", 1000, "the same to the left",
-     [](State s) -> double& { return s.deflection.lateral_velocity; }},
+     [](State s) -> double& { return s.deflection.lateral_velocity; }, odd},
     {"wheel", "deflection_vertical_velocity", "m/s", 1000, "the same upwards",
      [](State s) -> double& { return s.deflection.vertical_velocity; }},
     {"wheel", "deflection_roll_velocity", "rad/s", 1e5, "angular velocity of that rotation about x",
-     [](State s) -> double& { return s.deflection.roll_velocity; }},
+     [](State s) -> double& { return s.deflection.roll_velocity; }, odd},
     {"wheel", "deflection_pitch_velocity", "rad/s", 1e5, "the same about the axle",
      [](State s) -> double& { return s.deflection.pitch_velocity; }},
     {"wheel", "deflection_yaw_velocity", "rad/s", 1e5, "the same about z",
-     [](State s) -> double& { return s.deflection.yaw_velocity; }},
+     [](State s) -> double& { return s.deflection.yaw_velocity; }, odd},
     {"rail", "deviation_lateral", "m", 1, "of the rail from its nominal position, to the left positive",
-     [](State s) -> double& { return s.rail.lateral; }},
+     [](State s) -> double& { return s.rail.lateral; }, odd},
     {"rail", "deviation_vertical", "m", 1, "the same upwards", [](State s) -> double& { return s.rail.vertical; }},
     {"rail", "deviation_roll", "rad", 1, "rotation of the rail about x, right-handed",
-     [](State s) -> double& { return s.rail.roll; }},
+     [](State s) -> double& { return s.rail.roll; }, odd},
     {"rail", "deviation_lateral_velocity", "m/s", 1000, "velocity of that deviation to the left",
-     [](State s) -> double& { return s.rail.lateral_velocity; }},
+     [](State s) -> double& { return s.rail.lateral_velocity; }, odd},
     {"rail", "deviation_vertical_velocity", "m/s", 1000, "the same upwards",
      [](State s) -> double& { return s.rail.vertical_velocity; }},
     {"rail", "deviation_roll_velocity", "rad/s", 1e5, "angular velocity of that rotation",
-     [](State s) -> double& { return s.rail.roll_velocity; }},
+     [](State s) -> double& { return s.rail.roll_velocity; }, odd},
     {"wheel", "longitudinal", "m", 1e7, "position of the wheelset's centre along the track, or from a roller's top",
      [](State s) -> double& { return s.longitudinal; }},
     {"wheel", "pitch", "rad", 1e7, "angle by which the wheelset has turned; positive rolls forward",
@@ -95,12 +98,12 @@ double worn_mass(Patch p) {
 
 constexpr WheelQuantity all_wheel_results[] = {
     {"force_x", "N", "force on the wheel along the track", [](Solution s) { return s.force.x; }},
-    {"force_y", "N", "force on the wheel to the left", [](Solution s) { return s.force.y; }},
+    {"force_y", "N", "force on the wheel to the left", [](WheelRailSolution& s) -> double& { return s.force.y; }, odd},
     {"force_z", "N", "force on the wheel upwards", [](Solution s) { return s.force.z; }},
     {"moment_x", "N m", "moment on the wheel about its centre, about the track's x",
-     [](Solution s) { return s.moment.x; }},
+     [](WheelRailSolution& s) -> double& { return s.moment.x; }, odd},
     {"moment_y", "N m", "the same about y: positive drives the wheel forward", [](Solution s) { return s.moment.y; }},
-    {"moment_z", "N m", "the same about z", [](Solution s) { return s.moment.z; }},
+    {"moment_z", "N m", "the same about z", [](WheelRailSolution& s) -> double& { return s.moment.z; }, odd},
     {"vertical", "m", "height of the wheelset's centre above the nominal radius: given, or found for the force",
      [](Solution s) { return s.vertical; }},
     {"frictional_power", "W", "power lost to friction in all patches",
@@ -132,10 +135,11 @@ constexpr WheelQuantity all_wheel_results[] = {
 
 constexpr PatchQuantity all_patch_results[] = {
     {"place_x", "m", "origin of the patch's frame on the rail, along the track", [](Patch p) { return p.place.x; }},
-    {"place_y", "m", "the same to the left of the track's centre", [](Patch p) { return p.place.y; }},
+    {"place_y", "m", "the same to the left of the track's centre",
+     [](WheelRailPatch& p) -> double& { return p.place.y; }, odd},
     {"place_z", "m", "the same above the tops of the rails", [](Patch p) { return p.place.z; }},
     {"angle", "rad", "of the contact plane against the track plane; positive rises to the left",
-     [](Patch p) { return p.angle; }},
+     [](WheelRailPatch& p) -> double& { return p.angle; }, odd},
     {"rail_y", "m", "of the rail's profile there, in its axes: to the field side positive",
      [](Patch p) { return p.rail_y; }},
     {"wheel_y", "m", "of the wheel's profile there, in its axes", [](Patch p) { return p.wheel_y; }},
@@ -150,12 +154,14 @@ constexpr PatchQuantity all_patch_results[] = {
     {"creepage_longitudinal", "-", "longitudinal creepage; positive for a braked wheel",
      [](Patch p) { return p.creepage.longitudinal; }},
     {"creepage_lateral", "-", "lateral creepage, along the surface to the left",
-     [](Patch p) { return p.creepage.lateral; }},
-    {"spin", "1/m", "spin about the normal", [](Patch p) { return p.creepage.spin; }},
+     [](WheelRailPatch& p) -> double& { return p.creepage.lateral; }, odd},
+    {"spin", "1/m", "spin about the normal", [](WheelRailPatch& p) -> double& { return p.creepage.spin; }, odd},
     {"normal_force", "N", "force on the wheel along the normal", [](Patch p) { return p.normal_force; }},
     {"fx", "N", "force on the wheel along the track", [](Patch p) { return p.fx; }},
-    {"fy", "N", "force on the wheel along the surface, to the left", [](Patch p) { return p.fs; }},
-    {"mz", "N m", "moment on the wheel about the normal through the patch's origin", [](Patch p) { return p.moment; }},
+    {"fy", "N", "force on the wheel along the surface, to the left", [](WheelRailPatch& p) -> double& { return p.fs; },
+     odd},
+    {"mz", "N m", "moment on the wheel about the normal through the patch's origin",
+     [](WheelRailPatch& p) -> double& { return p.moment; }, odd},
     {"contact_area", "m^2", "area of the contact", [](Patch p) { return p.contact_area; }},
     {"slip_area", "m^2", "area of slip", [](Patch p) { return p.slip_area; }},
     {"peak_pressure", "Pa", "largest pressure", [](Patch p) { return p.peak_pressure; }},
@@ -253,6 +259,26 @@ std::span<const WheelQuantity> wheel_derivatives() {
 }
 std::span<const DamageField> damage_fields() {
   return all_damage_fields;
+}
+
+template <> WheelState<double> WheelState<double>::mirrored() const {
+  WheelState<double> image = *this;
+  mirror_numbers(image, all_state_quantities);
+  return image;
+}
+
+void mirror(WheelRailSolution& solution) {
+  mirror_numbers(solution, all_wheel_results);
+  for (WheelRailPatch& patch : solution.patches) mirror_numbers(patch, all_patch_results);
+  for (ContactSolution& fields : solution.fields) mirror(fields);
+}
+
+void mirror(WheelRailDerivatives& derivatives) {
+  for (std::size_t k = 0; k < wheel_variables; ++k) {
+    const bool by_odd = k < state_numbers && all_state_quantities[k].is_odd;
+    for (std::size_t row = 0; row < differentiated_results; ++row)
+      if (all_wheel_results[row].is_odd() != by_odd) derivatives.at(row, k) *= -1;
+  }
 }
 
 double t_gamma(const WheelRailPatch& patch) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace microslip {
@@ -21,8 +22,10 @@ struct StateQuantity {
   double limit;                 ///< the largest magnitude that makes sense, in that unit
   std::string_view description; ///< with the sign's meaning
   double& (*of)(WheelState<double>& state);
+  bool is_odd = false; ///< it changes its sign in a mirror whose plane is x, z
 
   double value(WheelState<double> state) const { return of(state); }
+  double* odd(WheelState<double>& state) const { return is_odd ? &of(state) : nullptr; }
 };
 
 /// A number that a wheel is given: one of its state, or the vertical force on it.
@@ -43,8 +46,24 @@ inline bool is_vertical_force(double force) {
 /// leave out what no wheel or patch has.
 template <class Of> struct RailwayQuantity {
   std::string_view name, unit, description;
-  double (*value)(const Of& of);
-  bool is_code = false; ///< a whole number with meanings of its own, such as a status
+  double (*value)(const Of& of) = nullptr;
+  bool is_code = false;                    ///< a whole number with meanings of its own, such as a status
+  double& (*odd_number)(Of& of) = nullptr; ///< where it is kept, if it changes its sign in a mirror whose plane is x, z
+
+  constexpr RailwayQuantity() = default;
+  constexpr RailwayQuantity(std::string_view called, std::string_view in, std::string_view text,
+                            double (*of)(const Of&), bool code = false)
+      : name(called), unit(in), description(text), value(of), is_code(code) {}
+  /// A member, by a function that returns a reference.
+  template <class Member>
+  requires std::is_invocable_r_v<double&, Member, Of&>
+  constexpr RailwayQuantity(std::string_view called, std::string_view in, std::string_view text, Member, bool is_odd)
+      : RailwayQuantity(called, in, text, [](const Of& of) -> double { return Member{}(const_cast<Of&>(of)); }) {
+    if (is_odd) odd_number = [](Of& of) -> double& { return Member{}(of); };
+  }
+
+  bool is_odd() const { return odd_number != nullptr; }
+  double* odd(Of& of) const { return odd_number ? &odd_number(of) : nullptr; }
 
   template <class Values> bool is_given(const Values& values) const {
     for (const Of& of : values)
@@ -77,6 +96,11 @@ const WheelInput& vertical_force_input();
 std::span<const WheelQuantity> wheel_results();
 std::span<const PatchQuantity> patch_results();
 std::span<const WheelQuantity> wheel_derivatives();
+
+/// A left wheel's solution or derivatives as those of a right one and back, seen in a mirror whose plane is x, z: what
+/// is odd changes its sign.
+void mirror(WheelRailSolution& solution);
+void mirror(WheelRailDerivatives& derivatives);
 
 /// T-gamma of a patch (damage/wear.hpp).
 double t_gamma(const WheelRailPatch& patch);

@@ -46,7 +46,8 @@ template <class T> struct WheelState {
 
   /// All of them in the order in which they stand here, that of state_quantities() (wheel_rail_quantities.hpp).
   std::array<T*, state_numbers> numbers();
-  /// The same seen in a mirror whose plane is x, z: turns a right wheel into a left one and back.
+  /// The same seen in a mirror whose plane is x, z: turns a right wheel into a left one and back. Numbers that are odd
+  /// (state_quantities()) change their sign. Of doubles only.
   WheelState mirrored() const;
 };
 
@@ -99,14 +100,6 @@ template <class T> std::array<T*, state_numbers> WheelState<T>::numbers() {
           &pitch};
 }
 
-template <class T> WheelState<T> WheelState<T>::mirrored() const {
-  WheelState m = *this;
-  for (T* odd : {&m.lateral, &m.roll, &m.yaw, &m.lateral_velocity, &m.roll_velocity, &m.yaw_velocity, &m.curvature,
-                 &m.deflection.lateral, &m.deflection.roll, &m.deflection.yaw, &m.deflection.lateral_velocity,
-                 &m.deflection.roll_velocity, &m.deflection.yaw_velocity, &m.rail.lateral, &m.rail.roll,
-                 &m.rail.lateral_velocity, &m.rail.roll_velocity})
-    *odd = -*odd;
-  return m;
-}
+template <> WheelState<double> WheelState<double>::mirrored() const;
 
 } // namespace microslip

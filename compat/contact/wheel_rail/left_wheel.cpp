@@ -1,16 +1,11 @@
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 
+#include "microslip/contact/mirrored_solution.hpp"
+
 #include <algorithm>
 
 namespace microslip::contact_program {
 namespace {
-
-/// Reverses the order of a field's rows; empty fields stay.
-template <class Value> void reverse_rows(std::vector<Value>& field, int mx) {
-  const auto row = static_cast<std::ptrdiff_t>(mx);
-  for (auto low = field.begin(), high = field.end(); high - low >= 2 * row; low += row, high -= row)
-    std::swap_ranges(low, low + row, high - row);
-}
 
 template <class... Fields> void reverse_all(int mx, Fields&... fields) {
   (reverse_rows(fields, mx), ...);
