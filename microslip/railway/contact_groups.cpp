@@ -89,7 +89,7 @@ void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
 
 } // namespace
 
-std::vector<ContactGroup> contact_groups(CoarseContact& coarse, const WheelRailBodies& bodies,
+std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
                                          const WheelRailMethod& method, std::span<const ContactExtent> extents,
                                          const Progress& progress) {
   const std::span<const ContactPatch> patches = coarse.patches();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "microslip/railway/coarse_contact.hpp"
 #include "microslip/railway/exact_patch.hpp"
 #include "microslip/railway/patch_group.hpp"
+#include "microslip/railway/row_contact.hpp"
 
 #include <cmath>
 #include <optional>
@@ -59,7 +59,7 @@ struct ContactGroup {
 
 /// The groups of the patches that the coarse level has, with elements over what is given of the overlap, or over all of
 /// it where that is nothing.
-std::vector<ContactGroup> contact_groups(CoarseContact& coarse, const WheelRailBodies& bodies,
+std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
                                          const WheelRailMethod& method, std::span<const ContactExtent> extents,
                                          const Progress& progress);
 

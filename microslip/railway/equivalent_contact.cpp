@@ -13,7 +13,7 @@ namespace microslip {
 struct EquivalentContact::Round {
   WheelRailBodies bodies;
   std::optional<EquivalentRail> equivalent;
-  CoarseContact rows;
+  RowContact rows;
 
   Round(const WheelRailBodies& given, const WheelRailMethod& method, const NominalPlacement& nominal)
       : bodies(given), rows(bodies, method, nominal) {}
@@ -35,7 +35,7 @@ EquivalentContact::EquivalentContact(const WheelRailBodies& bodies, const WheelR
       round_(std::make_unique<Round>(bodies, method, nominal)) {}
 EquivalentContact::~EquivalentContact() = default;
 
-CoarseContact& EquivalentContact::rows() {
+RowContact& EquivalentContact::rows() {
   return round_->rows;
 }
 const WheelRailBodies& EquivalentContact::bodies() const {

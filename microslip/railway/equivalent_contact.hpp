@@ -1,7 +1,7 @@
 #pragma once
 
-#include "microslip/railway/coarse_contact.hpp"
 #include "microslip/railway/equivalent_rail.hpp"
+#include "microslip/railway/row_contact.hpp"
 
 #include <memory>
 
@@ -21,7 +21,7 @@ public:
   /// some 10 ms, allocates. False where there is no rail.
   bool move_to(const WheelState<double>& state, bool where_it_touches);
 
-  CoarseContact& rows();                 ///< of the state moved to
+  RowContact& rows();                    ///< of the state moved to
   const WheelRailBodies& bodies() const; ///< with the profiles of these rows
 
 private:

@@ -26,7 +26,7 @@ double vertical_force_of(const ContactGroup& one) {
   return sum;
 }
 
-void sum(const CoarseContact& coarse, std::vector<ContactGroup>& loaded, WheelRailSolution& out) {
+void sum(const RowContact& coarse, std::vector<ContactGroup>& loaded, WheelRailSolution& out) {
   const Vec3<double> centre = coarse.surface().placement().wheel.frame.origin;
   WheelForces wheel;
   out.patches.clear();
@@ -40,9 +40,10 @@ void sum(const CoarseContact& coarse, std::vector<ContactGroup>& loaded, WheelRa
     const SurfaceFields& f = solution.fields;
     for (std::size_t i = 0; i < e.size(); ++i) {
       if (!(f.pressure[i] > 0)) continue;
-      const Vec3<double> traction{f.traction.x[i], f.traction.y[i], f.pressure[i]};
-      wheel.add(e.area[i] * traction, one.exact.row(static_cast<int>(i) / one.exact.grid().mx), e.x[i], outline.frame,
-                centre, patch);
+      const Vec3<double> force = e.area[i] * Vec3<double>{f.traction.x[i], f.traction.y[i], f.pressure[i]};
+      const PatchRow& row = one.exact.row(static_cast<int>(i) / one.exact.grid().mx);
+      wheel.add(force, row, e.x[i], centre);
+      add_to_patch(force, row, e.x[i], outline.frame, patch);
     }
     patch.contact_area = solution.totals.adhesion_area + solution.totals.slip_area;
     patch.slip_area = solution.totals.slip_area;
@@ -90,7 +91,7 @@ bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
 /// The patches that the coarse level has in its height, pressed together. Elements cover what is given of the overlap,
 /// or all of it where they do not hold the contact. Returns by how much the wheel is lowered [m]; nothing where no load
 /// of the patches bears the vertical force.
-std::optional<double> press_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
+std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                                     std::optional<double> vertical_force, std::span<const ContactExtent> extents,
                                     std::vector<ContactGroup>& loaded, const Progress& progress) {
   std::optional<double> lowering;
@@ -111,7 +112,7 @@ struct Forecast {
   double share_to_go = 0;             ///< of a further lowering of that size
 };
 
-Forecast forecast(CoarseContact& coarse, const WheelRailBodies& bodies, WheelRailMethod method,
+Forecast forecast(RowContact& coarse, const WheelRailBodies& bodies, WheelRailMethod method,
                   std::optional<double> vertical_force, const Progress& progress) {
   constexpr int few = 12; // elements across a patch
   method.elements = std::min(method.elements, few);
@@ -128,7 +129,7 @@ Forecast forecast(CoarseContact& coarse, const WheelRailBodies& bodies, WheelRai
 /// Lowers the wheel to the height in which few elements bear the vertical force, in one step of Newton's method, or in
 /// two where the first one is large: frames and elements are then those of nearly the right height, and smooth
 /// functions of the state.
-Forecast go_to_height(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                       const WheelRailMethod& method, double vertical_force, WheelRailSolution& out,
                       const Progress& progress) {
   Forecast found = forecast(coarse, bodies, method, vertical_force, progress);
@@ -136,7 +137,7 @@ Forecast go_to_height(CoarseContact& coarse, WheelState<double> state, const Whe
   for (const bool is_last : {false, true}) {
     if (!found.lowering || !(share > 0)) break;
     state.vertical = out.vertical - share * *found.lowering;
-    coarse.solve(state, {}, out);
+    coarse.height().solve(state, {}, out);
     share = found.share_to_go;
     if (is_last || !(share > 0) || out.status == Status::no_contact) break;
     found = forecast(coarse, bodies, method, vertical_force, progress);
@@ -146,7 +147,7 @@ Forecast go_to_height(CoarseContact& coarse, WheelState<double> state, const Whe
 
 /// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
 /// hold in the height that bears the vertical force, towards which the wheel has gone then.
-bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
+bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                         std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
                         WheelRailSolution& out, const Progress& progress) {
   constexpr int most_rounds = 12;
@@ -199,7 +200,7 @@ bool solve_with_patches(CoarseContact& coarse, const WheelRailBodies& bodies, co
 }
 
 /// In a state, from the patches of the coarse level there.
-void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
+void solve_from_coarse(RowContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                        const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                        const Progress& progress) {
   constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
@@ -212,7 +213,7 @@ void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const Wh
     if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, out, progress))
       break;
     state.vertical = out.vertical;
-    coarse.solve(state, {}, out);
+    coarse.height().solve(state, {}, out);
     if (out.status == Status::no_contact) break;
   }
 }
@@ -220,7 +221,7 @@ void solve_from_coarse(CoarseContact& coarse, WheelState<double> state, const Wh
 /// Forces of a wheel at given heights.
 class ExactHeight {
 public:
-  ExactHeight(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+  ExactHeight(RowContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
               const WheelRailMethod& method, double vertical_force, WheelRailSolution& out, const Progress& progress)
       : coarse_(coarse), state_(state), bodies_(bodies), method_(method), vertical_force_(vertical_force), out_(out),
         progress_(progress) {}
@@ -232,7 +233,7 @@ public:
     state_.vertical = height;
     out_.patches.clear(), out_.fields.clear();
     out_.force = out_.moment = {}, out_.reason = Unsolved::none;
-    coarse_.solve(state_, {}, out_);
+    coarse_.height().solve(state_, {}, out_);
     if (out_.status != Status::no_contact) solve_from_coarse(coarse_, state_, bodies_, method_, {}, out_, progress_);
     if (out_.reason == Unsolved::beyond_elements) ++beyond_elements_;
     return out_.force.z / vertical_force_ - 1;
@@ -283,7 +284,7 @@ private:
            stiffest * std::abs(root.side.at - root.other.at);
   }
 
-  CoarseContact& coarse_;
+  RowContact& coarse_;
   WheelState<double> state_;
   const WheelRailBodies& bodies_;
   const WheelRailMethod& method_;
@@ -295,11 +296,11 @@ private:
 
 } // namespace
 
-void solve_exact(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+void solve_exact(RowContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
                  const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                  const Progress& progress) {
   const int iterations = out.iterations;
-  const double height = out.vertical, least = coarse.least_height(state.vertical);
+  const double height = out.vertical, least = coarse.height().least_height(state.vertical);
   const bool coarse_failed = vertical_force && out.status != Status::ok;
   if (!coarse_failed) solve_from_coarse(coarse, state, bodies, method, vertical_force, out, progress);
   const bool is_rolling = std::all_of(out.patches.begin(), out.patches.end(),

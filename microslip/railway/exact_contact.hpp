@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/progress.hpp"
-#include "microslip/railway/coarse_contact.hpp"
+#include "microslip/railway/row_contact.hpp"
 
 namespace microslip {
 
@@ -9,7 +9,7 @@ namespace microslip {
 /// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
 /// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a
 /// vertical force [N] have it; without one the wheel stays where it is. `progress` may end it by Stopped only.
-void solve_exact(CoarseContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+void solve_exact(RowContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
                  const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                  const Progress& progress);
 

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-WheelLimits limits_of(const WheelRailBodies& bodies, const CoarseContact& rows) {
+WheelLimits limits_of(const WheelRailBodies& bodies, const RowContact& rows) {
   WheelLimits limits{.nadal_limit = {}, .nose = flange_nose(bodies.wheel), .warnings = warnings_of(bodies)};
   const auto angle = wheel_dimensions(bodies.wheel, default_tape_line(bodies.wheel)).flange_angle;
   if (angle) limits.nadal_limit = nadal_limit(*angle, rows.friction(*angle));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/coarse_contact.hpp"
+#include "microslip/railway/row_contact.hpp"
 
 namespace microslip {
 
@@ -10,7 +10,7 @@ struct WheelLimits {
   std::optional<double> nose;        ///< flange_nose() [m]
   Warnings warnings;                 ///< of the bodies
 };
-WheelLimits limits_of(const WheelRailBodies& bodies, const CoarseContact& rows);
+WheelLimits limits_of(const WheelRailBodies& bodies, const RowContact& rows);
 
 /// Adds to a left wheel's solution what its forces do to the surfaces and to its guidance, and what makes them
 /// doubtful: damage of the patches, Y/Q and its limit, warnings, and the status that a decisive one has.

@@ -6,7 +6,7 @@
 namespace microslip {
 
 /// A level of theory for wheels: all that tells it from the others once rows bear the wheel's load. A new one is a row
-/// of the table in wheel_levels.cpp with its word; creep forces of rows are those of CoarseContact.
+/// of the table in wheel_levels.cpp with its word; creep forces of rows are those of RowContact.
 struct WheelLevel {
   const char* name;
   /// Each patch is solved by elements, its derivatives are differences of whole solves. The others have the forces and

@@ -63,7 +63,8 @@ private:
 
   /// No number of a state makes it throw: the state has a status, and others can be solved.
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
-    if (level.by_elements) contact.rows().reset(); // next to nothing of the cost, and the grids are the same each time
+    if (level.by_elements)
+      contact.rows().height().reset(); // next to nothing of the cost, and the grids are the same each time
     try {
       if (solve_rows(state, vertical_force, out)) level.solve(contact, state, method, vertical_force, out, progress);
     } catch (const Error&) {
@@ -83,8 +84,8 @@ private:
     }
     out.status = Status::no_contact;
     if (!contact.move_to(state, vertical_force.has_value())) return false;
-    CoarseContact& rows = contact.rows();
-    rows.solve(state, vertical_force, out);
+    RowContact& rows = contact.rows();
+    rows.height().solve(state, vertical_force, out);
     if (out.status == Status::no_contact) return false;
     rows.sum(out);
     return true;
@@ -122,11 +123,11 @@ private:
       return Wrench::of(trial);
     };
     forces.of_shifted_rows = [this](const WheelState<double>& state) {
-      if (!contact.rows().shift(state)) throw Error("wheel: nearby pressures are not found");
+      if (!contact.rows().height().shift(state)) throw Error("wheel: nearby pressures are not found");
       return of_rows();
     };
     forces.of_moving_rows = [this](const WheelState<double>& state) {
-      contact.rows().move(state);
+      contact.rows().height().move(state);
       return of_rows();
     };
     if (level.by_elements)
@@ -160,7 +161,7 @@ WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optiona
 }
 
 void WheelRail::reset() {
-  workspace_->contact.rows().reset();
+  workspace_->contact.rows().height().reset();
 }
 
 void WheelRail::differentiate(const WheelState<double>& state, std::optional<double> vertical_force,
