@@ -3,7 +3,7 @@
 #include "app/interior_table.hpp"
 #include "app/quantity_table.hpp"
 #include "io/option_words.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include "io/profile_file.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "validation/clock.hpp"
 

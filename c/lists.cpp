@@ -3,8 +3,8 @@
 #include "microslip/contact/quantities.hpp"
 #include "microslip/contact/warnings.hpp"
 #include "microslip/description/words.hpp"
-#include "microslip/railway/wheelset_contact_quantities.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/geometry/wheelset_contact_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 #include <limits>
 #include <string>

@@ -1,7 +1,7 @@
 #include "c/names.hpp"
 #include "c/problem.hpp"
 #include "io/wheel_rail_case.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <optional>

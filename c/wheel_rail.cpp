@@ -1,10 +1,10 @@
 #include "c/problem.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/description/words.hpp"
-#include "microslip/railway/conicity.hpp"
-#include "microslip/railway/row_contact.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
+#include "microslip/railway/geometry/wheelset_contact_quantities.hpp"
+#include "microslip/railway/rows/row_contact.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "microslip/railway/wheelset_contact_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

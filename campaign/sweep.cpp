@@ -5,7 +5,7 @@
 #include "io/nearest_word.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/rolling/solver.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/json.hpp"
-#include "microslip/railway/conicity.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "io/json.hpp"
 #include "io/result_writer.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
-#include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
 
 #include <optional>
 

@@ -3,9 +3,9 @@
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
 #include "microslip/contact/quantities.hpp"
-#include "microslip/railway/surface_hits.hpp"
-#include "microslip/railway/wheel_locus.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/geometry/surface_hits.hpp"
+#include "microslip/railway/geometry/wheel_locus.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,12 @@ set(public_headers
   microslip/*.hpp microslip/batch/*.hpp microslip/contact/*.hpp
   microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/material.hpp
   microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
-  microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp microslip/railway/conicity.hpp microslip/railway/derailment.hpp microslip/railway/profile.hpp
-  microslip/railway/profile_dimensions.hpp microslip/railway/profile_preparation.hpp
-  microslip/railway/profile_slices.hpp microslip/railway/profile_smoothing.hpp microslip/railway/wheel_rail.hpp
-  microslip/railway/wheel_rail_quantities.hpp microslip/railway/wheelset_on_track.hpp microslip/railway/wheelset_quantities.hpp
+  microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp
+  microslip/railway/derailment.hpp microslip/railway/geometry/conicity.hpp microslip/railway/profile/profile.hpp
+  microslip/railway/profile/profile_dimensions.hpp microslip/railway/profile/profile_preparation.hpp
+  microslip/railway/profile/profile_slices.hpp microslip/railway/profile/profile_smoothing.hpp
+  microslip/railway/vehicle/wheelset_on_track.hpp microslip/railway/vehicle/wheelset_quantities.hpp
+  microslip/railway/wheel_rail.hpp microslip/railway/wheel_rail_quantities.hpp
   microslip/rolling/*.hpp microslip/simplified/*.hpp microslip/table/creep_force_table.hpp
   microslip/table/making/*.hpp microslip/thermal/*.hpp)
 

@@ -1,6 +1,6 @@
 #include "io/profile_writer.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -3,8 +3,8 @@
 #include "io/nearest_word.hpp"
 #include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/wheel_rail_types.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 
 #include <algorithm>
 #include <string>

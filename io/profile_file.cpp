@@ -5,7 +5,7 @@
 #include "io/profile_formats.hpp"
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/report_text.hpp"
+#include "microslip/railway/profile/report_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
 
 #include <filesystem>
 #include <optional>

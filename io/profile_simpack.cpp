@@ -1,7 +1,7 @@
 #include "io/nearest_word.hpp"
 #include "io/profile_formats.hpp"
 #include "io/text_line.hpp"
-#include "microslip/railway/report_text.hpp"
+#include "microslip/railway/profile/report_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "io/sliced_profile.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_slices.hpp"
+#include "microslip/railway/profile/profile_slices.hpp"
 
 #include <algorithm>
 #include <string>

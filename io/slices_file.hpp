@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/profile_surface.hpp"
+#include "microslip/railway/profile/profile_surface.hpp"
 
 #include <filesystem>
 #include <string>

@@ -6,8 +6,8 @@
 #include "io/sliced_profile.hpp"
 #include "io/toml_section.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
 #include "microslip/rolling/incompatibility.hpp"
 
 #include <algorithm>

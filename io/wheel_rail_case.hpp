@@ -5,8 +5,8 @@
 #include "io/sliced_profile.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
+#include "microslip/railway/vehicle/wheelset_on_track.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_on_track.hpp"
 
 #include <optional>
 #include <string>

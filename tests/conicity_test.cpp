@@ -1,4 +1,4 @@
-#include "microslip/railway/conicity.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
 
 #include "tests/support/expect_error.hpp"
 #include "tests/support/wheel_rail_pairs.hpp"

@@ -1,6 +1,6 @@
-#include "microslip/railway/contact_search.hpp"
+#include "microslip/railway/geometry/contact_search.hpp"
 
-#include "microslip/railway/wheel_locus.hpp"
+#include "microslip/railway/geometry/wheel_locus.hpp"
 
 #include "tests/support/expect_error.hpp"
 #include "tests/support/wheel_rail_pairs.hpp"

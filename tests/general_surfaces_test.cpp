@@ -1,7 +1,7 @@
 // Rails that vary along the track, wheels that are not round, rollers.
 
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/railway/equivalent_rail.hpp"
+#include "microslip/railway/geometry/equivalent_rail.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 #include "tests/support/expect_close.hpp"

@@ -1,7 +1,7 @@
 // Worn hollow wheels, alike and beside new ones: rolling radius difference against a dense grid of both profiles,
 // equivalent conicity against the motion integrated in time.
 
-#include "microslip/railway/conicity.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
 
 #include "tests/support/wheel_rail_pairs.hpp"
 

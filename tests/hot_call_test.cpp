@@ -1,7 +1,7 @@
 // The calls that a vehicle simulation makes millions of times take no memory and no lock, write nothing and throw
 // nothing.
 
-#include "microslip/railway/contact_search.hpp"
+#include "microslip/railway/geometry/contact_search.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"

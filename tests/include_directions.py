@@ -6,6 +6,7 @@ import sys
 
 EVERYWHERE = "microslip"  # decimal, error, progress, status, vec2, version: every folder may include them
 EXACT = "microslip/exact/"
+RAILWAY = "microslip/railway/"
 
 # A folder and what it may include, besides itself.
 ALLOWED = {
@@ -33,10 +34,20 @@ ALLOWED = {
     "microslip/table": ["microslip/contact", "microslip/numerics", "microslip/simplified"],
     "microslip/table/making": ["microslip/batch", "microslip/contact", "microslip/rolling", "microslip/simplified",
                                "microslip/table"],
-    "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/elasticity", "microslip/friction", "microslip/numerics",
-                          "microslip/simplified", "microslip/table", EXACT + "fitted", EXACT + "halfspace",
-                          EXACT + "normal"],
-    "microslip/description": ["microslip/contact", "microslip/friction", "microslip/railway"],
+    RAILWAY + "profile": ["microslip/numerics"],
+    RAILWAY + "geometry": ["microslip/contact", "microslip/numerics", RAILWAY + "profile"],
+    RAILWAY + "problem": ["microslip/contact", "microslip/damage", "microslip/elasticity", RAILWAY + "geometry",
+                          RAILWAY + "profile"],
+    RAILWAY + "rows": ["microslip/elasticity", "microslip/numerics", "microslip/simplified", "microslip/table",
+                       RAILWAY + "geometry", RAILWAY + "problem", RAILWAY + "profile"],
+    RAILWAY + "exact": ["microslip/contact", "microslip/elasticity", "microslip/numerics", EXACT + "fitted",
+                        EXACT + "halfspace", RAILWAY + "geometry", RAILWAY + "problem", RAILWAY + "rows"],
+    "microslip/railway": ["microslip/contact", "microslip/damage", "microslip/friction", "microslip/numerics",
+                          "microslip/table", RAILWAY + "exact", RAILWAY + "geometry", RAILWAY + "problem",
+                          RAILWAY + "profile", RAILWAY + "rows"],
+    RAILWAY + "vehicle": ["microslip/numerics", "microslip/railway", RAILWAY + "geometry", RAILWAY + "problem"],
+    "microslip/description": ["microslip/contact", "microslip/friction", "microslip/railway", RAILWAY + "geometry",
+                              RAILWAY + "problem", RAILWAY + "vehicle"],
 }
 
 

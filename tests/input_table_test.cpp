@@ -6,7 +6,7 @@
 #include "io/toml_section.hpp"
 #include "io/units.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 #include "microslip/rolling/method.hpp"
 
 #include "paths.hpp"

@@ -1,6 +1,6 @@
-#include "microslip/railway/patch_group.hpp"
+#include "microslip/railway/exact/patch_group.hpp"
 
-#include "microslip/railway/contact_search.hpp"
+#include "microslip/railway/geometry/contact_search.hpp"
 
 #include "tests/support/wheel_rail_pairs.hpp"
 

@@ -1,4 +1,4 @@
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 
 #include "io/profile_file.hpp"
 #include "paths.hpp"

@@ -1,6 +1,6 @@
 // Zigzags of a polygon are two turns in a row that go back; ends of the polygon do not turn.
 
-#include "microslip/railway/profile_kinks.hpp"
+#include "microslip/railway/profile/profile_kinks.hpp"
 
 #include <vector>
 

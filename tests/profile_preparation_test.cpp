@@ -1,6 +1,6 @@
-#include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
 
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 #include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "microslip/railway/profile_smoothing.hpp"
+#include "microslip/railway/profile/profile_smoothing.hpp"
 
 #include "tests/support/expect_error.hpp"
 

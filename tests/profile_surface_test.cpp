@@ -1,7 +1,7 @@
 // Profiles that vary: tensor splines through their slices.
 
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_slices.hpp"
+#include "microslip/railway/profile/profile_slices.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"
 

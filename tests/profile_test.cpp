@@ -1,4 +1,4 @@
-#include "microslip/railway/profile.hpp"
+#include "microslip/railway/profile/profile.hpp"
 
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"

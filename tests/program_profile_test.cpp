@@ -2,7 +2,7 @@
 
 #include "io/json.hpp"
 #include "io/profile_file.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 #include "paths.hpp"
 #include "tests/support/hdf5_reader.hpp"
 #include "tests/support/program_run.hpp"

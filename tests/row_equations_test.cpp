@@ -1,4 +1,4 @@
-#include "microslip/railway/row_equations.hpp"
+#include "microslip/railway/rows/row_equations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // The level `table` of wheel on rail.
 
-#include "microslip/railway/row_look_up.hpp"
+#include "microslip/railway/rows/row_look_up.hpp"
 
 #include "io/creep_table_file.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 
 #include "tests/support/expect_close.hpp"
 #include "tests/support/expect_error.hpp"

@@ -1,8 +1,8 @@
-#include "microslip/railway/row_normal.hpp"
+#include "microslip/railway/rows/row_normal.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
-#include "microslip/railway/kernel/row_pair.hpp"
+#include "microslip/railway/rows/kernel/row_pair.hpp"
 #include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The strips that tell the table level what a patch's shape changes.
 
-#include "microslip/railway/row_strips.hpp"
+#include "microslip/railway/rows/row_strips.hpp"
 
 #include "microslip/simplified/creepage_coefficients.hpp"
 #include "tests/support/expect_close.hpp"

@@ -1,4 +1,4 @@
-#include "microslip/railway/virtual_penetration.hpp"
+#include "microslip/railway/rows/virtual_penetration.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
 #include "tests/support/s1002_on_60e1.hpp"

@@ -1,4 +1,4 @@
-#include "microslip/railway/wheel_placement.hpp"
+#include "microslip/railway/geometry/wheel_placement.hpp"
 
 #include "microslip/error.hpp"
 

@@ -1,7 +1,7 @@
 // What a wheel on a rail must keep at both levels: mirrors, moves of the whole, scales of velocity, the energy that
 // friction takes, and friction of the inclination row by row on curved patches.
 
-#include "microslip/railway/contact_search.hpp"
+#include "microslip/railway/geometry/contact_search.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 #include "tests/support/s1002_on_60e1.hpp"

@@ -2,7 +2,7 @@
 
 #include "microslip/contact/quantities.hpp"
 #include "microslip/elasticity/hertz.hpp"
-#include "microslip/railway/relative_motion.hpp"
+#include "microslip/railway/geometry/relative_motion.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include "tests/support/expect_error.hpp"

@@ -1,6 +1,6 @@
 // Status, reason and numbers of a wheel on a rail agree, whatever the state is; no number makes a solve throw.
 
-#include "microslip/railway/wheel_status.hpp"
+#include "microslip/railway/problem/wheel_status.hpp"
 
 #include "io/creep_table_file.hpp"
 #include "io/creep_tables.hpp"

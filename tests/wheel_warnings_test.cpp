@@ -2,8 +2,8 @@
 
 #include "microslip/railway/wheel_warnings.hpp"
 
+#include "microslip/railway/vehicle/wheelset_on_track.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_on_track.hpp"
 #include "tests/support/s1002_on_60e1.hpp"
 #include "validation/worn_profiles.hpp"
 

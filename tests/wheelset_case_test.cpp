@@ -1,6 +1,6 @@
 #include "cases/wheel_rail_result.hpp"
 
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "tests/support/case_text.hpp"
 #include "tests/support/expect_error.hpp"
 

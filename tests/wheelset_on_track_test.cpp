@@ -1,7 +1,7 @@
-#include "microslip/railway/wheelset_on_track.hpp"
+#include "microslip/railway/vehicle/wheelset_on_track.hpp"
 
-#include "microslip/railway/wheelset_contact.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 #include "tests/support/numbers.hpp"
 #include "tests/support/s1002_on_60e1.hpp"

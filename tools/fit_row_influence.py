@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Coefficients of microslip/railway/kernel/row_pairs.cpp: the influence of rows on each other in closed form.
+"""Coefficients of microslip/railway/rows/kernel/row_pairs.cpp: the influence of rows on each other in closed form.
 
 P(delta, rho) = E[asinh(delta/|Z|)], Z = a S - b T with independent S and T of density 2/pi sqrt(1 - t^2),
 a^2 = 1 + rho, b^2 = 1 - rho, as sum of rho^(2 n) P_n(delta), exact at four values of rho^2, and each P_n as

@@ -1,7 +1,7 @@
 #include "validation/studies.hpp"
 
 #include "io/profile_file.hpp"
-#include "microslip/railway/conicity.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include "io/profile_file.hpp"
 #include "microslip/exact/fitted/contact_edges.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
-#include "microslip/railway/row_look_up.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
+#include "microslip/railway/rows/row_look_up.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 #include "microslip/table/creep_coordinates.hpp"
 #include "validation/report.hpp"
 

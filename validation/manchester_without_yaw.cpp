@@ -1,8 +1,8 @@
 #include "validation/manchester_without_yaw.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
 #include "validation/report.hpp"
 
 #include <algorithm>

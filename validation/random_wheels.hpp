@@ -1,7 +1,7 @@
 #pragma once
 
-#include "microslip/railway/wheel_rail_types.hpp"
-#include "microslip/railway/wheel_state.hpp"
+#include "microslip/railway/geometry/wheel_state.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 
 #include <cstdint>
 #include <string>

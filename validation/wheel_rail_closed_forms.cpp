@@ -2,7 +2,7 @@
 
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/contact_search.hpp"
+#include "microslip/railway/geometry/contact_search.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "validation/report.hpp"
 

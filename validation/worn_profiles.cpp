@@ -1,7 +1,7 @@
 #include "validation/worn_profiles.hpp"
 
 #include "io/profile_file.hpp"
-#include "microslip/railway/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
 #include "validation/draw.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 
 #include <string>
 #include <vector>

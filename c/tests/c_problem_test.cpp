@@ -7,7 +7,7 @@
 #include "io/case_file.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/contact/quantities.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/rolling/solver.hpp"
 #include "tests/support/case_text.hpp"
 

@@ -3,7 +3,7 @@
 #include "c/tests/c_problem.hpp"
 #include "c/tests/c_wheel_rows.hpp"
 #include "io/wheel_rail_case.hpp"
-#include "microslip/railway/conicity.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <bit>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compat/contact/case.hpp"
-#include "microslip/railway/frame.hpp"
+#include "microslip/railway/geometry/frame.hpp"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "profiled_wheelset.hpp"
 
-#include <microslip/railway/profile_preparation.hpp>
+#include <microslip/railway/profile/profile_preparation.hpp>
 
 #include <chrono>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "small_matrix.hpp"
 
-#include <microslip/railway/wheelset_on_track.hpp>
+#include <microslip/railway/vehicle/wheelset_on_track.hpp>
 
 #include <filesystem>
 

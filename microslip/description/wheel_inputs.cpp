@@ -1,11 +1,11 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input_lines.hpp"
 #include "microslip/friction/friction_law.hpp"
-#include "microslip/railway/track.hpp"
+#include "microslip/railway/geometry/track.hpp"
+#include "microslip/railway/geometry/wheelset.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "microslip/railway/wheel_rail_types.hpp"
-#include "microslip/railway/wheelset.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
 
 namespace microslip::description {
 namespace {

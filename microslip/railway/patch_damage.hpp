@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/damage/surface_strength.hpp"
-#include "microslip/railway/wheel_rail_types.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 
 namespace microslip {
 

@@ -2,7 +2,7 @@
 
 #include "microslip/railway/derailment.hpp"
 #include "microslip/railway/patch_damage.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 #include "microslip/railway/wheel_warnings.hpp"
 
 namespace microslip {

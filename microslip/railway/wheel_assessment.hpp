@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/row_contact.hpp"
+#include "microslip/railway/rows/row_contact.hpp"
 
 namespace microslip {
 

@@ -2,7 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/fade.hpp"
-#include "microslip/railway/exact_contact.hpp"
+#include "microslip/railway/exact/exact_contact.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>

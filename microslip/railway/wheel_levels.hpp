@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/equivalent_contact.hpp"
+#include "microslip/railway/rows/equivalent_contact.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 namespace microslip {

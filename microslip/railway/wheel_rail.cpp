@@ -2,12 +2,12 @@
 
 #include "microslip/error.hpp"
 #include "microslip/railway/call_progress.hpp"
+#include "microslip/railway/problem/wheel_status.hpp"
 #include "microslip/railway/wheel_assessment.hpp"
 #include "microslip/railway/wheel_levels.hpp"
 #include "microslip/railway/wheel_rail_checks.hpp"
 #include "microslip/railway/wheel_rail_derivatives.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "microslip/railway/wheel_status.hpp"
 
 #include <cmath>
 #include <limits>

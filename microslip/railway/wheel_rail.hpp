@@ -1,8 +1,8 @@
 #pragma once
 
 #include "microslip/progress.hpp"
-#include "microslip/railway/wheel_rail_types.hpp"
-#include "microslip/railway/wheel_state.hpp"
+#include "microslip/railway/geometry/wheel_state.hpp"
+#include "microslip/railway/problem/wheel_rail_types.hpp"
 
 #include <array>
 #include <memory>

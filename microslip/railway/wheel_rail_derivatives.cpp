@@ -1,6 +1,6 @@
 #include "microslip/railway/wheel_rail_derivatives.hpp"
 
-#include "microslip/railway/relative_motion.hpp"
+#include "microslip/railway/geometry/relative_motion.hpp"
 
 #include <algorithm>
 #include <utility>

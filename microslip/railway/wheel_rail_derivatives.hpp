@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/wheel_placement.hpp"
+#include "microslip/railway/geometry/wheel_placement.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 
 #include <functional>

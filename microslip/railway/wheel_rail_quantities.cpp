@@ -288,4 +288,9 @@ double t_gamma_with_spin(const WheelRailPatch& patch) {
   return t_gamma_with_spin(patch.fx, patch.fs, patch.moment, patch.creepage);
 }
 
+bool is_in_range(WheelState<double> state) noexcept {
+  const auto all = state_quantities();
+  return std::all_of(all.begin(), all.end(), [&](const StateQuantity& q) { return std::abs(q.of(state)) <= q.limit; });
+}
+
 } // namespace microslip

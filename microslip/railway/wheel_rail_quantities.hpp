@@ -1,8 +1,8 @@
 #pragma once
 
 #include "microslip/damage/surface_strength.hpp"
+#include "microslip/railway/geometry/wheel_state.hpp"
 #include "microslip/railway/wheel_rail.hpp"
-#include "microslip/railway/wheel_state.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -85,6 +85,8 @@ struct DamageField {
 
 /// All of them in the order in which they are shown, without codes.
 std::span<const StateQuantity> state_quantities();
+/// Returns whether all numbers of a state are within their ranges.
+bool is_in_range(WheelState<double> state) noexcept;
 std::span<const WheelQuantity> wheel_quantities();
 std::span<const PatchQuantity> patch_quantities();
 std::span<const DamageField> damage_fields();

@@ -1,6 +1,6 @@
 #include "microslip/railway/wheel_warnings.hpp"
 
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "io/profile_writer.hpp"
 #include "io/sliced_profile.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 
 #include <algorithm>
 #include <cmath>

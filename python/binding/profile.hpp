@@ -1,8 +1,8 @@
 #pragma once
 
 #include "binding/fields.hpp"
-#include "microslip/railway/profile_preparation.hpp"
-#include "microslip/railway/profile_surface.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_surface.hpp"
 
 #include <memory>
 

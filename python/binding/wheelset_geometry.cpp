@@ -6,8 +6,8 @@
 #include "binding/wheel_rail.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/conicity.hpp"
-#include "microslip/railway/wheelset_contact_quantities.hpp"
+#include "microslip/railway/geometry/conicity.hpp"
+#include "microslip/railway/geometry/wheelset_contact_quantities.hpp"
 
 #include <algorithm>
 #include <limits>

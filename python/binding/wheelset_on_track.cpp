@@ -4,7 +4,7 @@
 #include "binding/value.hpp"
 #include "binding/wheel_rail.hpp"
 #include "binding/wheel_rail_fields.hpp"
-#include "microslip/railway/wheelset_quantities.hpp"
+#include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
 namespace microslip::python {
 

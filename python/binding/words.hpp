@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/option_words.hpp"
-#include "microslip/railway/wheelset_contact.hpp"
+#include "microslip/railway/geometry/wheelset_contact.hpp"
 
 #include <pybind11/pybind11.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/profile_file.hpp"
-#include "microslip/railway/wheel_placement.hpp"
+#include "microslip/railway/geometry/wheel_placement.hpp"
 
 #include "paths.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "compat/contact/wheel_rail/profile_shape.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
-#include "microslip/railway/frame.hpp"
-#include "microslip/railway/profile_dimensions.hpp"
+#include "microslip/railway/geometry/frame.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 
 namespace microslip::contact_program {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/profile.hpp"
+#include "microslip/railway/profile/profile.hpp"
 
 #include <optional>
 #include <vector>

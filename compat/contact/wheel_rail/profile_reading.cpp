@@ -3,10 +3,10 @@
 #include "io/profile_formats.hpp"
 #include "io/slices_file.hpp"
 #include "microslip/error.hpp"
-#include "microslip/railway/profile_kinks.hpp"
-#include "microslip/railway/profile_preparation.hpp"
-#include "microslip/railway/profile_slices.hpp"
-#include "microslip/railway/profile_smoothing.hpp"
+#include "microslip/railway/profile/profile_kinks.hpp"
+#include "microslip/railway/profile/profile_preparation.hpp"
+#include "microslip/railway/profile/profile_slices.hpp"
+#include "microslip/railway/profile/profile_smoothing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compat/contact/wheel_rail/profile_curve.hpp"
-#include "microslip/railway/profile_surface.hpp"
+#include "microslip/railway/profile/profile_surface.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "microslip/railway/frame.hpp"
+#include "microslip/railway/geometry/frame.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "microslip/progress.hpp"
+#include "microslip/railway/rows/row_contact.hpp"
+
+namespace microslip {
+
+/// The exact theory on the patches that the coarse level has found in a state, whose forces are so near that few steps
+/// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
+/// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a
+/// vertical force [N] have it; without one the wheel stays where it is. `progress` may end it by Stopped only.
+void solve_exact(RowContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
+                 const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
+                 const Progress& progress);
+
+} // namespace microslip

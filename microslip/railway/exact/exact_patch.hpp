@@ -1,0 +1,126 @@
+#pragma once
+
+#include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/motion.hpp"
+#include "microslip/elasticity/material.hpp"
+#include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/exact/halfspace/inclination_correction.hpp"
+#include "microslip/progress.hpp"
+#include "microslip/railway/geometry/patch_outline.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// A force on the surface.
+struct PointLoad {
+  Vec3<double> place; ///< in track axes [m]
+  double force = 0;   ///< normal [N]
+  double angle = 0;   ///< of the surface against the track's y [rad]
+};
+
+/// A patch for the exact theory: elements over its contact, gaps, and how each row moves. Keeps the last pressures and
+/// tractions to begin the next ones with.
+class ExactPatch {
+public:
+  /// Motion of a patch.
+  struct Motion {
+    double contact_gap = 0; ///< < 0, that of the surface whose velocity the creepages take (PatchSurface::creepage) [m]
+    double speed = 0;       ///< V [m/s]
+    RollingDirection direction = RollingDirection::forward;
+  };
+
+  /// On which surface it is solved.
+  struct Shape {
+    PatchShape surface = PatchShape::curved;
+    double conformity = 0; ///< in [0, 1], WheelRailMethod::conformity
+  };
+
+  /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the
+  /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart. `progress` may
+  /// end this and all that follows, by Stopped only.
+  ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
+             const Shape& shape, Vec2 element, const Motion& motion, Progress progress);
+
+  const ElementGrid& grid() const { return grid_; }
+  double conformity() const { return conformity_; }
+  const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }
+
+  /// Loads on other patches from now on lift the rail's surface here.
+  void lift(std::span<const PointLoad> loads);
+  /// By how much a load elsewhere lifts the pressure's centre [m].
+  double lift_by(const PointLoad& load) const;
+
+  /// Normal problems: the wheel comes nearer by `approach` [m] along the frame's normal, or bears a normal force [N].
+  void press(double approach, double tolerance);
+  void press_with(double normal_force, double tolerance);
+  /// A normal force [N] so near the last one that all pressures are multiplied.
+  void scale_to(double normal_force);
+  double normal_force() const { return pressed_.normal_force; }
+  double approach() const { return pressed_.approach + least_; }
+  double least_gap() const { return least_; }
+  Status status() const { return pressed_.status; }
+  /// For a conformal patch: distance by which the tractions that were found last would still move the surfaces that the
+  /// pressures know of, over the largest displacement [-]; else 0.
+  double unsettled() const { return unsettled_; }
+  /// Returns whether the outline holds the contact, as the elements need it.
+  bool holds_contact() const;
+  /// Sides, in the frame, of a rectangle around the contact and where the gap is less than `near` [m], with an element
+  /// to spare; nothing without contact.
+  struct Extent {
+    double x_low, x_high, s_low, s_high;
+  };
+  std::optional<Extent> extent(double near) const;
+  /// The pressures as one load, that of none at the frame's origin; and as some loads over the patch.
+  const PointLoad& load() const { return load_; }
+  std::span<const PointLoad> loads() const { return loads_; }
+
+  /// The tangential problem with the pressures that there are, to a tolerance of the residual. `friction` is mu over
+  /// the inclination of a row [rad]. Elements stay if the load has changed by less than `same_elements` of itself since
+  /// they were fitted.
+  ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements, double tolerance);
+
+private:
+  Vec3<double> place(std::size_t element) const;
+  using Fields = InclinationCorrection::Fields;
+
+  void solve(const NormalLoad& load, double tolerance);
+  void solve_plane(const NormalLoad& load, double tolerance);
+  void correct_angles(const CombinedMaterial& material);
+  Fields added_displacements();
+  void keep_tractions(const ContactSolution& solution);
+  Vec2 added_at(double x, double y) const;
+  ContactSolution roll_plane(PatchRollingMotion motion);
+  void find_loads();
+
+  CombinedMaterial material_;
+  Progress progress_;
+  PatchFrame frame_;
+  Motion motion_;
+  ElementGrid grid_;
+  std::vector<PatchRow> rows_;
+  std::vector<Creepage> creepage_; ///< of each row about (0, s)
+  double least_ = 0;               ///< the least gap, < 0 where the bodies overlap [m]
+  std::vector<double> gaps_;       ///< over the least one [m]
+  std::vector<double> lifted_;     ///< the same with the lift
+  NormalProblem normal_;
+  NormalSolution pressed_;
+  PointLoad load_;
+  std::vector<PointLoad> loads_;
+  std::optional<PatchRolling> rolling_;
+  double fitted_force_ = 0; ///< with which its elements were fitted [N]
+  VectorField tractions_;   ///< of the last solution, with the normal force rolled_force_ [N]
+  double rolled_force_ = 0;
+  double conformity_;                               ///< share of what the rows' angles add
+  std::optional<InclinationCorrection> correction_; ///< of a conformal patch whose rows are turned
+  Fields on_grid_;                                  ///< the tractions of the last solution at the grid's elements,
+  Fields added_;                                    ///< and what the rows' angles add to their displacements
+  std::vector<double> known_;                       ///< the normal part of that with which the pressures were found,
+  std::vector<double> fitted_known_;                ///< and with which the elements were fitted
+  double unsettled_ = 0;
+};
+
+} // namespace microslip

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "microslip/railway/exact/contact_groups.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+/// Presses all patches with the forces of the coarse level, which tells how stiff they are, and what they would bear in
+/// the coarse level's height.
+void press_first(std::vector<ContactGroup>& groups);
+
+/// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:
+/// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta,
+/// nothing where no load of the patches bears the force.
+std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optional<double> vertical_force, double zeta,
+                                 bool first);
+
+} // namespace microslip

@@ -1,0 +1,237 @@
+#include "microslip/railway/geometry/equivalent_rail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+constexpr double nowhere = 1; // gap where there is no surface [m]
+
+/// The unit normal at a profile's parameter, out of the rail and into the wheel.
+ProfilePoint normal_at(const Profile& profile, double s) {
+  const ProfilePoint d = profile.at(s).first;
+  const double length = std::hypot(d.y, d.z);
+  return {-d.z / length, d.y / length};
+}
+
+/// Lines across the track through a point that moves along it, and where they meet both surfaces.
+class Lines {
+public:
+  Lines(const TrueSurfaces& surfaces, const WheelPlacement<double>& placement, const Vec3<double>& point,
+        const Vec3<double>& direction, SurfaceHit rail, SurfaceHit wheel)
+      : surfaces_(&surfaces), placement_(&placement), point_(point), direction_(direction), rail_(rail), wheel_(wheel) {
+  }
+
+  /// From the rail to the wheel at x of the track axes, by Newton's method from the last position.
+  std::optional<double> distance(double x) {
+    const Vec3<double> from{x, point_.y, point_.z};
+    if (!find_on_rail(surfaces_->rail, *placement_, from, direction_, rail_)) return {};
+    if (!find_on_wheel(surfaces_->wheel, *placement_, from, direction_, wheel_)) return {};
+    return wheel_.n - rail_.n;
+  }
+  /// From the point to the wheel alone.
+  std::optional<double> distance_of_wheel(double x) {
+    if (!find_on_wheel(surfaces_->wheel, *placement_, {x, point_.y, point_.z}, direction_, wheel_)) return {};
+    return wheel_.n;
+  }
+  const SurfaceHit& rail() const { return rail_; }
+  const SurfaceHit& wheel() const { return wheel_; }
+
+private:
+  const TrueSurfaces* surfaces_;
+  const WheelPlacement<double>* placement_;
+  Vec3<double> point_, direction_;
+  SurfaceHit rail_, wheel_;
+};
+
+struct Least {
+  double x = 0, value = 0, curvature = 0;
+};
+
+/// The least value of a function of x near by: Newton's method with differences.
+template <class Function> std::optional<Least> find_least(Function function, double x) {
+  constexpr int most_steps = 40;
+  constexpr double step = 2e-4, exact = 1e-9, least_curvature = 0.05; // [m], [m], [1/m]
+  double longest = 5e-3, before = 0;
+  for (int k = 0; k < most_steps; ++k) {
+    const auto low = function(x - step), here = function(x), high = function(x + step);
+    if (!low || !here || !high) return {};
+    const double slope = (*high - *low) / (2 * step), curvature = (*high - 2 * *here + *low) / (step * step);
+    const double newton = curvature > least_curvature ? -slope / curvature : -std::copysign(longest, slope);
+    if (newton * before < 0 && std::abs(newton) > std::abs(before) / 2) longest /= 2; // to and fro
+    const double move = std::clamp(newton, -longest, longest);
+    if (std::abs(move) < exact || k + 1 == most_steps)
+      return Least{x + move, *here + move * slope / 2, std::max(curvature, least_curvature)};
+    x += move, before = move;
+  }
+  return {};
+}
+
+/// dn/dx of the rail; 0 where it begins or ends.
+double rail_slope(Lines lines, double x) {
+  constexpr double step = 2e-4; // [m]
+  if (!lines.distance(x - step)) return 0;
+  const double behind = lines.rail().n;
+  return lines.distance(x + step) ? (lines.rail().n - behind) / (2 * step) : 0;
+}
+
+/// Of positions along the track around x the one with the least distance.
+double lowest_place(Lines lines, double x) {
+  constexpr int to_each_side = 6;
+  constexpr double apart = 5e-3; // [m]
+  double lowest = std::numeric_limits<double>::infinity(), place = x;
+  for (int k = -to_each_side; k <= to_each_side; ++k) {
+    const auto distance = lines.distance(x + k * apart);
+    if (distance && *distance < lowest) lowest = *distance, place = x + k * apart;
+  }
+  return place;
+}
+
+/// The number of the profile's point that is nearest to a position.
+double nearest_point(const Profile& profile, const ProfilePoint& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < profile.pieces().size(); ++k) {
+    const ProfilePoint p = profile.pieces()[k].c[0];
+    const double distance = std::hypot(p.y - place.y, p.z - place.z);
+    if (distance < nearest) nearest = distance, number = k;
+  }
+  return static_cast<double>(number);
+}
+
+} // namespace
+
+/// A point of the rail's section, and what is above it.
+struct EquivalentRail::Above {
+  ProfilePoint point, normal; ///< in the axes of the rail's profile
+  std::optional<Least> round; ///< distance of the round wheel from it
+  double wheel_v = 0;         ///< there
+  double moved = 0;           ///< along the normal [m]
+  Along along = {};
+  bool is_found = false; ///< both of these
+
+  Vec3<double> place(const WheelPlacement<double>& placement) const {
+    return placement.rail.frame.outer({0, point.y, point.z});
+  }
+  Vec3<double> direction(const WheelPlacement<double>& placement) const {
+    return placement.rail.frame.axes * Vec3<double>{0, normal.y, normal.z};
+  }
+};
+
+/// Least distances of the round wheel from the points of the rail's section, each found from the one before.
+std::vector<EquivalentRail::Above> EquivalentRail::find_round_wheel(const TrueSurfaces& round,
+                                                                    const WheelPlacement<double>& placement) {
+  const Profile &rail = *round.rail.profile, &wheel = *round.wheel.profile;
+  const Frame<double>& frame = placement.wheel.frame;
+  std::vector<Above> all;
+  std::optional<double> start; // the wheel's v
+  double x = frame.origin.x;
+  for (std::size_t k = 0; k <= rail.pieces().size(); ++k) {
+    const double s = parameter_at(rail, static_cast<double>(k));
+    Above& a = all.emplace_back(Above{rail.at(s).value, normal_at(rail, s), {}});
+    if (!start) {
+      const Vec3<double> place = frame.inner(a.place(placement) + Vec3<double>{x, 0, 0});
+      start = nearest_point(wheel, {place.y, placement.radius + place.z});
+    }
+    Lines lines(round, placement, a.place(placement), a.direction(placement), {}, {0, *start});
+    a.round = find_least([&](double at) { return lines.distance_of_wheel(at); }, x);
+    start.reset();
+    if (!a.round) continue;
+    start = a.wheel_v = lines.wheel().v, x = a.round->x;
+  }
+  return all;
+}
+
+EquivalentRail::EquivalentRail(const TrueSurfaces& surfaces, const WheelPlacement<double>& placement)
+    : surfaces_(surfaces), rail_(*surfaces.rail.profile), wheel_(*surfaces.wheel.profile) {
+  const double x = placement.wheel.frame.origin.x;
+  const ProfileSection rail = section_at(surfaces.rail, placement.longitudinal + x);
+  const ProfileSection wheel = section_at(surfaces.wheel, placement.pitch);
+  first_rail_ = rail.first, first_wheel_ = wheel.first;
+  wheel_ = wheel.profile;
+  std::vector<Above> all = find_round_wheel({{&rail.profile, nullptr}, {&wheel.profile, nullptr}}, placement);
+  move_points(placement, all);
+
+  // Those far from the wheel follow the nearest one before them, or the first one.
+  const auto first = std::find_if(all.begin(), all.end(), [](const Above& a) { return a.is_found; });
+  std::size_t last = first == all.end() ? 0 : static_cast<std::size_t>(first - all.begin());
+  std::vector<ProfilePoint> points;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].is_found) last = k;
+    along_.push_back(all[last].along);
+    const auto& [point, normal] = std::pair{all[k].point, all[k].normal};
+    points.push_back({point.y + all[last].moved * normal.y, point.z + all[last].moved * normal.z});
+  }
+  rail_ = Profile(ProfileRole::rail, points, rail.profile.kinks());
+}
+
+/// What the least distances of the true surfaces are at the points that are not far from the wheel.
+void EquivalentRail::move_points(const WheelPlacement<double>& placement, std::vector<Above>& all) const {
+  constexpr double near = 8e-3; // [m], over the least distance: beyond there is no contact
+  double least = std::numeric_limits<double>::infinity();
+  for (const Above& a : all) least = a.round ? std::min(least, a.round->value) : least;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Above& a = all[k];
+    if (!a.round || a.round->value > least + near) continue;
+    Lines lines(surfaces_, placement, a.place(placement), a.direction(placement),
+                {0, first_rail_ + static_cast<double>(k)}, {a.round->value, first_wheel_ + a.wheel_v});
+    const double start = lowest_place(lines, a.round->x);
+    const auto found = find_least([&](double x) { return lines.distance(x); }, start);
+    if (!found || !lines.distance(found->x)) continue;
+    a.moved = a.round->value - found->value, a.is_found = true;
+    a.along = {found->x, found->curvature, lines.rail().n - a.moved, rail_slope(lines, found->x)};
+  }
+}
+
+EquivalentRail::Along EquivalentRail::at(double rail_s) const {
+  const auto last = static_cast<double>(along_.size() - 1);
+  const double number = std::clamp(number_at(rail_, rail_s), 0.0, last), share = number - std::floor(number);
+  const auto k = static_cast<std::size_t>(number);
+  const Along &a = along_[k], &b = along_[std::min(k + 1, along_.size() - 1)];
+  const auto between = [share](double from, double to) { return from + share * (to - from); };
+  return {between(a.x, b.x), between(a.curvature, b.curvature), between(a.rise, b.rise), between(a.slope, b.slope)};
+}
+
+void EquivalentRail::find_gaps(const WheelPlacement<double>& placement, const Vec3<double>& point,
+                               const Vec3<double>& normal, double rail_s, double& wheel_s, std::span<const double> x,
+                               std::span<double> gaps) const {
+  const Lines first(surfaces_, placement, point, normal, {at(rail_s).rise, first_rail_ + number_at(rail_, rail_s)},
+                    {0, first_wheel_ + number_at(wheel_, wheel_s)});
+  Lines lines = first;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto gap = lines.distance(point.x + x[i]);
+    gaps[i] = gap.value_or(nowhere);
+    if (!gap)
+      lines = first;
+    else if (i == x.size() / 2)
+      wheel_s = parameter_at(wheel_, lines.wheel().v - first_wheel_);
+  }
+}
+
+std::optional<EquivalentRail::Stretch> EquivalentRail::find_overlap(const WheelPlacement<double>& placement,
+                                                                    double rail_s, double wheel_s) const {
+  constexpr double step = 5e-4;               // [m]
+  constexpr int most_steps = 400, apart = 16; // overlaps further apart are other contacts
+  const Frame<double>& frame = placement.rail.frame;
+  const ProfilePoint p = rail_.at(rail_s).value, n = normal_at(rail_, rail_s);
+  const Along along = at(rail_s);
+  Stretch stretch{along.x, along.x};
+  bool overlaps = false;
+  for (const double sign : {-1.0, 1.0}) {
+    Lines lines(surfaces_, placement, frame.outer({0, p.y, p.z}), frame.axes * Vec3<double>{0, n.y, n.z},
+                {along.rise, first_rail_ + number_at(rail_, rail_s)}, {0, first_wheel_ + number_at(wheel_, wheel_s)});
+    for (int k = 0, last = 0; k < most_steps && k - last <= apart; ++k) {
+      const double x = along.x + sign * k * step;
+      const auto distance = lines.distance(x);
+      if (!distance || !(*distance < 0)) continue;
+      last = k, overlaps = true;
+      (sign < 0 ? stretch.low : stretch.high) = x + sign * step;
+    }
+  }
+  return overlaps ? std::optional(stretch) : std::nullopt;
+}
+
+} // namespace microslip

@@ -1,0 +1,178 @@
+#include "microslip/railway/profile/profile_smoothing.hpp"
+
+#include "microslip/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+double distance(const ProfilePoint& a, const ProfilePoint& b) {
+  return std::hypot(b.y - a.y, b.z - a.z);
+}
+
+/// Reinsch's equations of a smoothing spline, (R + lambda Q' V Q) m = Q' x and f = x - lambda V Q m, factorised once
+/// for both coordinates. m are second derivatives at inner points, V the inverse weights: 0 holds a point where it is.
+class SmoothingSection {
+public:
+  SmoothingSection(std::span<const double> steps, std::span<const double> inverse_weights, double lambda)
+      : steps_(steps), inverse_weights_(inverse_weights), lambda_(lambda) {
+    factorise();
+  }
+
+  /// Smooths the values of one coordinate in place.
+  void smooth(std::span<double> values) const {
+    const std::size_t unknowns = pivots_.size();
+    std::vector<double> m(unknowns);
+    for (std::size_t j = 0; j < unknowns; ++j) {
+      m[j] = (values[j + 2] - values[j + 1]) / steps_[j + 1] - (values[j + 1] - values[j]) / steps_[j];
+      if (j > 0) m[j] -= first_[j - 1] * m[j - 1];
+      if (j > 1) m[j] -= second_[j - 2] * m[j - 2];
+    }
+    for (std::size_t j = unknowns; j-- > 0;) {
+      m[j] /= pivots_[j];
+      if (j + 1 < unknowns) m[j] -= first_[j] * m[j + 1];
+      if (j + 2 < unknowns) m[j] -= second_[j] * m[j + 2];
+    }
+    for (std::size_t j = 0; j < unknowns; ++j) {
+      const auto q = column(j);
+      for (std::size_t i = 0; i < 3; ++i) values[j + i] -= lambda_ * inverse_weights_[j + i] * q[i] * m[j];
+    }
+  }
+
+private:
+  /// Column j of Q: the second difference at point j + 1.
+  std::array<double, 3> column(std::size_t j) const {
+    const double before = 1 / steps_[j], after = 1 / steps_[j + 1];
+    return {before, -(before + after), after};
+  }
+
+  /// Entry (j, j + offset) of R + lambda Q' V Q.
+  double entry(std::size_t j, std::size_t offset) const {
+    const auto q = column(j), other = column(j + offset);
+    double sum = 0;
+    for (std::size_t i = offset; i < 3; ++i) sum += q[i] * inverse_weights_[j + i] * other[i - offset];
+    const double r = offset == 0 ? (steps_[j] + steps_[j + 1]) / 3 : offset == 1 ? steps_[j + 1] / 6 : 0;
+    return r + lambda_ * sum;
+  }
+
+  /// L D L' of the pentadiagonal matrix: pivots and the two subdiagonals of L.
+  void factorise() {
+    const std::size_t unknowns = steps_.size() - 1;
+    pivots_.resize(unknowns);
+    first_.resize(unknowns);
+    second_.resize(unknowns);
+    for (std::size_t j = 0; j < unknowns; ++j) {
+      double pivot = entry(j, 0), next = j + 1 < unknowns ? entry(j, 1) : 0;
+      if (j > 0) {
+        pivot -= first_[j - 1] * first_[j - 1] * pivots_[j - 1];
+        next -= first_[j - 1] * second_[j - 1] * pivots_[j - 1];
+      }
+      if (j > 1) pivot -= second_[j - 2] * second_[j - 2] * pivots_[j - 2];
+      pivots_[j] = pivot;
+      first_[j] = next / pivot;
+      second_[j] = j + 2 < unknowns ? entry(j, 2) / pivot : 0;
+    }
+  }
+
+  std::span<const double> steps_, inverse_weights_;
+  double lambda_;
+  std::vector<double> pivots_, first_, second_;
+};
+
+enum class Weights { lengths, equal };
+
+/// Smooths the points of a section; those at its ends that are kinks stay.
+void smooth_section(std::span<ProfilePoint> points, bool holds_first, bool holds_last, double lambda, Weights weights) {
+  const std::size_t n = points.size();
+  if (n < 3) return;
+  std::vector<double> steps(n - 1), inverse_weights(n), y(n), z(n);
+  for (std::size_t k = 0; k + 1 < n; ++k) steps[k] = distance(points[k], points[k + 1]);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double length = ((k > 0 ? steps[k - 1] : 0) + (k + 1 < n ? steps[k] : 0)) / 2;
+    inverse_weights[k] = weights == Weights::lengths ? 1 / length : 1;
+    y[k] = points[k].y;
+    z[k] = points[k].z;
+  }
+  if (holds_first) inverse_weights.front() = 0;
+  if (holds_last) inverse_weights.back() = 0;
+  const SmoothingSection section(steps, inverse_weights, lambda);
+  section.smooth(y);
+  section.smooth(z);
+  for (std::size_t k = 0; k < n; ++k) points[k] = {y[k], z[k]};
+}
+
+std::vector<ProfilePoint> smooth_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                          double lambda, Weights weights) {
+  std::vector<ProfilePoint> result(points.begin(), points.end());
+  std::size_t first = 0;
+  for (std::size_t k = 0; k <= kinks.size(); ++k) {
+    const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1;
+    smooth_section(std::span(result).subspan(first, last - first + 1), k > 0, k < kinks.size(), lambda, weights);
+    first = last;
+  }
+  return result;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Distance of the middle one of five points, across the line through its neighbours, from the cubic through the other
+/// four, over what it is for independent errors of deviation 1.
+double residual(std::span<const ProfilePoint, 5> points) {
+  std::array<double, 5> s{};
+  for (std::size_t i = 1; i < 5; ++i) s[i] = s[i - 1] + distance(points[i - 1], points[i]);
+  ProfilePoint off = points[2];
+  double squares = 1;
+  for (const std::size_t i : {0, 1, 3, 4}) {
+    double weight = 1;
+    for (const std::size_t j : {0, 1, 3, 4})
+      if (j != i) weight *= (s[2] - s[j]) / (s[i] - s[j]);
+    off.y -= weight * points[i].y;
+    off.z -= weight * points[i].z;
+    squares += weight * weight;
+  }
+  const double along_y = points[3].y - points[1].y, along_z = points[3].z - points[1].z;
+  return std::abs(off.z * along_y - off.y * along_z) / (std::hypot(along_y, along_z) * std::sqrt(squares));
+}
+
+} // namespace
+
+std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                   double length) {
+  if (!(length > 0 && length <= 1)) throw Error("smoothing_length", length, "m", "in (0, 1]");
+  return smooth_sections(points, kinks, std::pow(length / (2 * std::numbers::pi), 4), Weights::lengths);
+}
+
+std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
+                                                   std::span<const std::size_t> kinks, double lambda) {
+  return smooth_sections(points, kinks, lambda, Weights::equal);
+}
+
+ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {
+  constexpr double median_of_normal = 0.67449; // of |x| for a normal distribution of deviation 1
+  constexpr double wanted_curvature = 3;       // [1/m]
+  if (points.size() < 5) return {};
+  std::vector<double> residuals, steps;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) steps.push_back(distance(points[k], points[k + 1]));
+  for (std::size_t k = 2; k + 2 < points.size(); ++k)
+    if (const double r = residual(points.subspan(k - 2).first<5>()); std::isfinite(r)) residuals.push_back(r);
+  if (residuals.empty()) return {};
+
+  const double sigma = median(std::move(residuals)) / median_of_normal, h = median(std::move(steps));
+  ProfileNoise noise{sigma, std::sqrt(6.0) * sigma / (h * h), 0};
+  // Smoothing at L leaves int k^4/(1 + lambda k^4)^2 dk/pi sigma^2 h = sigma^2 h (2 pi/L)^5/(8 sqrt 2) of its square.
+  if (noise.curvature > wanted_curvature)
+    noise.smoothing_length =
+        2 * std::numbers::pi *
+        std::pow(sigma * sigma * h / (8 * std::sqrt(2.0) * wanted_curvature * wanted_curvature), 0.2);
+  return noise;
+}
+
+} // namespace microslip

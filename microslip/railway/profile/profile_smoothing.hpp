@@ -1,0 +1,29 @@
+#pragma once
+
+#include "microslip/railway/profile/profile.hpp"
+#include "microslip/railway/profile/profile_report.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace microslip {
+
+/// Points smoothed by wavelength: y and z separately minimise sum w_i (x_i - f(s_i))^2 + lambda int f''^2 ds with
+/// w_i = (s_i+1 - s_i-1)/2 and lambda = (L/2 pi)^4 over each section between kinks. A wave of wavenumber k keeps
+/// 1/(1 + lambda k^4) of its amplitude: half of it at the wavelength L, all but (L/l)^4 of it at a longer one l. Kinks
+/// stay where they are. s is the length of the polygon through the given points. L = `length` [m] in
+/// (0, 1], else Error. Cost O(points).
+std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                   double length);
+
+/// The same with w_i = 1 and lambda >= 0 given, in any unit of length.
+std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
+                                                   std::span<const std::size_t> kinks, double lambda);
+
+/// Scatter of points: the median distance of each, across the curve, from the cubic in s through its two neighbours on
+/// either side, over what that is for independent errors of deviation 1. Corners and outliers do not count. Zero for
+/// fewer than five points. The deviation of curvature is sqrt(6) sigma/h^2, h the median spacing.
+ProfileNoise estimate_noise(std::span<const ProfilePoint> points);
+
+} // namespace microslip

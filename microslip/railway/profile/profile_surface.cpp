@@ -1,0 +1,315 @@
+#include "microslip/railway/profile/profile_surface.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/numerics/not_a_knot_spline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace microslip {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double ProfilePoint::*coordinates[] = {&ProfilePoint::y, &ProfilePoint::z};
+
+/// Factors of the values at both ends of a piece, and of the second derivatives there.
+struct CubicBasis {
+  std::array<double, 4> value, first, second;
+
+  CubicBasis(double h, double b) {
+    const double a = 1 - b;
+    value = {a, b, h * h / 6 * (a * a * a - a), h * h / 6 * (b * b * b - b)};
+    first = {-1 / h, 1 / h, -h / 6 * (3 * a * a - 1), h / 6 * (3 * b * b - 1)};
+    second = {0, 0, a, b};
+  }
+};
+
+ProfilePoint combined(const std::array<double, 4>& factor, const ProfilePoint& a, const ProfilePoint& b,
+                      const ProfilePoint& c, const ProfilePoint& d) {
+  return {factor[0] * a.y + factor[1] * b.y + factor[2] * c.y + factor[3] * d.y,
+          factor[0] * a.z + factor[1] * b.z + factor[2] * c.z + factor[3] * d.z};
+}
+
+/// A cubic B-spline with knots at u, and control points there: its values and second derivatives at the knots. Beyond
+/// the ends knots and control points go on along straight lines.
+void approximate(std::span<const double> u, std::span<double> values, std::span<double> second) {
+  const std::size_t n = values.size();
+  std::fill(second.begin(), second.end(), 0);
+  if (n < 3) return;
+  const std::vector<double> control(values.begin(), values.end());
+  const auto last = static_cast<std::ptrdiff_t>(n) - 1;
+  const auto beyond = [last](const auto& of, std::ptrdiff_t k) {
+    const auto at = [&of](std::ptrdiff_t i) { return of[static_cast<std::size_t>(i)]; };
+    if (k < 0) return at(0) + double(-k) * (at(0) - at(1));
+    if (k > last) return at(last) + double(k - last) * (at(last) - at(last - 1));
+    return at(k);
+  };
+  for (std::ptrdiff_t k = 0; k <= last; ++k) {
+    const auto t = [&](std::ptrdiff_t i) { return beyond(u, k + i); };
+    const auto c = [&](std::ptrdiff_t i) { return beyond(control, k + i); };
+    const double before = t(0) - t(-1), behind = t(1) - t(0), both = before + behind;
+    const double left = behind * behind / (both * (t(1) - t(-2))), right = before * before / (both * (t(2) - t(-1)));
+    values[static_cast<std::size_t>(k)] = left * c(-1) + (1 - left - right) * c(0) + right * c(1);
+    const double slope_before = 3 * (c(0) - c(-1)) / (t(1) - t(-2)), slope_behind = 3 * (c(1) - c(0)) / (t(2) - t(-1));
+    second[static_cast<std::size_t>(k)] = 2 * (slope_behind - slope_before) / both;
+  }
+}
+
+void check(const std::vector<SurfaceSlice>& slices) {
+  if (slices.empty()) throw Error("profile surface: no slices");
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const std::string name = "profile surface: slice " + std::to_string(k + 1);
+    require_finite(name + ": u", slices[k].u, "m or rad");
+    if (k > 0 && !(slices[k].u > slices[k - 1].u)) throw Error(name + ": u must be above that of the slice before");
+    if (slices[k].points.size() < 2) throw Error(name + ": fewer than two points");
+    for (const ProfilePoint& p : slices[k].points) {
+      require_finite(name + ": y", p.y, "m");
+      require_finite(name + ": z", p.z, "m");
+    }
+  }
+}
+
+} // namespace
+
+ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options)
+    : slices_(std::move(slices)), options_(std::move(options)) {
+  check(slices_);
+  least_y_ = greatest_y_ = slices_.front().points.front().y;
+  for (const SurfaceSlice& slice : slices_) {
+    width_ = std::max(width_, slice.last() + 1);
+    for (std::size_t j = 0; j < slice.points.size(); ++j) {
+      least_y_ = std::min(least_y_, slice.points[j].y);
+      greatest_y_ = std::max(greatest_y_, slice.points[j].y);
+      ascends_ = ascends_ && (j == 0 || slice.points[j].y > slice.points[j - 1].y);
+    }
+  }
+  constexpr std::size_t most_points = 4'000'000;
+  if (slices_.size() > most_points / width_)
+    throw Error("profile surface: " + std::to_string(slices_.size()) + " slices of " + std::to_string(width_) +
+                " points: must be at most 4000000 in all");
+  if (options_.is_wheel) close_wheel();
+  nodes_.resize(slices_.size() * width_);
+  make_splines_across();
+  make_splines_along();
+}
+
+/// Repeats the first and the last slices beyond one turn, so that the splines pass over its end.
+void ProfileSurface::close_wheel() {
+  constexpr std::size_t repeated = 8; // the influence of a value decays by 0.27 from knot to knot
+  constexpr double rounding = 1e-4;
+  const std::size_t n = slices_.size();
+  if (n < 3 || last_u() - first_u() > turn + rounding) return;
+  double widest = 0;
+  for (std::size_t k = 1; k < n; ++k) widest = std::max(widest, slices_[k].u - slices_[k - 1].u);
+  const double gap = turn - (last_u() - first_u());
+  if (gap > 2 * widest) return;
+  const std::size_t doubled = gap < rounding ? 1 : 0; // the same slice at both ends
+  const std::size_t count = std::min(repeated, n - 1 - doubled);
+  std::vector<SurfaceSlice> before, behind;
+  for (std::size_t k = 0; k < count; ++k) {
+    before.push_back(slices_[n - count - doubled + k]);
+    before.back().u -= turn;
+    behind.push_back(slices_[k + doubled]);
+    behind.back().u += turn;
+  }
+  slices_.insert(slices_.begin(), before.begin(), before.end());
+  slices_.insert(slices_.end(), behind.begin(), behind.end());
+}
+
+ProfileSurface ProfileSurface::in_units(double of_u, double of_y, double of_z) const {
+  ProfileSurface out = *this;
+  const auto scale = [=](ProfilePoint& p, double factor) { p.y *= factor * of_y, p.z *= factor * of_z; };
+  for (SurfaceSlice& slice : out.slices_) {
+    slice.u *= of_u;
+    for (ProfilePoint& p : slice.points) scale(p, 1);
+  }
+  for (Node& node : out.nodes_) {
+    scale(node.value, 1), scale(node.vv, 1);
+    scale(node.uu, 1 / (of_u * of_u)), scale(node.uuvv, 1 / (of_u * of_u));
+  }
+  for (ProfileWave& wave : out.options_.waves) wave.amplitude *= of_z, wave.wavenumber /= of_u;
+  out.least_y_ *= of_y, out.greatest_y_ *= of_y;
+  return out;
+}
+
+void ProfileSurface::make_splines_across() {
+  for (std::size_t k = 0; k < slices_.size(); ++k) {
+    const SurfaceSlice& slice = slices_[k];
+    for (std::size_t j = 0; j < slice.points.size(); ++j) node(k, slice.first + j).value = slice.points[j];
+    std::vector<std::size_t> ends;
+    for (const std::size_t kink : options_.kinks)
+      if (kink > slice.first && kink < slice.last()) ends.push_back(kink);
+    ends.push_back(slice.last());
+    std::size_t begin = slice.first;
+    for (const std::size_t end : ends) {
+      const std::size_t n = end - begin + 1;
+      std::vector<double> steps(n - 1, 1), values(n), second(n);
+      for (double ProfilePoint::*c : coordinates) {
+        for (std::size_t j = 0; j < n; ++j) values[j] = node(k, begin + j).value.*c;
+        not_a_knot_spline(steps, values, second);
+        for (std::size_t j = 0; j < n; ++j) node(k, begin + j).vv.*c = second[j];
+      }
+      begin = end;
+    }
+  }
+}
+
+/// Over each row of slices that have the same v without interruption.
+void ProfileSurface::make_splines_along() {
+  std::vector<double> u, steps, values, second;
+  const auto spline = [&](std::size_t first, std::size_t last, std::size_t v, auto value, auto derivative) {
+    const std::size_t n = last - first + 1;
+    values.resize(n), second.resize(n);
+    for (double ProfilePoint::*c : coordinates) {
+      for (std::size_t k = 0; k < n; ++k) values[k] = node(first + k, v).*value.*c;
+      if (options_.method == SliceMethod::approximating)
+        approximate(u, values, second);
+      else
+        not_a_knot_spline(steps, values, second);
+      for (std::size_t k = 0; k < n; ++k) {
+        node(first + k, v).*value.*c = values[k];
+        node(first + k, v).*derivative.*c = second[k];
+      }
+    }
+  };
+  for (std::size_t v = 0; v < width_; ++v)
+    for (std::size_t first = 0; first < slices_.size(); ++first) {
+      if (!slices_[first].holds(v)) continue;
+      std::size_t last = first;
+      while (last + 1 < slices_.size() && slices_[last + 1].holds(v)) ++last;
+      u.clear(), steps.clear();
+      for (std::size_t k = first; k <= last; ++k) u.push_back(slices_[k].u);
+      for (std::size_t k = 1; k < u.size(); ++k) steps.push_back(u[k] - u[k - 1]);
+      spline(first, last, v, &Node::value, &Node::uu);
+      spline(first, last, v, &Node::vv, &Node::uuvv);
+      first = last;
+    }
+}
+
+ProfileSurface::Place ProfileSurface::place(double u) const {
+  Place p;
+  p.u = u;
+  if (options_.is_wheel) u = std::remainder(u, turn);
+  const double clamped = std::clamp(u, first_u(), last_u());
+  p.is_beyond = clamped != u;
+  if (slices_.size() == 1) return p;
+  const auto above = std::upper_bound(slices_.begin(), slices_.end(), clamped,
+                                      [](double value, const SurfaceSlice& slice) { return value < slice.u; });
+  p.k = std::clamp<std::size_t>(static_cast<std::size_t>(above - slices_.begin()), 1, slices_.size() - 1) - 1;
+  p.step = slices_[p.k + 1].u - slices_[p.k].u;
+  p.share = (clamped - slices_[p.k].u) / p.step;
+  return p;
+}
+
+bool ProfileSurface::holds(const Place& p, std::size_t v) const {
+  const bool first = p.share<1, second = p.share> 0 && slices_.size() > 1;
+  return (!first || slices_[p.k].holds(v)) && (!second || slices_[p.k + 1].holds(v));
+}
+
+ProfilePoint ProfileSurface::point(const Place& p, std::size_t v) const {
+  if (p.share == 0) return node(p.k, v).value;
+  if (p.share == 1) return node(p.k + 1, v).value;
+  const Node &a = node(p.k, v), &b = node(p.k + 1, v);
+  return combined(CubicBasis(p.step, p.share).value, a.value, b.value, a.uu, b.uu);
+}
+
+std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
+  const Place p = place(u);
+  if (!(v >= 0 && v <= double(width_ - 1))) return {};
+  const std::size_t j = std::min(static_cast<std::size_t>(v), width_ - 2);
+  if (!holds(p, j) || !holds(p, j + 1)) return {};
+  const CubicBasis along(p.step, p.share), across(1, v - double(j));
+  // where the surface begins or ends at a slice there is nothing on its other side
+  const auto has = [&](std::size_t k) { return k < slices_.size() && slices_[k].holds(j) && slices_[k].holds(j + 1); };
+  const std::size_t first = has(p.k) ? p.k : p.k + 1, second = has(p.k + 1) ? p.k + 1 : p.k;
+  const Node &a0 = node(first, j), &a1 = node(first, j + 1), &b0 = node(second, j), &b1 = node(second, j + 1);
+  const bool inside = !p.is_beyond && first != second;
+  const auto over_u = [&](const std::array<double, 4>& f) {
+    return std::array{combined(f, a0.value, b0.value, a0.uu, b0.uu), combined(f, a1.value, b1.value, a1.uu, b1.uu),
+                      combined(f, a0.vv, b0.vv, a0.uuvv, b0.uuvv), combined(f, a1.vv, b1.vv, a1.uuvv, b1.uuvv)};
+  };
+  const auto over_v = [](const std::array<double, 4>& f, const std::array<ProfilePoint, 4>& c) {
+    return combined(f, c[0], c[1], c[2], c[3]);
+  };
+  const auto values = over_u(along.value);
+  SurfacePoint s;
+  s.value = over_v(across.value, values);
+  s.dv = over_v(across.first, values);
+  s.dvv = over_v(across.second, values);
+  if (inside) {
+    const auto rates = over_u(along.first);
+    s.du = over_v(across.value, rates);
+    s.duv = over_v(across.first, rates);
+    s.duu = over_v(across.value, over_u(along.second));
+  }
+  for (const ProfileWave& wave : options_.waves) {
+    const double angle = wave.wavenumber * u + wave.phase, rate = wave.amplitude * wave.wavenumber;
+    s.value.z += wave.amplitude * std::sin(angle);
+    s.du.z += rate * std::cos(angle);
+    s.duu.z -= rate * wave.wavenumber * std::sin(angle);
+  }
+  return s;
+}
+
+SurfaceSlice ProfileSurface::section(double u) const {
+  const Place p = place(u);
+  double raised = 0;
+  for (const ProfileWave& wave : options_.waves) raised += wave.amplitude * std::sin(wave.wavenumber * u + wave.phase);
+  SurfaceSlice section;
+  section.u = u;
+  for (std::size_t v = 0; v < width_; ++v) {
+    if (!holds(p, v)) continue;
+    if (section.points.empty()) section.first = v;
+    section.points.push_back(point(p, v));
+    section.points.back().z += raised;
+  }
+  return section;
+}
+
+std::vector<double> ProfileSurface::v_at_y(double u, double y) const {
+  const Place p = place(u);
+  std::size_t first = std::max(slices_[p.k].first, p.share > 0 ? slices_[p.k + 1].first : 0);
+  std::size_t last = slices_[p.k].last();
+  if (p.share > 0) last = std::min(last, slices_[p.k + 1].last());
+  if (p.share == 1) first = slices_[p.k + 1].first, last = slices_[p.k + 1].last();
+  std::vector<double> found;
+  if (first >= last) return found;
+  const auto add_root_in = [&](std::size_t j) {
+    double low = double(j), high = low + 1;
+    const double start = at(u, low)->value.y - y, end = at(u, high)->value.y - y;
+    if (start == 0 && (found.empty() || found.back() != low)) found.push_back(low);
+    if (start * end >= 0) {
+      if (end == 0) found.push_back(high);
+      return;
+    }
+    double v = low + start / (start - end);
+    for (int step = 0; step < 60; ++step) {
+      const SurfacePoint s = *at(u, v);
+      const double difference = s.value.y - y;
+      if (difference == 0) break;
+      ((difference < 0) == (start < 0) ? low : high) = v;
+      double next = v - difference / s.dv.y;
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      const double change = std::abs(next - v);
+      v = next;
+      if (change < 1e-14 * (1 + std::abs(v))) break;
+    }
+    found.push_back(v);
+  };
+  if (!ascends_) {
+    for (std::size_t j = first; j < last; ++j) add_root_in(j);
+    return found;
+  }
+  if (y < point(p, first).y || y > point(p, last).y) return found;
+  while (last - first > 1) {
+    const std::size_t middle = (first + last) / 2;
+    (point(p, middle).y <= y ? first : last) = middle;
+  }
+  add_root_in(first);
+  return found;
+}
+
+} // namespace microslip

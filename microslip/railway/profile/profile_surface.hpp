@@ -1,0 +1,108 @@
+#pragma once
+
+#include "microslip/railway/profile/profile.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace microslip {
+
+/// A point of a profile that varies, with its derivatives with respect to u and v.
+struct SurfacePoint {
+  ProfilePoint value, du, dv, duu, duv, dvv;
+};
+
+/// A cross-section of a profile that varies: its points at v = first, first + 1, ...
+struct SurfaceSlice {
+  double u = 0; ///< along the track [m], or around a wheel [rad]
+  std::size_t first = 0;
+  std::vector<ProfilePoint> points;
+
+  std::size_t last() const { return first + points.size() - 1; }
+  bool holds(std::size_t v) const { return v >= first && v <= last(); }
+};
+
+/// Interpolation of the surface: through them, or as a cubic B-spline with knots at their u that has them for
+/// control points. That smooths what is short beside their distances, and bends straight lines where these change.
+enum class SliceMethod { interpolating, approximating };
+
+/// A wave added to z: amplitude sin(wavenumber u + phase). Corrugation of a rail; with whole wavenumbers [1/rad] the
+/// polygonisation of a wheel.
+struct ProfileWave {
+  double amplitude = 0;  ///< [m]
+  double wavenumber = 0; ///< [rad/m], or the order around a wheel
+  double phase = 0;      ///< [rad]
+};
+
+struct SurfaceOptions {
+  SliceMethod method = SliceMethod::interpolating;
+  std::vector<std::size_t> kinks = {}; ///< v of edges along the surface, ascending, where it is cut into sections
+  std::vector<ProfileWave> waves = {};
+  bool is_wheel = false; ///< u is an angle: slices go on beyond a turn
+};
+
+/// The profile of a rail that varies along the track (a switch, a crossing), or of a wheel that is not round, as a
+/// tensor product of cubic splines y(u, v), z(u, v): not-a-knot in v through the points of each slice, and along u over
+/// those of equal v as SliceMethod says. Where a slice lacks a v the surface is interrupted: it reaches from slice to
+/// slice only between v that both of them have. Before the first and after the last slice it goes on as they are; a
+/// wheel whose slices leave no gap wider than twice their widest distance is closed.
+///
+/// Lengths may have any unit, z may point up or down.
+class ProfileSurface {
+public:
+  /// At least one slice, by ascending u, each with at least two points, four million at most in all. Throws Error
+  /// otherwise, and for values that are not finite. Cost O(points).
+  explicit ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options = {});
+
+  /// The same surface with its u, y and z multiplied by these factors, none of them 0: other units and senses.
+  ProfileSurface in_units(double of_u, double of_y, double of_z) const;
+
+  /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v but for
+  /// the ends in u and kinks. Cost O(log slices).
+  std::optional<SurfacePoint> at(double u, double v) const;
+  /// The points at whole v; empty where the surface is interrupted. Cost O(points of a slice).
+  SurfaceSlice section(double u) const;
+  /// The v at which the section has this y, ascending. Cost O(points of a slice), O(log points) where y ascends.
+  std::vector<double> v_at_y(double u, double y) const;
+
+  const std::vector<std::size_t>& kinks() const { return options_.kinks; }
+  double first_u() const { return slices_.front().u; }
+  double last_u() const { return slices_.back().u; }
+  /// The greatest v anywhere; v begins at 0.
+  std::size_t last_v() const { return width_ - 1; }
+
+  /// The range of y of all slices.
+  double least_y() const { return least_y_; }
+  double greatest_y() const { return greatest_y_; }
+
+private:
+  /// A point of a slice with the splines' second derivatives along u, along v, and of these along u.
+  struct Node {
+    ProfilePoint value, uu, vv, uuvv;
+  };
+  /// Between the slices k and k + 1, or at the last one.
+  struct Place {
+    std::size_t k = 0;
+    double u = 0, step = 1, share = 0;
+    bool is_beyond = false; ///< before the first or after the last slice
+  };
+
+  void close_wheel();
+  void make_splines_across();
+  void make_splines_along();
+  Place place(double u) const;
+  const Node& node(std::size_t slice, std::size_t v) const { return nodes_[slice * width_ + v]; }
+  Node& node(std::size_t slice, std::size_t v) { return nodes_[slice * width_ + v]; }
+  bool holds(const Place& place, std::size_t v) const;
+  ProfilePoint point(const Place& place, std::size_t v) const;
+
+  std::vector<SurfaceSlice> slices_;
+  SurfaceOptions options_;
+  std::size_t width_ = 0;
+  bool ascends_ = true; ///< y of all slices
+  double least_y_ = 0, greatest_y_ = 0;
+  std::vector<Node> nodes_;
+};
+
+} // namespace microslip
