@@ -335,7 +335,9 @@ DerivativeErrors derivative_errors(const WheelRailBodies& bodies, WheelRailLevel
       const double step = velocity ? steps.velocity : steps.place;
       WheelState<double> below = state, above = state;
       below.*member -= step, above.*member += step;
+      contact.reset();
       contact.solve(below, force, low);
+      contact.reset();
       contact.solve(above, force, high);
       const Vec3<double> difference = 0.5 / step * (high.force - low.force);
       const Vec3<double> off = difference - d.force(static_cast<std::size_t>(variable));

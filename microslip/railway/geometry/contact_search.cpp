@@ -459,24 +459,32 @@ struct LocusWalk {
   /// A step of Newton's method after which its error is rounding, in arcs.
   static constexpr double last_step = 1e-9;
 
-  /// Where the gap is `lowering` on the path from `inside`, where it is smaller, to `bound`; it grows on this path as
-  /// far as that. Starts from the edge that is known, which it becomes, or else from a `step`.
-  ContactRegion::End edge(double inside, double bound, double step, double lowering, KnownEdge& known) {
+  /// A way along the locus from a point of a region out of it. The gap grows on it up to the region's end.
+  struct Path {
+    double inside, bound; ///< from and to [arcs]
+    bool to_point;        ///< the bound is another point, else the end of the wheel
+    double way() const { return bound < inside ? -1 : 1; }
+  };
+
+  /// Where the gap is `lowering` on the path. Starts from the edge that is known, which it becomes, or else from a
+  /// `step`.
+  ContactRegion::End edge(const Path& path, double step, double lowering, KnownEdge& known) {
     std::optional<ContactRegion::End> end;
-    if (known.slope != 0) end = follow(inside, bound, lowering, known);
-    return end ? *end : bracket(inside, bound, step, lowering, known);
+    if (known.slope != 0) end = follow(path, lowering, known);
+    return end ? *end : bracket(path, step, lowering, known);
   }
 
-  /// By Newton's method from the known edge; nothing where it leaves the path.
-  std::optional<ContactRegion::End> follow(double inside, double bound, double lowering, KnownEdge& known) {
+  /// By Newton's method from the known edge; nothing where it leaves the path, or the part of it on which the gap
+  /// grows.
+  std::optional<ContactRegion::End> follow(const Path& path, double lowering, KnownEdge& known) {
     constexpr int most_steps = 6;
     last_arc = known.rail_arc;
     double u = known.parameter + (lowering - known.gap) / known.slope;
     for (int k = 0; k < most_steps; ++k) {
-      if (!((u - inside) * (bound - u) > 0)) return {};
+      if (!((u - path.inside) * (path.bound - u) > 0)) return {};
       const Place place = at(u);
       const double change = (lowering - place.gap) / place.slope;
-      if (!std::isfinite(change)) return {};
+      if (!std::isfinite(change) || !(place.slope * path.way() > 0)) return {};
       if (std::abs(change) <= last_step) return moved(place, u, change, lowering, known);
       u += change;
     }
@@ -489,18 +497,31 @@ struct LocusWalk {
     return end_at(change == 0 ? place : at(known.parameter), Corner::none);
   }
 
-  ContactRegion::End bracket(double inside, double bound, double step, double lowering, KnownEdge& known) {
-    const double way = bound < inside ? -1 : 1;
-    double outside = inside;
+  /// The ends of a part of the path that holds the edge, `outside` with its place; nothing if the wheel ends before.
+  std::optional<std::array<double, 2>> enclose(const Path& path, double step, double lowering, Place& place) {
+    constexpr int most_halvings = 60;
+    const double way = path.way();
+    double inside = path.inside;
+    for (int halvings = 0; halvings < most_halvings && inside != path.bound;) {
+      const double outside = way * std::min(way * (inside + way * step), way * path.bound);
+      place = at(outside);
+      if (!(place.gap < lowering)) return std::array{inside, outside};
+      const bool beyond_a_maximum = !(place.slope * way > 0) || (path.to_point && outside == path.bound);
+      if (beyond_a_maximum)
+        step = way * (outside - inside) / 2, ++halvings;
+      else
+        inside = outside, step *= 2;
+    }
+    return {};
+  }
+
+  ContactRegion::End bracket(const Path& path, double step, double lowering, KnownEdge& known) {
+    const double way = path.way();
     Place place;
     known = {};
-    do {
-      if (outside == bound) return end_at(at(bound), Corner::end);
-      inside = outside;
-      outside = way * std::min(way * (inside + way * step), way * bound);
-      step *= 2;
-      place = at(outside);
-    } while (place.gap < lowering);
+    const auto ends = enclose(path, step, lowering, place);
+    if (!ends) return end_at(at(path.bound), Corner::end);
+    auto [inside, outside] = *ends;
 
     double u = (inside + outside) / 2;
     if (std::isfinite(place.gap)) u = outside - (place.gap - lowering) / place.slope;
@@ -600,12 +621,13 @@ std::span<const ContactRegion> ContactSearch::regions(double lowering) {
     ContactRegion region;
     region.first = k;
     const ContactPoint& first = points_[k];
-    region.inner = walk.edge(first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, walk.first_step(first, lowering),
-                             lowering, edges_[2 * k]);
+    region.inner = walk.edge({first.wheel_arc, k > 0 ? points_[k - 1].wheel_arc : 0, k > 0},
+                             walk.first_step(first, lowering), lowering, edges_[2 * k]);
     // Between two minima there is a maximum: one that is not among the points is higher than they reach.
     while (k + 1 < n && points_[k + 1].gap < lowering && !(points_[k].minimum && points_[k + 1].minimum)) ++k;
     const ContactPoint& last = points_[k];
-    region.outer = walk.edge(last.wheel_arc, k + 1 < n ? points_[k + 1].wheel_arc : walk.end(),
+    const bool has_next = k + 1 < n;
+    region.outer = walk.edge({last.wheel_arc, has_next ? points_[k + 1].wheel_arc : walk.end(), has_next},
                              walk.first_step(last, lowering), lowering, edges_[2 * k + 1]);
     region.count = k + 1 - region.first;
     regions_.push_back(region);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -44,7 +45,7 @@ VirtualPenetration::VirtualPenetration(const Profile& rail, const Profile& wheel
 /// Above the rail's s, from the wheel's parameter on.
 VirtualPenetration::Place VirtualPenetration::find(const WheelPlacement<double>& placement,
                                                    const WheelLocus<double>& locus, double s, double wheel_s) const {
-  constexpr double precision = 1e-7; // [m]
+  constexpr double precision = 1e-9; // [m]
   const CurvePoint r = rail_->at(s);
   const Vec3<double> point = placement.rail.frame.outer({0, r.value.y, r.value.z});
   const Vec3<double> along = placement.rail.frame.axes * Vec3<double>{0, r.first.y, r.first.z};
@@ -92,13 +93,17 @@ void VirtualPenetration::sample(const WheelPlacement<double>& placement, std::sp
     const auto& inner = region.inner;
     const auto& outer = region.outer;
     const double region_length = outer.s_rail - inner.s_rail;
-    const double rate = region_length > 0 ? (outer.s_wheel - inner.s_wheel) / region_length : 1;
+    double rate = region_length > 0 ? (outer.s_wheel - inner.s_wheel) / region_length : 1;
+    double change = 0; // of that rate from interval to interval
     double slope = add(inner.s_rail, find(placement, locus, inner.s_rail, inner.s_wheel));
     const auto continue_to = [&](double s, auto&& find_there) {
       const Sample before = samples_.back();
-      const double step = s - before.s, next = add(s, find_there(before.wheel_s + step * rate));
+      const double step = s - before.s, next = add(s, find_there(before.wheel_s + step * (rate + change)));
       samples_[samples_.size() - 2].curvature = step > 0 ? std::abs(next - slope) / step : 0;
       slope = next;
+      if (!(step > spacing / 2)) return;
+      const double last_rate = std::exchange(rate, (samples_.back().wheel_s - before.wheel_s) / step);
+      change = rate - last_rate;
     };
     if (spacing > 0)
       for (double k = std::floor(inner.s_rail / spacing) + 1; k * spacing < outer.s_rail; ++k)
