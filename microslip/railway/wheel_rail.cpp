@@ -123,8 +123,9 @@ private:
       return Wrench::of(trial);
     };
     forces.of_shifted_rows = [this](const WheelState<double>& state) {
-      if (!contact.rows().height().shift(state)) throw Error("wheel: nearby pressures are not found");
-      return of_rows();
+      if (contact.rows().height().shift(state)) return of_rows();
+      solve_rows(state, {}, trial);
+      return Wrench::of(trial);
     };
     forces.of_moving_rows = [this](const WheelState<double>& state) {
       contact.rows().height().move(state);

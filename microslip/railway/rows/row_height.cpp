@@ -68,14 +68,21 @@ void RowHeight::move(const WheelState<double>& state) {
 }
 
 bool RowHeight::shift(const WheelState<double>& state) {
-  constexpr int most_steps = 12;
   rows_.shift(state);
-  const bool found = rows_.count() > 0 && rows_.press({}, most_steps).change == 0;
-  if (found)
-    roll();
-  else
-    rows_.forget_loads();
+  const bool found = rows_.count() > 0 && press_here().change == 0;
+  if (found) roll();
   return found;
+}
+
+/// Finds the loads where the wheel stands, anew if the last ones do not lead to them.
+RowNormal::Result RowHeight::press_here() {
+  constexpr int most_steps = 60, steps_from_last = 12;
+  if (rows_.has_loads()) {
+    const RowNormal::Result found = rows_.press({}, steps_from_last);
+    if (found.change == 0) return found;
+    rows_.forget_loads();
+  }
+  return rows_.press({}, most_steps);
 }
 
 double RowHeight::predict_depth(double from, double vertical_force) {
@@ -122,7 +129,6 @@ bool RowHeight::settle_from_last(const ContactPoint& touch, double vertical_forc
 
 /// The wheel lowered by a depth [m] that is given. Returns its vertical force [N].
 double RowHeight::lower(double depth, WheelRailSolution& out) {
-  constexpr int most_steps = 60, steps_from_last = 12;
   ++out.iterations;
   rows_.lower_to(depth);
   out.vertical = rows_.vertical();
@@ -130,12 +136,7 @@ double RowHeight::lower(double depth, WheelRailSolution& out) {
     out.status = Status::no_contact;
     return 0;
   }
-  const bool from_last = rows_.has_loads();
-  RowNormal::Result found = rows_.press({}, from_last ? steps_from_last : most_steps);
-  if (from_last && found.change > 0) {
-    rows_.forget_loads();
-    found = rows_.press({}, most_steps);
-  }
+  const RowNormal::Result found = press_here();
   roll();
   const bool complete = rows_.is_complete();
   out.residual = complete ? found.change : 1;

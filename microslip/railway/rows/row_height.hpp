@@ -41,6 +41,7 @@ private:
   };
 
   double roll() { return rolling_.roll(rows_, {bodies_.rail, bodies_.wheel, rows_.placement(), equivalent_}); }
+  RowNormal::Result press_here();
   double lower(double depth, WheelRailSolution& out);
   bool settle_from_last(const ContactPoint& touch, double vertical_force, WheelRailSolution& out);
   bool settle(const ContactPoint& touch, double vertical_force, double depth, WheelRailSolution& out);
