@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/input_options.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/option_text.hpp"
@@ -14,6 +15,7 @@
 #include "io/output_file.hpp"
 #include "microslip/batch/batch.hpp"
 #include "microslip/contact/limits.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/method.hpp"
 #include "microslip/rolling/solver.hpp"
@@ -50,7 +52,8 @@ struct BatchArguments {
   fs::path errors;        ///< empty: none are listed
   bool skip_bad = false;
   fs::path table; ///< empty: the table that microslip has
-  std::string theory = "fastsim2", direction = "forward", precision = "double";
+  InputOptions solution{description::rolling_inputs(), "solution"}, motion{description::rolling_inputs(), "motion"};
+  std::string theory, direction, precision = "double";
   std::string grid;                             ///< empty: not given
   std::string bound, flexibility, coefficients; ///< of the simplified theory; empty: not given
   std::string discretisation, elements;         ///< of the exact theory; empty: not given
@@ -107,8 +110,7 @@ Method method_of(const BatchArguments& arguments) {
   if (!arguments.coefficients.empty())
     method.coefficients = io::from_word<CreepageTable>("--coefficients", arguments.coefficients);
   method.precision = io::from_word<Precision>("--precision", arguments.precision);
-  if (arguments.tolerance)
-    method.tolerance = require_between("--tolerance", *arguments.tolerance, "-", smallest_tolerance, largest_tolerance);
+  method.tolerance = arguments.tolerance.value_or(method.tolerance);
   return method;
 }
 
@@ -483,6 +485,8 @@ void check_files(const BatchArguments& arguments) {
 int batch(const BatchArguments& arguments) {
   check_files(arguments);
   require_count("--threads", arguments.threads, 1, most_threads);
+  arguments.solution.require();
+  arguments.motion.require();
   check_options(arguments);
   Batch work(arguments);
   const bool all_solved = work.run();
@@ -517,34 +521,28 @@ Example:
 void add_batch_command(Command& program, int& exit_code) {
   Command command = program.add_subcommand("batch", "Forces of many contacts, from CSV to CSV", footer);
   BatchArguments& arguments = command.arguments(exit_code, batch);
-  const auto option = [&](const char* name, std::string& value, const std::string& type, const char* what) {
-    command.add_option(std::string(name) + " " + type, value, what).capture_default_str();
-  };
   command.add_option("IN.csv", arguments.input, "table of contacts; -: standard input").required();
   command.add_option("-o,--output OUT.csv", arguments.output, "table of results; -: standard output").required();
   command.add_option("--errors FILE.csv", arguments.errors,
                      "list of all bad rows: line and what is wrong; without --skip-bad nothing else is written then");
   command.add_flag("--skip-bad", arguments.skip_bad, "leave bad rows out of OUT.csv");
-  option("--theory", arguments.theory, choices<Theory>(), "what the contacts are solved by");
+  InputOptions& solution = arguments.solution;
+  solution.add(command, "theory", arguments.theory);
   command.add_option("--table FILE", arguments.table,
                      "a creep-force table made by `microslip table make`; default: the one that microslip has");
-  option("--grid", arguments.grid, "MXxMY",
-         "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
-  option("--bound", arguments.bound, choices<TractionBound>(),
-         "traction bound of the simplified theory; default: parabolic, with fastrip elliptic");
-  option("--flexibility", arguments.flexibility, choices<FlexibilityModel>(),
-         "flexibilities of the simplified theory; default: three, with fastrip blended");
-  option("--coefficients", arguments.coefficients, choices<CreepageTable>(),
-         "table of creepage coefficients of the simplified theory; default: kalker");
-  option("--precision", arguments.precision, choices<Precision>(),
-         "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn");
-  option("--direction", arguments.direction, choices<RollingDirection>(), "of rolling, along +x or -x");
-  option("--discretisation", arguments.discretisation, choices<Discretisation>(),
-         "of the exact theory; default: second_order, for dissimilar bodies classical");
-  option("--elements", arguments.elements, choices<ElementShape>(),
-         "of the exact theory's classical discretisation; default: constant");
-  command.add_option("--tolerance VALUE", arguments.tolerance,
-                     "relative residual of the exact theory [-], 1e-14 to 0.1; default: 1e-6");
+  command.add_option("--grid MXxMY", arguments.grid,
+                     "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
+  solution.add(command, "bound", arguments.bound, false);
+  solution.add(command, "flexibility", arguments.flexibility, false);
+  solution.add(command, "coefficients", arguments.coefficients, false);
+  command
+      .add_option("--precision " + choices<Precision>(), arguments.precision,
+                  "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn")
+      .capture_default_str();
+  arguments.motion.add(command, "direction", arguments.direction);
+  solution.add(command, "discretisation", arguments.discretisation, false);
+  solution.add(command, "elements", arguments.elements, false);
+  solution.add(command, "tolerance", arguments.tolerance);
   command.add_option("--threads COUNT", arguments.threads,
                      "threads, 1 to 1024; results do not depend on it; default: one for each processor");
   add_json_flag(command, arguments.json);

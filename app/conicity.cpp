@@ -4,18 +4,21 @@
 #include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
-#include "app/option_text.hpp"
 #include "app/pictures.hpp"
 #include "app/profile_options.hpp"
 #include "app/quantity_table.hpp"
 #include "cases/conicity_result.hpp"
+#include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "io/result_file.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/geometry/wheelset_contact_quantities.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,14 +31,15 @@ namespace fs = std::filesystem;
 
 struct ConicityArguments {
   fs::path wheel, rail, right_wheel, right_rail, folder;
-  ProfileOptions wheel_options = {}, rail_options = {};
-  std::vector<double> gauges{1.435};
+  ProfileOptions wheel_options{"wheel-", "WHEEL"}, rail_options{"rail-", "RAIL"};
+  InputOptions inputs{description::conicity_inputs()};
+  std::vector<double> gauges;
   Track track = {};
   Wheelset wheelset = {};
-  std::vector<double> tape_circle, curve_radius; ///< one value, if given
-  double contact_distance = 1.5;
-  std::string roll = "equilibrium";
-  std::vector<double> amplitudes{1e-3, 7e-3, 1e-4}; ///< from, to, step
+  std::optional<double> curve_radius;
+  double contact_distance = 0;
+  std::string roll;
+  std::vector<double> amplitudes; ///< from, to, step
   bool no_pictures = false, json = false;
 };
 
@@ -77,14 +81,11 @@ private:
 cases::ConicityInput input_of(const ConicityArguments& arguments, double gauge, const std::vector<double>& amplitudes) {
   cases::ConicityInput input{.track = arguments.track,
                              .wheelset = arguments.wheelset,
-                             .contact_distance =
-                                 require_positive("--contact-distance", arguments.contact_distance, "m"),
+                             .contact_distance = arguments.contact_distance,
                              .roll = io::from_word<RollRule>("--roll", arguments.roll),
-                             .amplitudes = amplitudes};
+                             .amplitudes = amplitudes,
+                             .curve_radius = arguments.curve_radius};
   input.track.gauge = gauge;
-  if (!arguments.tape_circle.empty()) input.wheelset.tape_circle = arguments.tape_circle.front();
-  if (!arguments.curve_radius.empty())
-    input.curve_radius = require_positive("--curve-radius", arguments.curve_radius.front(), "m");
   return input;
 }
 
@@ -94,7 +95,7 @@ ConicityResults solve(const ConicityArguments& arguments, const Profiles& profil
   result.amplitudes = cases::amplitude_range("--amplitudes", range[0], range[1], range[2]);
   result.warnings = profiles.warnings();
   for (const double gauge : arguments.gauges) {
-    const cases::ConicityInput input = input_of(arguments, require_positive("--gauge", gauge, "m"), result.amplitudes);
+    const cases::ConicityInput input = input_of(arguments, gauge, result.amplitudes);
     result.gauges.push_back(cases::find_conicity(input, profiles.left(), profiles.right(), profiles.symmetric()));
     for (std::size_t k = 0; k < result.amplitudes.size(); ++k)
       if (std::isnan(result.gauges.back().conicity[k])) {
@@ -127,7 +128,7 @@ void print_text(const ConicityArguments& arguments, const ConicityResults& resul
   row(
       "nonlinearity parameter", [&](auto& one) { return one.nonlinearity.value_or(none) * 1e-3; }, "1/mm");
   const double largest = result.amplitudes.back();
-  if (!arguments.curve_radius.empty())
+  if (arguments.curve_radius)
     row(
         fmt::format("radial steering index at {:.4g} mm", largest * 1e3),
         [&](auto& one) { return *cases::steering_index(input_of(arguments, one.gauge, result.amplitudes), one); }, "-");
@@ -160,37 +161,25 @@ void print_document(const ConicityArguments& arguments, const Profiles& profiles
 }
 
 void write_curve(io::ResultFile& file, const std::string& group, const WheelsetCurve& curve, const Profiles& profiles) {
-  const auto write = [&](const std::string& name, auto value, const char* unit, const char* what) {
+  const auto write = [&](const std::string& name, const auto& value, const std::string& unit, const std::string& what) {
     std::vector<double> values;
     for (const WheelsetContact& contact : curve) values.push_back(value(contact));
     file.array(group + "/" + name, values, unit, what);
   };
-  using Contact = const WheelsetContact&;
-  write(
-      "lateral", [](Contact c) { return c.lateral; }, "m", "lateral displacement of the wheelset, to the left");
-  write(
-      "rolling_radius_difference", [](Contact c) { return c.rolling_radius_difference(); }, "m", "left less right");
-  write(
-      "contact_angle_difference", [](Contact c) { return c.contact_angle_difference(); }, "rad", "left less right");
-  write(
-      "roll", [](Contact c) { return c.roll; }, "rad", "roll angle, raising the left wheel");
-  write(
-      "vertical", [](Contact c) { return c.vertical; }, "m", "height of the wheelset's centre");
-  const auto write_points = [&](const std::string& side, const WheelsetSearch::Side& pair, auto point_of) {
-    const auto write_point = [&](const std::string& body, const Profile& profile, double ContactPoint::*s) {
-      const auto place = [&](Contact c) { return profile.at(point_of(c).*s).value; };
-      const std::string name = side + "_" + body;
-      write(
-          name + "_y", [&](Contact c) { return place(c).y; }, "m",
-          "point of contact on the profile, to the field side");
-      write(
-          name + "_z", [&](Contact c) { return place(c).z; }, "m", "point of contact on the profile, up");
-    };
-    write_point("rail", pair.rail, &ContactPoint::s_rail);
-    write_point("wheel", pair.wheel, &ContactPoint::s_wheel);
+  const WheelsetSearch::Side left = profiles.left(), right = profiles.right();
+  for (const WheelsetContactQuantity& q : wheelset_contact_quantities())
+    write(
+        q.name, [&](const WheelsetContact& contact) { return q.value(contact, left, right); }, q.unit, q.description);
+  const auto write_height = [&](const std::string& name, const Profile& profile, const auto& s_of) {
+    write(
+        name + "_z", [&](const WheelsetContact& contact) { return profile.at(s_of(contact)).value.z; }, "m",
+        "point of contact on the profile, up");
   };
-  write_points("left", profiles.left(), [](Contact c) { return c.left; });
-  write_points("right", profiles.right(), [](Contact c) { return c.right; });
+  using Contact = const WheelsetContact&;
+  write_height("left_rail", left.rail, [](Contact c) { return c.left.s_rail; });
+  write_height("left_wheel", left.wheel, [](Contact c) { return c.left.s_wheel; });
+  write_height("right_rail", right.rail, [](Contact c) { return c.right.s_rail; });
+  write_height("right_wheel", right.wheel, [](Contact c) { return c.right.s_wheel; });
 }
 
 /// The curve of a profile in its axes, by points a quarter of a millimetre apart.
@@ -253,6 +242,7 @@ std::vector<std::string> write_files(const ConicityArguments& arguments, const P
 }
 
 void run(const ConicityArguments& arguments) {
+  arguments.inputs.require();
   if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
   const Profiles profiles(arguments);
   const auto result = solve(arguments, profiles);
@@ -278,37 +268,20 @@ void add_options(Command& command, ConicityArguments& arguments) {
   path("--right-wheel FILE", arguments.right_wheel,
        "profile of the right wheel, if it is another one; read as WHEEL is");
   path("--right-rail FILE", arguments.right_rail, "profile of the right rail, if it is another one; read as RAIL is");
-  const auto number = [&](const char* name, double& value, const char* what) {
-    command.add_option(std::string(name) + " VALUE", value, what).capture_default_str();
-  };
-  command
-      .add_option("--gauge GAUGE...", arguments.gauges, "distance of the rails' gauge points [m]; several make a map")
-      .expected(1, 100)
-      .default_str("1.435");
-  number("--gauge-height", arguments.track.gauge_height, "where the gauge is measured, below the rails' tops [m]");
-  number("--cant", arguments.track.cant, "inclination of the rails to the track's middle [rad]; 0 if the file has it");
-  number("--nominal-radius", arguments.wheelset.nominal_radius, "radius of the wheels where the profile's z is 0 [m]");
-  command
-      .add_option("--tape-circle Y", arguments.tape_circle,
-                  "y of the profile where the radius is nominal [m], not z = 0")
-      .expected(1);
-  number("--flange-back-distance", arguments.wheelset.flange_back_distance, "distance of the flanges' backs [m]");
-  number("--flange-back-position", arguments.wheelset.flange_back_position,
-         "y of the flange's back in the profile [m]");
-  number("--contact-distance", arguments.contact_distance, "distance e of the contacts of both wheels [m]");
-  command
-      .add_option("--roll " + choices<RollRule>(), arguments.roll,
-                  "roll of the wheelset: so that both wheels touch, or none as in EN 15302")
-      .capture_default_str();
-  command.add_option("--amplitudes FROM TO STEP", arguments.amplitudes, "first and last amplitude and step [m]")
-      .expected(3)
-      .default_str("0.001 0.007 0.0001");
-  command
-      .add_option("--curve-radius RADIUS", arguments.curve_radius,
-                  "radius of a curve [m], for the radial steering index at TO")
-      .expected(1);
-  add_profile_options(command, arguments.wheel_options, "wheel-", "the wheel's file");
-  add_profile_options(command, arguments.rail_options, "rail-", "the rail's file");
+  InputOptions& inputs = arguments.inputs;
+  inputs.add(command, "gauge", arguments.gauges, "GAUGE...").expected(1, 100);
+  inputs.add(command, "gauge_height", arguments.track.gauge_height);
+  inputs.add(command, "cant", arguments.track.cant);
+  inputs.add(command, "nominal_radius", arguments.wheelset.nominal_radius);
+  inputs.add(command, "tape_circle", arguments.wheelset.tape_circle);
+  inputs.add(command, "flange_back_distance", arguments.wheelset.flange_back_distance);
+  inputs.add(command, "flange_back_position", arguments.wheelset.flange_back_position);
+  inputs.add(command, "contact_distance", arguments.contact_distance);
+  inputs.add(command, "roll", arguments.roll);
+  inputs.add(command, "amplitudes", arguments.amplitudes, "FROM TO STEP").expected(3);
+  inputs.add(command, "curve_radius", arguments.curve_radius);
+  add_profile_options(command, arguments.wheel_options);
+  add_profile_options(command, arguments.rail_options);
   command.add_option("-o,--output FOLDER", arguments.folder,
                      "folder for result.h5 and pictures; default: none is written");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");

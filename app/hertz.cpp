@@ -1,6 +1,7 @@
 #include "app/hertz.hpp"
 
 #include "app/commands.hpp"
+#include "app/input_options.hpp"
 #include "app/json_document.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "io/case_file.hpp"
@@ -23,6 +24,7 @@ struct HertzArguments {
   std::vector<double> rolling_radius, transverse_radius;           ///< of body 1 and 2
   std::vector<double> young_modulus, shear_modulus, poisson_ratio; ///< of both, or of body 1 and 2
   std::vector<double> normal_force, approach;                      ///< one value, if given
+  InputOptions body{description::rolling_inputs(), "body1"}, load{description::rolling_inputs(), "load"};
   bool json = false;
 };
 
@@ -33,7 +35,7 @@ struct HertzResult {
 
 Material material(const HertzArguments& arguments, std::size_t body) {
   const auto of_body = [&](const std::vector<double>& values) { return values[std::min(body, values.size() - 1)]; };
-  const auto nu = require_between("--poisson-ratio", of_body(arguments.poisson_ratio), "-", 0, 0.5);
+  const double nu = of_body(arguments.poisson_ratio);
   return arguments.shear_modulus.empty() ? Material::from_young(of_body(arguments.young_modulus), nu)
                                          : Material{of_body(arguments.shear_modulus), nu};
 }
@@ -69,6 +71,8 @@ HertzResult solve(const HertzArguments& arguments) {
     throw Error("hertz needs either CASE.toml or options, not both");
   if (!arguments.case_file.empty()) return solve_case(arguments.case_file);
   require_options(arguments);
+  arguments.body.require();
+  arguments.load.require();
   const io::BodyInput body1 = body(arguments, 0), body2 = body(arguments, 1);
   const auto gap = gap_curvatures(io::principal_radii(body1, body2));
   const auto combined = combine(body1.material, body2.material);
@@ -127,21 +131,15 @@ void hertz(const HertzArguments& arguments) {
 }
 
 void add_options(Command& command, HertzArguments& arguments) {
-  const auto option = [&](const char* names, std::vector<double>& values, int fewest, int most, const char* what) {
-    command.add_option(names, values, what).expected(fewest, most);
-  };
   command.add_option("CASE.toml", arguments.case_file, "case file, instead of the options below");
-  option("--rolling-radius R1 R2", arguments.rolling_radius, 2, 2,
-         "radii of body 1 and 2 in the plane of rolling [m]; inf: flat, negative: concave");
-  option("--transverse-radius R1 R2", arguments.transverse_radius, 2, 2,
-         "radii of body 1 and 2 in the lateral plane [m]; inf: flat, negative: concave");
-  option("--young-modulus E1 [E2]", arguments.young_modulus, 1, 2,
-         "Young's modulus of both bodies or of each [Pa]; inf: rigid");
-  option("--shear-modulus G1 [G2]", arguments.shear_modulus, 1, 2, "shear modulus [Pa], instead of Young's modulus");
-  option("--poisson-ratio NU1 [NU2]", arguments.poisson_ratio, 1, 2,
-         "Poisson's ratio of both bodies or of each [-], 0 to 0.5");
-  option("--normal-force FN", arguments.normal_force, 1, 1, "normal force [N]");
-  option("--approach DELTA", arguments.approach, 1, 1, "approach of distant points [m], instead of the load");
+  InputOptions &body = arguments.body, &load = arguments.load;
+  body.add(command, "rolling_radius", arguments.rolling_radius, "R1 R2").expected(2);
+  body.add(command, "transverse_radius", arguments.transverse_radius, "R1 R2").expected(2);
+  body.add(command, "young_modulus", arguments.young_modulus, "E1 [E2]").expected(1, 2);
+  body.add(command, "shear_modulus", arguments.shear_modulus, "G1 [G2]").expected(1, 2);
+  body.add(command, "poisson_ratio", arguments.poisson_ratio, "NU1 [NU2]").expected(1, 2);
+  load.add(command, "normal_force", arguments.normal_force, "FN").expected(1);
+  load.add(command, "approach", arguments.approach, "DELTA").expected(1);
   add_json_flag(command, arguments.json);
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace microslip::app {
 namespace {
@@ -27,12 +28,12 @@ constexpr std::string_view case_ending = ".toml";
 struct InitArguments {
   fs::path file = "case.toml";
   std::string example = "hertzian_contact";
-  std::string keys = {}; ///< of which kind of case they are printed
+  std::string keys = {}; ///< of which kind of inputs they are printed
   bool force = false;
 };
 
 void print_keys(const std::string& kind) {
-  io::require_word("--keys", kind, description::case_kinds);
+  io::require_word("--keys", kind, description::input_kinds);
   fmt::print("{}", input_list(description::inputs_of(kind)));
 }
 
@@ -121,8 +122,9 @@ void add_init_command(Command& program) {
   InitArguments& arguments = command.arguments(init);
   command.add_option("CASE.toml", arguments.file, "name of the case file").capture_default_str();
   command.add_option("--example EXAMPLE", arguments.example, "which example it is").capture_default_str();
-  command.add_option("--keys bodies|wheel|wheelset", arguments.keys,
-                     "print the keys of case files in place of writing one: unit, default, range and meaning of each");
+  command.add_option(fmt::format("--keys {}", fmt::join(description::input_kinds, "|")), arguments.keys,
+                     "print the keys of case files, of files of sweeps, or the options of conicity and table make, in "
+                     "place of writing a case: unit, default, range and meaning of each");
   command.add_flag("--force", arguments.force, "replace files of these names");
 }
 

@@ -23,11 +23,13 @@ std::string range_of(const Input& input) {
   case InputKind::number:
     return input.bounds.text();
   case InputKind::numbers:
-    return "list of numbers";
+    return input.bounds.text().empty() ? "list of numbers" : "list of numbers, each " + input.bounds.text();
   case InputKind::whole:
     return "whole, " + input.bounds.text();
   case InputKind::wholes:
     return "one or two whole, " + input.bounds.text();
+  case InputKind::texts:
+    return "list of texts";
   case InputKind::text:
   case InputKind::word:
     return "text";
@@ -37,6 +39,7 @@ std::string range_of(const Input& input) {
 
 std::string default_of(const Input& input) {
   if (!input.missing_word.empty()) return std::string(input.missing_word);
+  if (!input.missing_numbers.empty()) return fmt::format("{}", fmt::join(input.missing_numbers, ", "));
   if (input.missing) return shortest_text(*input.missing);
   return input.is_needed ? "needed" : "";
 }

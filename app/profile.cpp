@@ -14,6 +14,7 @@
 #include "io/profile_writer.hpp"
 #include "io/result_file.hpp"
 #include "io/slices_file.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 
 #include <filesystem>
@@ -32,15 +33,17 @@ namespace fs = std::filesystem;
 struct ProfileArguments {
   fs::path file, folder, converted;
   std::string role;
-  ProfileOptions options = {};
+  ProfileOptions options;
   std::vector<double> tape_line; ///< one value, if given
-  double gauge_height = 0.014;
+  InputOptions inputs{description::conicity_inputs()};
+  double gauge_height = 0;
   bool no_pictures = false, json = false;
 };
 
 cases::ProfileFindings find(const ProfileArguments& arguments) {
   std::optional<ProfileRole> role;
   if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
+  arguments.inputs.require();
   cases::ProfileMeasures measures{.gauge_height = arguments.gauge_height};
   if (!arguments.tape_line.empty()) measures.tape_line = arguments.tape_line.front();
   return cases::find_dimensions(io::read_profile(arguments.file, file_options(arguments.options, role)), measures);
@@ -207,10 +210,7 @@ void add_profile_command(Command& program) {
   add_profile_options(command, arguments.options);
   command.add_option("--tape-line Y", arguments.tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
       .expected(1);
-  command
-      .add_option("--gauge-height HEIGHT", arguments.gauge_height,
-                  "where a rail's gauge is measured, below its top [m]")
-      .capture_default_str();
+  arguments.inputs.add(command, "gauge_height", arguments.gauge_height);
   add_json_flag(command, arguments.json);
 }
 

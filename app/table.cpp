@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/input_options.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
@@ -8,6 +9,7 @@
 #include "io/creep_table_file.hpp"
 #include "io/output_file.hpp"
 #include "microslip/contact/limits.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/table/making/creep_table_maker.hpp"
 
@@ -26,9 +28,9 @@ namespace fs = std::filesystem;
 
 struct MakeArguments {
   fs::path output;
-  CreepTableMaking making = {
-      .axes = {.ratios = 19, .poisson_ratios = {0, 0.28, 0.5}, .levels = 30, .elevations = 29, .azimuths = 21}};
-  std::vector<double> range;
+  InputOptions inputs{description::creep_table_inputs()};
+  CreepTableMaking making = {};
+  std::vector<double> range; ///< least and largest a/b
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;
 };
@@ -86,12 +88,11 @@ void print(const CreepTableNodes& nodes, const fs::path& file, bool json) {
 }
 
 int make(const MakeArguments& arguments) {
+  arguments.inputs.require();
   require_count("--threads", arguments.threads, 1, most_threads);
   CreepTableMaking making = arguments.making;
-  if (!arguments.range.empty()) {
-    making.axes.least_ratio = arguments.range[0];
-    making.axes.largest_ratio = arguments.range[1];
-  }
+  making.axes.least_ratio = arguments.range[0];
+  making.axes.largest_ratio = arguments.range[1];
   std::sort(making.axes.poisson_ratios.begin(), making.axes.poisson_ratios.end());
   making.threads = arguments.threads;
   io::OutputFile file(arguments.output); // refused now and not when all is computed
@@ -185,17 +186,14 @@ void add_make(Command& table, int& exit_code) {
   MakeArguments& arguments = command.arguments(exit_code, make);
   CreepTableMaking& making = arguments.making;
   command.add_option("-o,--output FILE", arguments.output, "the table").required();
-  command.add_option("--poisson-ratio NU...", making.axes.poisson_ratios, "Poisson's ratios [-]").capture_default_str();
-  command.add_option("--axis-ratio LEAST LARGEST", arguments.range, "least and largest a/b [-]; default: 0.05 20")
-      .expected(2);
-  const auto count = [&](const char* name, int& value, const char* what) {
-    command.add_option(std::string(name) + " COUNT", value, what).capture_default_str();
-  };
-  count("--ratios", making.axes.ratios, "nodes of a/b");
-  count("--levels", making.axes.levels, "nodes from no slip to full sliding");
-  count("--elevations", making.axes.elevations, "nodes from no spin to nothing but spin");
-  count("--azimuths", making.axes.azimuths, "nodes of the direction of the creepage");
-  count("--elements", making.elements, "elements across the ellipse; half of them for the extrapolation");
+  InputOptions& inputs = arguments.inputs;
+  inputs.add(command, "poisson_ratio", making.axes.poisson_ratios, "NU...");
+  inputs.add(command, "axis_ratio", arguments.range, "LEAST LARGEST").expected(2);
+  inputs.add(command, "ratios", making.axes.ratios);
+  inputs.add(command, "levels", making.axes.levels);
+  inputs.add(command, "elevations", making.axes.elevations);
+  inputs.add(command, "azimuths", making.axes.azimuths);
+  inputs.add(command, "elements", making.elements);
   command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
   add_json_flag(command, arguments.json);
 }

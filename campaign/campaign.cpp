@@ -1,6 +1,7 @@
 #include "campaign/campaign.hpp"
 
 #include "microslip/batch/batch.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -26,9 +27,9 @@ constexpr std::string_view journal_name = "rank-", lock_name = "lock";
 }
 
 void check(const CampaignPlan& plan) {
-  require_between("cases", static_cast<double>(plan.count), "-", 1, static_cast<double>(most_cases));
+  require_between("cases", static_cast<double>(plan.count), "-", 1, most_cases);
   require_between("numbers of a row", static_cast<double>(plan.width), "-", 1, 1e6);
-  require_between("chunk", static_cast<double>(plan.chunk), "-", 1, static_cast<double>(most_cases));
+  require_between("chunk", static_cast<double>(plan.chunk), "-", 1, most_cases);
   require_between("chunks", static_cast<double>(plan.chunks()), "-", 1, static_cast<double>(most_chunks));
 }
 

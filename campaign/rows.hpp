@@ -21,7 +21,7 @@ struct CampaignPlan {
   std::size_t cases_of(std::size_t number) const { return std::min(chunk, count - first_of(number)); }
 };
 
-inline constexpr std::size_t most_cases = 2'000'000'000, most_chunks = 4'000'000;
+inline constexpr std::size_t most_chunks = 4'000'000;
 
 /// A case whose row is not to be trusted, and why.
 struct FailedCase {

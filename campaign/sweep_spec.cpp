@@ -6,6 +6,7 @@
 #include "io/csv_line.hpp"
 #include "io/text_line.hpp"
 #include "io/units.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
 
@@ -147,22 +148,22 @@ template <class Add> void visit_lines(std::string_view text, const std::string& 
 
 SweepSpec::SweepSpec(const std::string& text, const std::string& name) : text_(text), name_(name) {
   const auto table = io::parse_toml(text, name);
-  const io::TomlSection root(table, name_);
-  root.allow({"title", "case", "grid", "list", "sample", "output", "chunk"});
+  const io::TomlSection root = io::TomlSection(table, name_).described_by(description::sweep_inputs());
+  root.allow_described({"grid", "list", "sample", "output"});
   title_ = root.text("title", "");
   read_base(root);
   const int ways = root.has("grid") + root.has("list") + root.has("sample");
   if (ways != 1) throw Error(name_ + ": needs one of [grid], [list] and [sample]");
   for (const char* way : {"grid", "list", "sample"}) root.optional_section(way); // tables
-  if (root.has("grid")) read_grid(*table.get("grid")->as_table());
+  if (root.has("grid")) read_grid(root, *table.get("grid")->as_table());
   if (root.has("sample")) read_sample(root, *table.get("sample")->as_table());
   if (root.has("list")) read_list(root.required_section("list"));
   require_distinct_keys();
   read_chunk(root);
   const io::TomlSection output = root.optional_section("output");
-  output.allow({"quantities", "patches"});
+  output.allow_described();
   quantities_ = output.texts("quantities");
-  output.count("patches", 0, 8, patches_);
+  patches_ = output.whole("patches");
 }
 
 void SweepSpec::read_base(const io::TomlSection& root) {
@@ -202,7 +203,7 @@ std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) 
   return entries;
 }
 
-void SweepSpec::add(const Entry& entry, bool has_count) {
+void SweepSpec::add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys) {
   Axis axis;
   bool is_number = true;
   const std::string place = name_ + ":" + std::to_string(entry.place.begin.line) + ": ";
@@ -213,7 +214,7 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
     axis.place = place;
     is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
   } else if (const auto* table = entry.values->as_table()) {
-    axis = range_of(io::TomlSection(*table, name_, entry.name), has_count);
+    axis = range_of(root.inside(*table, entry.name, range_keys));
   } else {
     fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
@@ -224,41 +225,31 @@ void SweepSpec::add(const Entry& entry, bool has_count) {
   axes_.push_back(std::make_shared<Axis>(std::move(axis)));
 }
 
-/// Of a grid it has a count, of a sample none.
-SweepSpec::Axis SweepSpec::range_of(const io::TomlSection& range, bool has_count) {
-  constexpr std::array<std::string_view, 2> scales = {"linear", "logarithmic"};
-  io::TomlSection::Words keys = {"from", "to", "scale"};
-  if (has_count) keys.push_back("count");
-  range.allow(keys);
+SweepSpec::Axis SweepSpec::range_of(const io::TomlSection& range) {
+  range.allow_described();
   Axis axis;
   const auto read_end = [&](const char* key, double& value, std::string& text) {
     if (range.is_text(key))
       text = range.required_text(key);
     else
-      value = range.finite(key, "SI");
+      value = range.number(key);
   };
   read_end("from", axis.from, axis.from_text);
   read_end("to", axis.to, axis.to_text);
-  axis.is_logarithmic = range.word("scale", "linear", scales) == "logarithmic";
+  axis.is_logarithmic = range.word("scale") == description::sweep_scales[1];
   axis.place = range.line_of("scale");
   axis.check_ends();
-  if (!has_count) return axis;
-  int count = 0;
-  range.count("count", 1, std::numeric_limits<int>::max(), count);
-  range.at("count", [&] {
-    if (count == 0) throw Error("count is missing");
-  });
-  axis.count = static_cast<std::size_t>(count);
+  if (range.is_described("count")) axis.count = static_cast<std::size_t>(range.whole("count"));
   return axis;
 }
 
-void SweepSpec::read_grid(const toml::table& section) {
-  for (const Entry& entry : entries_of(section)) add(entry, true);
+void SweepSpec::read_grid(const io::TomlSection& root, const toml::table& section) {
+  for (const Entry& entry : entries_of(section)) add(entry, root, "grid.KEY");
   if (axes_.empty()) throw Error(name_ + ": [grid]: names no key that varies");
   count_ = 1;
   for (const auto& axis : axes_) {
     shape_.push_back(axis->count);
-    if (axis->count > most_cases / count_)
+    if (axis->count > std::size_t{most_cases} / count_)
       throw Error(name_ + ": [grid]: more than " + std::to_string(most_cases) + " cases");
     count_ *= axis->count;
   }
@@ -266,12 +257,10 @@ void SweepSpec::read_grid(const toml::table& section) {
 
 void SweepSpec::read_sample(const io::TomlSection& root, const toml::table& section) {
   const io::TomlSection sample = root.required_section("sample");
-  int count = 0, seed = -1;
-  sample.count("count", 1, static_cast<int>(most_cases), count);
-  sample.count("seed", 0, std::numeric_limits<int>::max(), seed);
-  if (count == 0 || seed < 0) throw Error(name_ + ": [sample]: needs count and seed");
+  if (!sample.has("count") || !sample.has("seed")) throw Error(name_ + ": [sample]: needs count and seed");
+  const int count = sample.whole("count"), seed = sample.whole("seed");
   for (const Entry& entry : entries_of(section))
-    if (entry.name != "count" && entry.name != "seed") add(entry, false);
+    if (entry.name != "count" && entry.name != "seed") add(entry, root, "sample.KEY");
   if (axes_.empty()) throw Error(name_ + ": [sample]: names no key that varies");
   is_sample_ = true;
   count_ = static_cast<std::size_t>(count);
@@ -306,7 +295,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   });
   if (rows < 2) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
   count_ = rows - 1;
-  if (count_ > most_cases) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
+  if (count_ > std::size_t{most_cases}) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
   std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .place = file + ": "});
   rows = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
@@ -354,7 +343,7 @@ void SweepSpec::require_distinct_keys() const {
 void SweepSpec::read_chunk(const io::TomlSection& root) {
   chunk_ = usual_chunk(count_);
   int chunk = static_cast<int>(chunk_);
-  root.count("chunk", static_cast<int>((count_ + most_chunks - 1) / most_chunks), 1'000'000, chunk);
+  root.count("chunk", static_cast<int>((count_ + most_chunks - 1) / most_chunks), most_sweep_chunk, chunk);
   chunk_ = static_cast<std::size_t>(chunk);
 }
 

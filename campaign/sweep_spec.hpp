@@ -78,7 +78,7 @@ private:
   struct Entry;
 
   void read_base(const io::TomlSection& root);
-  void read_grid(const toml::table& section);
+  void read_grid(const io::TomlSection& root, const toml::table& section);
   void read_sample(const io::TomlSection& root, const toml::table& section);
   void read_list(const io::TomlSection& list);
   void parse_rows(std::string_view text, const std::string& file);
@@ -86,8 +86,9 @@ private:
   void require_distinct_keys() const;
   void read_chunk(const io::TomlSection& root);
   std::vector<Entry> entries_of(const toml::table& section) const;
-  void add(const Entry& entry, bool has_count);
-  static Axis range_of(const io::TomlSection& range, bool has_count);
+  /// `range_keys` is the section of the table of inputs whose keys a range has.
+  void add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys);
+  static Axis range_of(const io::TomlSection& range);
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
   void put(const std::string& key, const CaseValue& value, toml::table& table) const;
   void convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
@@ -103,7 +104,7 @@ private:
   std::uint64_t seed_ = 0;
   bool is_sample_ = false;
   std::vector<std::string> quantities_;
-  int patches_ = 2;
+  int patches_ = 0;
 };
 
 } // namespace microslip::campaign

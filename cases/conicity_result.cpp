@@ -1,10 +1,12 @@
 #include "cases/conicity_result.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/geometry/wheelset_contact_quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace microslip::cases {
 namespace {
@@ -33,18 +35,13 @@ io::Json curve_document(const WheelsetCurve& curve, const WheelsetSearch::Side& 
   auto array = io::Json::array();
   const auto first = static_cast<int>(std::ceil(curve.front().lateral / curve_step - 1e-6));
   const auto last = static_cast<int>(std::floor(curve.back().lateral / curve_step + 1e-6));
-  const auto y = [](const Profile& profile, double s) { return io::json_number(profile.at(s).value.y); };
   for (int k = first; k <= last; ++k) {
     const WheelsetContact& contact = at(curve, k * curve_step);
-    array.push_back({{"lateral", io::json_number(k * curve_step)},
-                     {"rolling_radius_difference", io::json_number(contact.rolling_radius_difference())},
-                     {"contact_angle_difference", io::json_number(contact.contact_angle_difference())},
-                     {"roll", io::json_number(contact.roll)},
-                     {"vertical", io::json_number(contact.vertical)},
-                     {"left_rail_y", y(left.rail, contact.left.s_rail)},
-                     {"left_wheel_y", y(left.wheel, contact.left.s_wheel)},
-                     {"right_rail_y", y(right.rail, contact.right.s_rail)},
-                     {"right_wheel_y", y(right.wheel, contact.right.s_wheel)}});
+    io::Json row;
+    for (const WheelsetContactQuantity& q : wheelset_contact_quantities())
+      row[q.name] = io::json_number(q.value(contact, left, right));
+    row["lateral"] = io::json_number(k * curve_step);
+    array.push_back(std::move(row));
   }
   return array;
 }
@@ -101,23 +98,12 @@ io::Json conicity_document(const ConicityInput& input, const ConicityResult& res
 }
 
 io::Json conicity_units() {
-  const std::string curve = "over_lateral_displacement/";
-  return {{"equivalent_conicity", "m, -"},
-          {"wavelength", "m, m"},
-          {"nonlinearity_parameter", "1/m"},
-          {curve + "lateral", "m"},
-          {curve + "rolling_radius_difference", "m"},
-          {curve + "contact_angle_difference", "rad"},
-          {curve + "roll", "rad"},
-          {curve + "vertical", "m"},
-          {curve + "left_rail_y", "m"},
-          {curve + "left_wheel_y", "m"},
-          {curve + "right_rail_y", "m"},
-          {curve + "right_wheel_y", "m"},
-          {"gauge", "m"},
-          {"nominal_radius", "m"},
-          {"contact_distance", "m"},
-          {"radial_steering_index", "-"}};
+  io::Json units = {
+      {"equivalent_conicity", "m, -"}, {"wavelength", "m, m"},    {"nonlinearity_parameter", "1/m"}, {"gauge", "m"},
+      {"nominal_radius", "m"},         {"contact_distance", "m"}, {"radial_steering_index", "-"}};
+  for (const WheelsetContactQuantity& q : wheelset_contact_quantities())
+    units["over_lateral_displacement/" + q.name] = q.unit;
+  return units;
 }
 
 } // namespace microslip::cases

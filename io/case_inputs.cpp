@@ -108,6 +108,9 @@ void read_input(const TomlSection& section, const Input& input) {
   case InputKind::text:
     section.text(key, "");
     return;
+  case InputKind::texts:
+    section.texts(key);
+    return;
   case InputKind::word:
     section.word(key);
   }

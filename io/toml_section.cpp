@@ -128,14 +128,20 @@ TomlSection TomlSection::described_by(const description::InputTable& inputs, Rea
   return described;
 }
 
+TomlSection TomlSection::inside(const toml::table& table, std::string name, std::string_view section) const {
+  TomlSection found(&table, std::move(name), *this);
+  found.section_ = section;
+  return found;
+}
+
 void TomlSection::allow_described(const Words& more) const {
-  Words keys = inputs_->keys(name_);
+  Words keys = inputs_->keys(section_);
   keys.insert(keys.end(), more.begin(), more.end());
   allow(keys);
 }
 
 const description::Input& TomlSection::input(std::string_view key) const {
-  const description::Input* found = inputs_->find(name_, key);
+  const description::Input* found = inputs_->find(section_, key);
   if (found == nullptr) throw std::logic_error(full(key) + ": is in no table of inputs");
   return *found;
 }
@@ -154,6 +160,7 @@ std::optional<double> TomlSection::optional_number(std::string_view key) const {
 
 int TomlSection::whole(std::string_view key) const {
   const description::Input& described = input(key);
+  if (described.is_needed && !has(key)) refuse_missing(key);
   int value = static_cast<int>(described.missing.value_or(0));
   count(key, static_cast<int>(described.bounds.low), static_cast<int>(described.bounds.high), value);
   return value;
@@ -195,7 +202,7 @@ double TomlSection::between(std::string_view key, std::string_view unit, double 
 
 std::vector<double> TomlSection::numbers(std::string_view key, std::string_view unit) const {
   const auto* node = find(key);
-  if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  if (node == nullptr) refuse_missing(key);
   const auto* list = node->as_array();
   if (list == nullptr) wrong_type(key, *node, "a list of numbers");
   if (list->empty()) throw Error(location(file_, node->source()) + full(key) + ": must have at least one number");
@@ -231,7 +238,7 @@ std::vector<std::string> TomlSection::texts(std::string_view key) const {
 }
 
 std::string TomlSection::required_text(std::string_view key) const {
-  if (!has(key)) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  if (!has(key)) refuse_missing(key);
   auto value = text(key, "");
   at(key, [&] {
     if (value.empty()) throw Error(full(key) + ": must not be empty");
@@ -301,6 +308,10 @@ std::string TomlSection::line_of(std::string_view key) const {
   return table_ != nullptr ? location(file_, table_->source()) : file_ + ": ";
 }
 
+void TomlSection::refuse_missing(std::string_view key) const {
+  throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+}
+
 void TomlSection::wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const {
   throw Error(location(file_, node.source()) + full(key) + ": must be " + wanted + ", not " + type_name(node));
 }
@@ -329,7 +340,7 @@ double TomlSection::number(std::string_view key, std::string_view unit, std::opt
     record(key, *missing, unit);
     return *missing;
   }
-  if (node == nullptr) throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  if (node == nullptr) refuse_missing(key);
   const double value = value_of(key, *node, unit, "a number");
   at(key, [&] { check(full(key), value); });
   record(key, value, unit);

@@ -33,7 +33,7 @@ public:
   /// The whole file, or a table in it with its name for messages. All that is read goes to `keys`, of what is refused
   /// the unit alone.
   TomlSection(const toml::table& table, const std::string& file, std::string name = {}, ReadKeys* keys = nullptr)
-      : table_(&table), name_(std::move(name)), file_(file), keys_(keys) {}
+      : table_(&table), name_(std::move(name)), section_(name_), file_(file), keys_(keys) {}
   /// The file's name for messages.
   const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
@@ -43,11 +43,16 @@ public:
   /// bounds and default. All that is read goes to `read` as well, if it is given. Both must outlive it.
   TomlSection described_by(const description::InputTable& inputs, ReadInputs* read = nullptr) const;
 
+  /// A table somewhere below this one, with its name for messages and the section of the table of inputs whose keys it
+  /// has.
+  TomlSection inside(const toml::table& table, std::string name, std::string_view section) const;
+
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
   /// The same for any key but those that the table has for this section, and `more`, such as sections within it.
   void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
+  bool is_described(std::string_view key) const { return inputs_->find(section_, key) != nullptr; }
   /// Returns which of two keys is there; Error if it is none or both.
   std::string_view one_of(std::string_view first, std::string_view second) const;
 
@@ -94,10 +99,11 @@ private:
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)
-      : table_(table), name_(std::move(name)), file_(parent.file_), keys_(parent.keys_), inputs_(parent.inputs_),
-        read_(parent.read_) {}
+      : table_(table), name_(std::move(name)), section_(name_), file_(parent.file_), keys_(parent.keys_),
+        inputs_(parent.inputs_), read_(parent.read_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
+  [[noreturn]] void refuse_missing(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
   double number(std::string_view key, std::string_view unit, std::optional<double> missing, const Check& check) const;
   double value_of(std::string_view key, const toml::node& node, std::string_view unit, const std::string& wanted) const;
@@ -105,7 +111,7 @@ private:
   void record(std::string_view key, ReadInput::Value value, std::string_view unit) const;
 
   const toml::table* table_ = nullptr;
-  std::string name_;
+  std::string name_, section_; ///< for messages; in the table of inputs
   const std::string& file_;
   ReadKeys* keys_ = nullptr;
   const description::InputTable* inputs_ = nullptr;

@@ -31,11 +31,19 @@ using description::Input;
 using description::InputKind;
 using description::InputTable;
 
+/// The tables of all kinds of inputs.
+std::vector<const InputTable*> tables() {
+  std::vector<const InputTable*> all;
+  for (const std::string_view kind : description::input_kinds) all.push_back(&description::inputs_of(kind));
+  return all;
+}
+
 struct Kind {
   const InputTable& table;
   std::string example;
 };
 
+/// Those of cases.
 std::vector<Kind> kinds() {
   return {{description::rolling_inputs(), "hertzian_contact.toml"},
           {description::wheel_inputs(), "wheel_on_rail.toml"},
@@ -47,26 +55,28 @@ std::string example(const std::string& name) {
 }
 
 TEST(InputTable, HasEachKeyOnceWithAUnitThatIsKnown) {
-  for (const Kind& kind : kinds()) {
+  for (const InputTable* table : tables()) {
     std::set<std::pair<std::string_view, std::string_view>> seen;
-    for (const Input& input : kind.table.inputs()) {
+    for (const Input& input : table->inputs()) {
       EXPECT_TRUE(seen.emplace(input.section, input.key).second) << input.section << "." << input.key;
       EXPECT_FALSE(input.text.empty()) << input.key;
       const bool is_number = input.kind == InputKind::number || input.kind == InputKind::numbers;
       EXPECT_EQ(input.unit.empty(), !is_number) << input.key;
-      if (!is_number || input.unit == "-" || input.unit == "deg C") continue;
+      if (!is_number || input.unit == "-" || input.unit == "deg C" || input.unit == "SI") continue;
       EXPECT_EQ(io::number_in_unit("x", "0 " + std::string(input.unit), input.unit), 0) << input.key;
     }
   }
 }
 
 TEST(InputTable, DefaultsAreAllowed) {
-  for (const Kind& kind : kinds())
-    for (const Input& input : kind.table.inputs()) {
+  for (const InputTable* table : tables())
+    for (const Input& input : table->inputs()) {
       const bool has_word = !input.missing_word.empty();
       const auto word = std::find(input.words.begin(), input.words.end(), input.missing_word);
       EXPECT_EQ(word != input.words.end(), has_word) << input.key;
       EXPECT_FALSE(input.is_needed && (input.missing || has_word)) << input.key;
+      for (const double number : input.missing_numbers)
+        EXPECT_NO_THROW(input.bounds.require(input.key, number, input.unit)) << input.key;
       if (!input.missing) continue;
       EXPECT_NO_THROW(input.bounds.require(input.key, *input.missing, input.unit)) << input.key;
     }
@@ -166,6 +176,25 @@ TEST(InputTable, DefaultsAreTheLibrarys) {
   EXPECT_EQ(missing(wheel, "solution", "tolerance"), of_wheel.tolerance);
   EXPECT_EQ(description::wheel_rail_levels[static_cast<std::size_t>(of_wheel.level)],
             wheel.find("solution", "theory")->missing_word);
+}
+
+TEST(InputTable, FilesOfSweepsShowEveryKey) {
+  std::string text;
+  for (const char* name : {"creep_sweep.toml", "wheel_rail_sample.toml"}) text += example(name);
+  std::ifstream page(MICROSLIP_SOURCE_DIR "/docs/campaigns.md");
+  text.append((std::istreambuf_iterator<char>(page)), {});
+  for (const Input& input : description::sweep_inputs().inputs())
+    EXPECT_NE(text.find(input.key), std::string::npos) << input.key;
+}
+
+/// Inputs of a wheelset's track stand once.
+TEST(InputTable, ConicityHasTheRangesOfCases) {
+  for (const Input& input : description::conicity_inputs().inputs())
+    for (const std::string_view section : {"track", "wheelset"})
+      if (const Input* of_case = description::wheel_inputs().find(section, input.key)) {
+        EXPECT_EQ(input.bounds.text(), of_case->bounds.text()) << input.key;
+        EXPECT_EQ(input.unit, of_case->unit) << input.key;
+      }
 }
 
 TEST(InputTable, BoundsRefuseAndSayTheRange) {

@@ -107,7 +107,7 @@ TEST(ProgramConicity, RefusesBadInput) {
   const auto both = wheel + " " + rail;
   refuses(both + " --gauge -1.435", "--gauge = -1.435");
   refuses(both + " --gauge 2", "no contact");
-  refuses(both + " --nominal-radius 0", "nominal_radius = 0");
+  refuses(both + " --nominal-radius 0", "--nominal-radius = 0 [m]: must be in [0.01, 10]");
   refuses(both + " --roll some", "--roll");
   refuses(both + " --amplitudes 0.002 0.001 0.001", "--amplitudes");
   refuses(both + " --contact-distance nan", "--contact-distance");

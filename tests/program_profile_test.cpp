@@ -130,9 +130,9 @@ TEST(ProgramProfile, WarnsOnStandardErrorAndRefusesInOneLine) {
   expect_refused(wheel + " --role rail", "is the profile of a wheel, not of a rail");
   expect_refused("rail.txt --unit cm", "--unit = \"cm\": must be mm, m or in");
   expect_refused("rail.txt --y-axis feild", "did you mean field?");
-  expect_refused("rail.txt --scale 0", "--scale = 0 [-]: must be positive");
+  expect_refused("rail.txt --scale 0", "--scale = 0 [-]: must be in [0.001, 1000]");
   expect_refused("rail.txt --smoothing-length 2", "--smoothing-length = 2 [m]: must be in [0, 1]");
-  expect_refused("rail.txt --gauge-height -1", "gauge_height = -1 [m]: must be positive");
+  expect_refused("rail.txt --gauge-height -1", "--gauge-height = -1 [m]: must be in [1e-04, 0.2]");
   expect_refused("rail.txt --trim 0.1 0.2", "no point has y within");
   expect_refused("rail.txt --convert a.prw", ".prw is for the profile of a wheel, this is a rail");
 }

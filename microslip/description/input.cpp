@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace microslip::description {
@@ -104,8 +105,10 @@ const Input* InputTable::find(std::string_view section, std::string_view key) co
 }
 
 const InputTable& inputs_of(std::string_view kind) {
-  if (kind == case_kinds[0]) return rolling_inputs();
-  return kind == case_kinds[1] ? wheel_inputs() : wheelset_inputs();
+  constexpr std::array<const InputTable& (*)(), input_kinds.size()> tables = {
+      rolling_inputs, wheel_inputs, wheelset_inputs, sweep_inputs, conicity_inputs, creep_table_inputs};
+  const auto place = std::find(input_kinds.begin(), input_kinds.end(), kind) - input_kinds.begin();
+  return tables.at(static_cast<std::size_t>(place))();
 }
 
 } // namespace microslip::description

@@ -45,11 +45,12 @@ enum class InputKind {
   whole,   ///< a whole number
   wholes,  ///< two of them, or one for both
   text,
-  word ///< one of a few
+  word, ///< one of a few
+  texts ///< a list of them
 };
 
-/// A key of case files: all interfaces take unit, bounds, default and text from here. A new one is a line of the tables
-/// in rolling_inputs.cpp and wheel_inputs.cpp.
+/// A key of case files or of files of sweeps, or an option of a command: all interfaces take unit, bounds, default and
+/// text from here. A new one is a line of the tables in rolling_inputs.cpp, wheel_inputs.cpp and so on.
 struct Input {
   std::string_view section =
       "";                    ///< "load"; `body` is that of body1 and body2, `profile` of all sections with a profile
@@ -57,11 +58,12 @@ struct Input {
   InputKind kind = InputKind::number;
   std::string_view unit = ""; ///< SI, "-" without one; empty where it is no number
   Bounds bounds = {};
-  std::optional<double> missing = {}; ///< what it is where it is left out
-  std::string_view missing_word = ""; ///< the same of a word
-  bool is_needed = false;             ///< a case without it is refused; of alternatives one is needed
-  bool is_state = false;              ///< of a wheel's state or load, which a sweep may vary
-  bool may_be_list = false;           ///< a list of numbers may stand for the number
+  std::optional<double> missing = {};           ///< what it is where it is left out
+  std::string_view missing_word = "";           ///< the same of a word
+  std::span<const double> missing_numbers = {}; ///< the same of a list of numbers
+  bool is_needed = false;                       ///< a case without it is refused; of alternatives one is needed
+  bool is_state = false;                        ///< of a wheel's state or load, which a sweep may vary
+  bool may_be_list = false;                     ///< a list of numbers may stand for the number
   std::span<const std::string_view> words = {};
   std::string_view text = ""; ///< what it is, with the sign's meaning
 };
@@ -106,7 +108,13 @@ const InputTable& rolling_inputs();
 const InputTable& wheel_inputs();
 const InputTable& wheelset_inputs();
 
-/// That of a kind of case, one of case_kinds.
+/// Of a file of `microslip sweep`: what varies in its cases is a key of these.
+const InputTable& sweep_inputs();
+/// The options of `microslip conicity` for track, wheelset and motions, and of `microslip table make`.
+const InputTable& conicity_inputs();
+const InputTable& creep_table_inputs();
+
+/// That of one of input_kinds.
 const InputTable& inputs_of(std::string_view kind);
 
 } // namespace microslip::description

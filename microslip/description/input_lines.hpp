@@ -21,6 +21,14 @@ constexpr Input number(std::string_view key, std::string_view unit, Bounds bound
 constexpr Input numbers(std::string_view key, std::string_view unit, std::string_view text) {
   return {.key = key, .kind = InputKind::numbers, .unit = unit, .text = text};
 }
+constexpr Input numbers(std::string_view key, std::string_view unit, Bounds bounds, std::span<const double> missing,
+                        std::string_view text) {
+  return {
+      .key = key, .kind = InputKind::numbers, .unit = unit, .bounds = bounds, .missing_numbers = missing, .text = text};
+}
+constexpr Input whole(std::string_view key, Bounds bounds, std::string_view text) {
+  return {.key = key, .kind = InputKind::whole, .bounds = bounds, .text = text};
+}
 constexpr Input whole(std::string_view key, Bounds bounds, double missing, std::string_view text) {
   return {.key = key, .kind = InputKind::whole, .bounds = bounds, .missing = missing, .text = text};
 }
@@ -34,6 +42,10 @@ constexpr Input word(std::string_view key, std::span<const Word> words, std::str
 }
 constexpr Input text(std::string_view key, std::string_view what) {
   return {.key = key, .kind = InputKind::text, .text = what};
+}
+
+constexpr Input texts(std::string_view key, std::string_view what) {
+  return {.key = key, .kind = InputKind::texts, .text = what};
 }
 
 /// A case without it is refused.

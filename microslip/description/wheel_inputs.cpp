@@ -30,7 +30,7 @@ std::vector<Input> all_inputs() {
                   "y of the origin of the left rail's profile in track axes, in place of the gauge"),
            number("rail_z", "m", between(-1, 1), "z of that origin"),
            number("cant", "rad", between(-0.5, 0.5), Track{}.cant,
-                  "inclination of the rails, positive towards the track's centre"),
+                  "inclination of the rails, positive towards the track's centre; 0 if the profile has it"),
            number("roller_radius", "m", between(-100, 100),
                   "radius of a roller in place of the rail, negative: a raceway"),
        }},

@@ -28,8 +28,11 @@ inline constexpr std::array<Word, 3> wheel_rail_levels{"fastsim2", "exact", "tab
 inline constexpr std::array<Word, 3> patch_shapes{"flat", "curved", "conformal"};
 inline constexpr std::array<Word, 2> track_sides{"left", "right"};
 inline constexpr std::array<Word, 2> roll_rules{"equilibrium", "none"};
+inline constexpr std::array<Word, 2> sweep_scales{"linear", "logarithmic"};
 
 /// Kinds of cases: of two bodies, a wheel on a rail, a wheelset.
 inline constexpr std::array<Word, 3> case_kinds{"bodies", "wheel", "wheelset"};
+/// Kinds of inputs: those of cases, of files of sweeps, of the commands for conicity and creep-force tables.
+inline constexpr std::array<Word, 6> input_kinds{"bodies", "wheel", "wheelset", "sweep", "conicity", "table"};
 
 } // namespace microslip::description

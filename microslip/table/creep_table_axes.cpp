@@ -1,5 +1,6 @@
 #include "microslip/table/creep_table_axes.hpp"
 
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/table/creep_coordinates.hpp"
 
@@ -25,14 +26,14 @@ double CreepTableAxes::azimuth(int i) const {
 }
 
 void check(const CreepTableAxes& axes) {
-  require_between("least a/b", axes.least_ratio, "-", 0.05, 20);
-  require_between("largest a/b", axes.largest_ratio, "-", 0.05, 20);
+  require_between("least a/b", axes.least_ratio, "-", smallest_axis_ratio, largest_axis_ratio);
+  require_between("largest a/b", axes.largest_ratio, "-", smallest_axis_ratio, largest_axis_ratio);
   if (!(axes.largest_ratio > axes.least_ratio))
     throw Error("largest a/b", axes.largest_ratio, "-", "above the least one");
-  require_count("nodes of a/b", axes.ratios, 4, 200);
-  require_count("nodes from no slip to full sliding", axes.levels, 4, 200);
-  require_count("nodes from no spin to nothing but spin", axes.elevations, 4, 200);
-  require_count("nodes of the direction of the creepage", axes.azimuths, 4, 200);
+  require_count("nodes of a/b", axes.ratios, fewest_axis_nodes, most_axis_nodes);
+  require_count("nodes from no slip to full sliding", axes.levels, fewest_axis_nodes, most_axis_nodes);
+  require_count("nodes from no spin to nothing but spin", axes.elevations, fewest_axis_nodes, most_axis_nodes);
+  require_count("nodes of the direction of the creepage", axes.azimuths, fewest_axis_nodes, most_axis_nodes);
   require_count("Poisson's ratios", static_cast<int>(axes.poisson_ratios.size()), 1, 8);
   double before = -1;
   for (const double nu : axes.poisson_ratios) {

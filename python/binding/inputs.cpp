@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <string>
+#include <vector>
 
 namespace microslip::python {
 namespace {
@@ -17,13 +18,15 @@ using description::InputKind;
 
 py::object default_of(const Input& input) {
   if (!input.missing_word.empty()) return py::str(std::string(input.missing_word));
+  if (!input.missing_numbers.empty())
+    return py::cast(std::vector<double>(input.missing_numbers.begin(), input.missing_numbers.end()));
   if (!input.missing) return py::none();
   const bool is_whole = input.kind == InputKind::whole || input.kind == InputKind::wholes;
   return is_whole ? py::object(py::int_(static_cast<int>(*input.missing))) : py::float_(*input.missing);
 }
 
 py::list inputs(const std::string& kind) {
-  io::require_word("kind", kind, description::case_kinds);
+  io::require_word("kind", kind, description::input_kinds);
   py::list all;
   for (const Input& input : description::inputs_of(kind).inputs()) {
     py::list words;
@@ -41,7 +44,9 @@ py::list inputs(const std::string& kind) {
 void bind_inputs_of_cases(py::module_& module) {
   module.def(
       "inputs", &inputs, "kind"_a,
-      "The keys of case files of a kind, bodies, wheel or wheelset: for each a dict of its section and key, unit,\n"
+      "The keys of case files of a kind, bodies, wheel or wheelset, those of files of sweeps, sweep, or the options "
+      "of\n"
+      "microslip conicity or table make, conicity or table: for each a dict of its section and key, unit,\n"
       "default (None: none; without a unit [-]), whether a case without it is refused, range and words that may stand "
       "there, whether\n"
       "it is a number of a wheel's state, and a text. The section body is that of body1 and body2, profile that\n"

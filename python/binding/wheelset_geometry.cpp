@@ -24,6 +24,7 @@ namespace py = pybind11;
 using namespace py::literals;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr WheelsetBase usual;
 
 /// A rail and a wheel on either side.
 struct Sides {
@@ -226,12 +227,13 @@ void bind_rolling_radius_difference(py::module_& module) {
                           [&](double y, double) { return y >= self.from() && y <= self.to() ? self.at(y) : none; });
           },
           "lateral"_a, "The difference [m] at lateral displacements [m], shape (...); NaN beyond the ends.")
-      .def("equivalent_conicity", of_amplitude(conicity), "amplitude"_a, "contact_distance"_a = 1.5,
-           "nominal_radius"_a = 0.46,
+      .def("equivalent_conicity", of_amplitude(conicity), "amplitude"_a, "contact_distance"_a = usual.contact_distance,
+           "nominal_radius"_a = usual.nominal_radius,
            "Equivalent conicity [-] by EN 15302 at amplitudes [m], shape (...): that of conical wheels with the same\n"
            "kinematic wavelength; NaN where no such motion exists. contact_distance e [m] of both contacts.")
       .def(
-          "wavelength", of_amplitude(wavelength), "amplitude"_a, "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
+          "wavelength", of_amplitude(wavelength), "amplitude"_a, "contact_distance"_a = usual.contact_distance,
+          "nominal_radius"_a = usual.nominal_radius,
           "Wavelength [m] of the motion of a free wheelset with these amplitudes [m], shape (...), that rolls without\n"
           "slip.")
       .def(
@@ -239,7 +241,7 @@ void bind_rolling_radius_difference(py::module_& module) {
           [](const RollingRadiusDifference& self, double contact_distance, double nominal_radius) {
             return nonlinearity_parameter(self, {contact_distance, nominal_radius}).value_or(none);
           },
-          "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
+          "contact_distance"_a = usual.contact_distance, "nominal_radius"_a = usual.nominal_radius,
           "Change of the equivalent conicity from 2 to 4 mm of amplitude, per metre [1/m]; the standard's is per mm.")
       .def(
           "radial_steering_index",
@@ -249,7 +251,8 @@ void bind_rolling_radius_difference(py::module_& module) {
               return steering_index(self, y, radius, {contact_distance, nominal_radius});
             });
           },
-          "lateral"_a, "curve_radius"_a, "contact_distance"_a = 1.5, "nominal_radius"_a = 0.46,
+          "lateral"_a, "curve_radius"_a, "contact_distance"_a = usual.contact_distance,
+          "nominal_radius"_a = usual.nominal_radius,
           "The difference at lateral displacements [m] over the one that rolls without slip through a curve of that\n"
           "radius [m], shape (...) [-]: from 1 on the wheelset can steer itself radially.");
 }
@@ -263,7 +266,7 @@ void bind_wheelset_geometry(py::module_& module) {
       module, "WheelsetGeometry",
       "A rigid wheelset on a track by their profiles: where both wheels touch, and its conicity.")
       .def(py::init(&make_geometry), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a,
-           "right_rail"_a = py::none(), "right_wheel"_a = py::none(), "contact_distance"_a = 1.5,
+           "right_rail"_a = py::none(), "right_wheel"_a = py::none(), "contact_distance"_a = usual.contact_distance,
            "The profiles of rail and wheel, as read_profile gives them, of both sides or of the left one;\n"
            "contact_distance e [m] between the contacts of both wheels. Error for values out of range and profiles\n"
            "that do not fit the track or the wheelset.")

@@ -2527,7 +2527,8 @@ def hertzian_gap(gap: GapCurvatures, grid: ElementGrid) -> NDArray[numpy.float64
     """The undeformed distance h = A x^2 + B y^2 at the elements' centres, shape (my, mx) [m]."""
 
 def inputs(kind: Literal["rail", "wheel"]) -> list:
-    """The keys of case files of a kind, bodies, wheel or wheelset: for each a dict of its section and key, unit,
+    """The keys of case files of a kind, bodies, wheel or wheelset, those of files of sweeps, sweep, or the options of
+    microslip conicity or table make, conicity or table: for each a dict of its section and key, unit,
     default (None: none; without a unit [-]), whether a case without it is refused, range and words that may stand there, whether
     it is a number of a wheel's state, and a text. The section body is that of body1 and body2, profile that
     of all sections with a profile."""

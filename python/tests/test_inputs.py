@@ -21,7 +21,9 @@ class InputsTest(unittest.TestCase):
         self.assertEqual(wheel["solution", "theory"]["words"], ["fastsim2", "exact", "table"])
         self.assertTrue(wheel["wheel", "yaw"]["state"])
         self.assertIn(("wheel", "axle_torque"), self.of("wheelset"))
-        with self.assertRaisesRegex(microslip.Error, "must be bodies, wheel or wheelset"):
+        self.assertEqual(self.of("table")["", "poisson_ratio"]["default"], [0, 0.28, 0.5])
+        self.assertTrue(self.of("sweep")["sample", "seed"]["needed"])
+        with self.assertRaisesRegex(microslip.Error, "must be bodies, wheel, wheelset, sweep, conicity or table"):
             microslip.inputs("bogie")
 
     def defaults(self, function):
@@ -30,10 +32,11 @@ class InputsTest(unittest.TestCase):
         return {name: value.strip("'") for name, value in found}
 
     def test_defaults_of_keywords_are_those_of_case_files(self):
-        wheel = self.of("wheel")
+        wheel = self.of("wheel") | self.of("conicity")
         count = 0
         for function, sections in ((microslip.WheelRail.__init__, ["solution", "wheel"]), (microslip.Track.__init__, ["track"]),
-                                   (microslip.Wheelset.__init__, ["wheelset"]), (microslip.WheelsetOnTrack.__init__, ["solution"])):
+                                   (microslip.Wheelset.__init__, ["wheelset"]), (microslip.WheelsetOnTrack.__init__, ["solution"]),
+                                   (microslip.WheelsetGeometry.__init__, [""]), (microslip.WheelsetGeometry.contact, [""])):
             for name, value in self.defaults(function).items():
                 for section in sections:
                     known = wheel.get((section, name))
@@ -42,7 +45,7 @@ class InputsTest(unittest.TestCase):
                     count += 1
                     default = known["default"]
                     self.assertEqual(value if isinstance(default, str) else float(value), default, f"{function} {name}")
-        self.assertGreater(count, 8)
+        self.assertGreater(count, 10)
 
 
 load_tests = load_tests_if_compiled([InputsTest])

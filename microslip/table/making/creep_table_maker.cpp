@@ -1,6 +1,7 @@
 #include "microslip/table/making/creep_table_maker.hpp"
 
 #include "microslip/batch/batch.hpp"
+#include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/solver.hpp"
@@ -202,7 +203,7 @@ private:
 
 void check(const CreepTableMaking& making) {
   check(making.axes);
-  require_count("elements", making.elements, 8, 256);
+  require_count("elements", making.elements, fewest_table_elements, most_table_elements);
   if (making.elements % 2 != 0) throw Error("elements", making.elements, "-", "even");
 }
 
