@@ -319,6 +319,15 @@ const std::string& two_bodies() {
   return text;
 }
 
+/// The same bodies by the ellipse of their contact.
+const std::string& an_ellipse() {
+  static const std::string text =
+      "[ellipse]\na = 6.7e-3\nb = 5e-3\n[body1]\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n"
+      "[body2]\nyoung_modulus = 210e9\npoisson_ratio = 0.28\n" +
+      two_bodies().substr(two_bodies().find("[load]"));
+  return text;
+}
+
 std::string text_of(const microslip_problem* problem) {
   char* text = nullptr;
   require(microslip_problem_text(problem, &text, nullptr) == MICROSLIP_OK, "problem_text");
@@ -397,7 +406,7 @@ void problem(Draw& draw) {
   microslip_problem* made = nullptr;
   if (draw.count(0, 3) == 0)
     said.of(microslip_problem_create(draw.choice(3), draw.pointer(&made), said.pointer), "problem_create");
-  std::string text = kind == 0   ? two_bodies() + "theory = \"exact\"\n"
+  std::string text = kind == 0   ? (draw.is_odd() ? an_ellipse() : two_bodies()) + "theory = \"exact\"\n"
                      : kind == 1 ? microslip::wheel_rail_text
                                  : microslip::wheelset_text;
   if (made == nullptr)

@@ -10,20 +10,27 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace microslip::io {
 namespace {
 
 constexpr std::string_view thermal_keys[] = {"bulk_temperature", "conductivity", "density", "heat_capacity"};
 
+constexpr std::string_view radius_keys[] = {"rolling_radius", "transverse_radius"};
+
+void read_radii(const TomlSection& body, BodyInput& input) {
+  input.rolling_radius = body.number(radius_keys[0]);
+  input.transverse_radius = body.number(radius_keys[1]);
+}
+
 BodyInput read_body(const TomlSection& body) {
   body.allow_described();
   BodyInput input;
-  input.rolling_radius = body.number("rolling_radius");
-  input.transverse_radius = body.number("transverse_radius");
   const auto key = body.one_of("young_modulus", "shear_modulus");
   const double modulus = body.number(key), poisson_ratio = body.number("poisson_ratio");
   input.material =
@@ -37,6 +44,17 @@ BodyInput read_body(const TomlSection& body) {
                      .density = body.number("density"),
                      .heat_capacity = body.number("heat_capacity")};
   return input;
+}
+
+Ellipse read_ellipse(const TomlSection& ellipse) {
+  ellipse.allow_described();
+  return {ellipse.number("a"), ellipse.number("b")};
+}
+
+/// A body whose contact with a flat one of the same materials is an ellipse: h = x^2/(2 R) + ...
+void set_radii(const GapCurvatures& gap, BodyInput& body, BodyInput& flat) {
+  body.rolling_radius = 0.5 / gap.x, body.transverse_radius = 0.5 / gap.y;
+  flat.rolling_radius = flat.transverse_radius = std::numeric_limits<double>::infinity();
 }
 
 InterfaceLayer read_layer(const TomlSection& layer) {
@@ -155,6 +173,18 @@ void refuse_at(const TomlSection& section, std::string_view name, std::string_vi
   section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
 }
 
+/// The ellipse, if it is given, or else the radii of both bodies.
+std::optional<Ellipse> read_geometry(const TomlSection& root, RollingCase& input) {
+  const bool has_ellipse = root.has("ellipse");
+  for (const auto& [name, body] : {std::pair{"body1", &input.body1}, {"body2", &input.body2}}) {
+    const TomlSection section = root.required_section(name);
+    if (!has_ellipse) read_radii(section, *body);
+    for (const std::string_view key : radius_keys)
+      refuse_at(section, name, key, has_ellipse && section.has(key), "must be left out with [ellipse]");
+  }
+  return has_ellipse ? std::optional(read_ellipse(root.required_section("ellipse"))) : std::nullopt;
+}
+
 /// Temperatures need the data of both bodies.
 void check_thermal(const TomlSection& root, const RollingCase& input) {
   const bool has1 = input.body1.thermal.has_value(), has2 = input.body2.thermal.has_value();
@@ -241,11 +271,12 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
         throw Error(std::string(of_rails) +
                     ": this is a case of a wheel on a rail; one of two bodies has body1 and body2");
       });
-  root.allow_described({"body1", "body2", "layer", "load", "friction", "motion", "solution", "interior"});
+  root.allow_described({"body1", "body2", "ellipse", "layer", "load", "friction", "motion", "solution", "interior"});
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
   input.body2 = read_body(root.required_section("body2"));
-  const auto &body1 = input.body1, &body2 = input.body2;
+  const std::optional<Ellipse> ellipse = read_geometry(root, input);
+  auto &body1 = input.body1, &body2 = input.body2;
   RollingProblem& problem = input.problem;
   InterfaceLayer layer;
   if (root.has("layer")) layer = read_layer(root.required_section("layer"));
@@ -262,10 +293,14 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   }
   // What no single key can tell: the bodies touch in one point, at least one is elastic, no number overflows.
   try {
-    problem.geometry = gap_curvatures(principal_radii(body1, body2));
+    if (ellipse)
+      problem.geometry = *ellipse;
+    else
+      problem.geometry = gap_curvatures(principal_radii(body1, body2));
     problem.bodies =
         viscoelastic(body1.material, body1.creep, body2.material, body2.creep, rolling_velocity(problem.motion));
-    hertz_contact(problem);
+    const HertzContact hertz = hertz_contact(problem);
+    if (ellipse) set_radii(hertz.gap, body1, body2);
   } catch (const Error& error) {
     throw Error(root.file() + ": [body1], [body2] and [load] together: " + error.what());
   }

@@ -19,7 +19,9 @@ class TomlSection;
 
 /// One of the two bodies of a case file.
 struct BodyInput {
-  double rolling_radius = 0;    ///< [m], in the plane of rolling: positive convex, negative concave, infinite flat
+  /// [m], in the plane of rolling: positive convex, negative concave, infinite flat. Where the ellipse is given the
+  /// second body counts as flat.
+  double rolling_radius = 0;
   double transverse_radius = 0; ///< [m], in the lateral plane
   Material material = {};
   MaterialCreep creep = {}; ///< none: an elastic body
@@ -32,7 +34,7 @@ struct RollingCase {
   std::string title = {};
   BodyInput body1 = {}; ///< the body that the forces act on, e.g. the wheel
   BodyInput body2 = {};
-  RollingProblem problem = {}; ///< of these bodies, by the curvatures of their gap
+  RollingProblem problem = {}; ///< of these bodies, by the curvatures of their gap or the ellipse
   Method method = {};          ///< with what the file gives, and the theory and grid
   InteriorGrid interior = {};  ///< points inside the bodies, with the exact theory; none: no interior field
   ReadInputs inputs = {};      ///< the same by the keys of the file

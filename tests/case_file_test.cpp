@@ -103,6 +103,33 @@ TEST(CaseFile, LoadAndApproachAreTheSameContact) {
   EXPECT_NEAR(by_approach.a, by_load.a, by_load.a * 1e-12);
 }
 
+/// The good case without the radii of a body, and with the ellipse that they gave.
+std::string with_ellipse(const std::string& more) {
+  return microslip::with(good, {{"rolling_radius = 0.46\ntransverse_radius = inf\n", ""},
+                                {"rolling_radius = inf\ntransverse_radius = 0.3\n", ""}}) +
+         more;
+}
+
+TEST(CaseFile, AnEllipseStandsInPlaceOfTheRadii) {
+  const HertzContact by_radii = hertz_contact(io::parse_case(good, "w.toml").problem);
+  char ellipse[96];
+  std::snprintf(ellipse, sizeof ellipse, "[ellipse]\na = %.17g\nb = %.17g\n", by_radii.a, by_radii.b);
+  const io::RollingCase input = io::parse_case(with_ellipse(ellipse), "w.toml");
+  const HertzContact by_ellipse = hertz_contact(input.problem);
+  EXPECT_EQ(by_ellipse.a, by_radii.a);
+  EXPECT_EQ(by_ellipse.b, by_radii.b);
+  EXPECT_EQ(by_ellipse.normal_force, 80e3);
+  EXPECT_NEAR(by_ellipse.peak_pressure, by_radii.peak_pressure, 1e-12 * by_radii.peak_pressure);
+  EXPECT_NEAR(0.5 / input.body1.rolling_radius, by_ellipse.gap.x, 1e-12 * by_ellipse.gap.x);
+  EXPECT_TRUE(std::isinf(input.body2.transverse_radius));
+  EXPECT_EQ(message_of(with_ellipse("")), "w.toml:2: [body1]: rolling_radius is missing");
+  EXPECT_EQ(message_of(with_ellipse("[ellipse]\na = 0.006\n")), "w.toml:14: [ellipse]: b is missing");
+  EXPECT_EQ(message_of(with_ellipse("[ellipse]\na = -1\nb = 1\n")),
+            "w.toml:15: ellipse.a = -1 [m]: must be positive and finite");
+  EXPECT_EQ(message_of(good + "[ellipse]\na = 0.006\nb = 0.005\n"),
+            "w.toml:3: body1.rolling_radius: must be left out with [ellipse]");
+}
+
 TEST(CaseFile, ReadsEveryFrictionLaw) {
   const auto law = [](const std::string& keys) {
     return io::parse_case(with("coefficient = 0.3", keys), "w").problem.friction.law;

@@ -145,6 +145,34 @@ TEST(CProblem, FrictionHeatForcesAndShiftsReachTheSolver) {
   EXPECT_NEAR(given.number("fy"), 4e3, 1);
 }
 
+/// An ellipse that is known, as vehicle codes have it, is solved by every theory.
+TEST(CProblem, AnEllipseIsTheLibrarysEllipticContact) {
+  const EllipticContact contact{.a = 6.676e-3,
+                                .b = 5.022e-3,
+                                .shear_modulus = 82e9,
+                                .poisson_ratio = 0.28,
+                                .normal_force = 80e3,
+                                .friction = FrictionLaw::coulomb(0.3),
+                                .creepage = {0.0012, 0.0006, 0.4},
+                                .rolling_speed = 30};
+  for (const std::string theory : {"exact", "fastsim2", "table"}) {
+    Steel problem(Settings{{"ellipse.a", contact.a}, {"ellipse.b", contact.b}, {"solution.theory", theory}});
+    for (const std::string body : {"body1.", "body2."}) {
+      for (const char* path : {"rolling_radius", "transverse_radius", "young_modulus"}) problem.unset(body + path);
+      set_all(problem, {{body + "shear_modulus", contact.shear_modulus}});
+    }
+    ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;
+    const io::RollingCase input = io::parse_case(problem.text(), "problem");
+    const ContactSolution wanted = Solver(input.method).solve(rolling_problem(contact));
+    expect_same(problem, wanted);
+    if (theory != "exact") continue;
+    EXPECT_EQ(problem.field("pressure"), wanted.fields.pressure);
+    EXPECT_EQ(problem.field("px"), wanted.fields.traction.x);
+    EXPECT_EQ(problem.field("gap").size(), wanted.fields.pressure.size());
+    EXPECT_TRUE(std::isfinite(document(problem).at("hertz").at("peak_pressure").get<double>()));
+  }
+}
+
 TEST(CProblem, AnAccuracyPicksTheGridAndExtrapolates) {
   Steel problem(Settings{{"solution.accuracy", 1e-2}});
   ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;

@@ -33,7 +33,8 @@ std::vector<Input> all_inputs() {
              "distance e of the contacts of both wheels"),
       word("roll", roll_rules, "equilibrium",
            "roll of the wheelset: so that both wheels touch, or none as in EN 15302"),
-      numbers("amplitudes", "m", positive, amplitudes, "first and last amplitude of the lateral displacement, and their step"),
+      numbers("amplitudes", "m", positive, amplitudes,
+              "first and last amplitude of the lateral displacement, and their step"),
       number("curve_radius", "m", positive, "radius of a curve, for the radial steering index at the last amplitude"),
   };
 }

@@ -17,7 +17,8 @@ std::vector<Input> all_inputs() {
       whole("levels", nodes, 30, "nodes from no slip to full sliding"),
       whole("elevations", nodes, 29, "nodes from no spin to nothing but spin"),
       whole("azimuths", nodes, 21, "nodes of the direction of the creepage"),
-      whole("elements", between(fewest_table_elements, most_table_elements), 24, "elements across the ellipse, even; half of them for the extrapolation"),
+      whole("elements", between(fewest_table_elements, most_table_elements), 24,
+            "elements across the ellipse, even; half of them for the extrapolation"),
   };
 }
 

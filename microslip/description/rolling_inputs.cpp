@@ -25,8 +25,8 @@ std::vector<Input> all_inputs() {
        }},
       {"body",
        {
-           needed(number("rolling_radius", "m", radius, "radius in the plane of rolling")),
-           needed(number("transverse_radius", "m", radius, "radius in the lateral plane")),
+           needed(number("rolling_radius", "m", radius, "radius in the plane of rolling; or [ellipse]")),
+           needed(number("transverse_radius", "m", radius, "radius in the lateral plane; or [ellipse]")),
            needed(number("young_modulus", "Pa", modulus, "Young's modulus; or shear_modulus")),
            number("shear_modulus", "Pa", modulus, "shear modulus, in place of young_modulus"),
            needed(number("poisson_ratio", "-", between(0, 0.5), "Poisson's ratio")),
@@ -38,6 +38,12 @@ std::vector<Input> all_inputs() {
            number("conductivity", "W/(m K)", positive, "thermal conductivity"),
            number("density", "kg/m^3", positive, "density"),
            number("heat_capacity", "J/(kg K)", positive, "specific heat capacity"),
+       }},
+      {"ellipse",
+       {
+           needed(number("a", "m", positive,
+                         "semi-axis of the ellipse of contact along the rolling direction, in place of all radii")),
+           needed(number("b", "m", positive, "its lateral semi-axis")),
        }},
       {"layer",
        {
