@@ -77,21 +77,10 @@ double rounding(double sx, double sy, double x, double y) {
   return 3e-15 * (10 * ratio + std::min(square * square, 2500 * ratio * ratio));
 }
 
-struct Point {
-  double x, y; ///< in units of the element's sides
-};
 /// Centre, inside, on the lines where the tent has kinks, within a hair of them, and some elements away.
 std::vector<Point> near_points() {
-  std::vector<Point> points;
-  for (const double x : {0.0, 1e-9, 0.2, 0.5, 1.0, 1.0 + 1e-9, 1.0 - 1e-9, 1.6, 2.5, 4.9, 5.1, 7.0})
-    for (const double y : {0.0, 1e-12, 0.1, 0.5, 1.0, 1.0 + 1e-12, 3.0, 5.5})
-      for (const int sx : {-1, 1})
-        for (const int sy : {-1, 1}) points.push_back({sx * x, sy * y});
-  return points;
-}
-
-std::string text(const Point& p) {
-  return std::to_string(p.x) + ", " + std::to_string(p.y) + " elements away";
+  return in_all_quarters({0.0, 1e-9, 0.2, 0.5, 1.0, 1.0 + 1e-9, 1.0 - 1e-9, 1.6, 2.5, 4.9, 5.1, 7.0},
+                         {0.0, 1e-12, 0.1, 0.5, 1.0, 1.0 + 1e-12, 3.0, 5.5});
 }
 
 TEST(BilinearInfluence, BothIntegrationsOfTheTestAgree) {

@@ -149,17 +149,27 @@ TEST(Campaign, GoesOnWithWhatIsMissing) {
   expect_right(campaign);
 }
 
+/// A campaign that was begun, with its journal.
+struct Begun {
+  TemporaryFolder folder;
+  campaign::CampaignPlan plan = small_plan(5, 2);
+  fs::path journal = folder / "c/rank-0";
+  std::string whole;
+
+  Begun() {
+    begin(folder / "c", plan, 3);
+    whole = contents(journal);
+  }
+};
+
 TEST(Campaign, ACheckpointCutOffAnywhereIsRecovered) {
-  const TemporaryFolder folder;
-  const auto plan = small_plan(5, 2);
-  begin(folder / "c", plan, 3);
-  const auto journal = folder / "c/rank-0";
-  const std::string whole = contents(journal);
+  const Begun begun;
+  const campaign::CampaignPlan& plan = begun.plan;
   std::size_t last = plan.count;
-  for (std::size_t size = whole.size() + 1; size-- > 0;) {
-    save(journal, whole.substr(0, size));
+  for (std::size_t size = begun.whole.size() + 1; size-- > 0;) {
+    save(begun.journal, begun.whole.substr(0, size));
     campaign::Ranks alone;
-    campaign::Campaign campaign(folder / "c", plan, alone);
+    campaign::Campaign campaign(begun.folder / "c", plan, alone);
     EXPECT_LE(campaign.kept_cases(), last);
     last = campaign.kept_cases();
     if (size % 16 != 0) continue;
@@ -170,22 +180,19 @@ TEST(Campaign, ACheckpointCutOffAnywhereIsRecovered) {
 }
 
 TEST(Campaign, ADamagedByteAnywhereIsNamed) {
-  const TemporaryFolder folder;
-  const auto plan = small_plan(5, 2);
-  begin(folder / "c", plan, 3);
-  const auto journal = folder / "c/rank-0";
-  const std::string whole = contents(journal);
-  for (std::size_t place = 0; place < whole.size(); ++place) {
-    std::string damaged = whole;
+  const Begun begun;
+  const campaign::CampaignPlan& plan = begun.plan;
+  for (std::size_t place = 0; place < begun.whole.size(); ++place) {
+    std::string damaged = begun.whole;
     damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
-    save(journal, damaged);
+    save(begun.journal, damaged);
     campaign::Ranks alone;
-    expect_words([&] { const campaign::Campaign campaign(folder / "c", plan, alone); }, "rank-0: ");
-    EXPECT_EQ(contents(journal), damaged);
+    expect_words([&] { const campaign::Campaign campaign(begun.folder / "c", plan, alone); }, "rank-0: ");
+    EXPECT_EQ(contents(begun.journal), damaged);
   }
-  fs::remove(journal);
+  fs::remove(begun.journal);
   campaign::Ranks alone;
-  campaign::Campaign campaign(folder / "c", plan, alone);
+  campaign::Campaign campaign(begun.folder / "c", plan, alone);
   ASSERT_TRUE(campaign.run({}, always(fill)));
   expect_right(campaign);
 }

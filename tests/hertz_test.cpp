@@ -1,5 +1,6 @@
 #include "microslip/elasticity/hertz.hpp"
 
+#include "tests/support/ellipse_integral.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"
 #include "tests/support/steel.hpp"
@@ -236,20 +237,9 @@ TEST(Hertz, RandomContactsFitTheirGap) {
 }
 
 TEST(Hertz, PressureCarriesTheLoad) {
-  // On curves of equal pressure, 1 - (x/a)^2 - (y/b)^2 = w^2, the integrand is w^2, for which Simpson's rule is exact.
   const HertzContact contact = hertz_from_ellipse(0.004, 0.02, steel, 82e3);
-  const int n = 20;
-  double force = 0;
-  for (int i = 0; i <= n; ++i) {
-    const double w = static_cast<double>(i) / n;
-    const double simpson = (i == 0 || i == n ? 1 : i % 2 == 0 ? 2 : 4) / (3.0 * n);
-    const double r = std::sqrt(1 - w * w);
-    for (int j = 0; j < n; ++j) {
-      const double theta = (j + 0.5) * 2 * pi / n;
-      const double pressure = contact.pressure(contact.a * r * std::cos(theta), contact.b * r * std::sin(theta));
-      force += pressure * w * simpson * contact.a * contact.b * 2 * pi / n;
-    }
-  }
+  const double force =
+      integral_over_ellipse(contact.a, contact.b, [&](double x, double y) { return contact.pressure(x, y); });
   EXPECT_LT(relative_error(force, 82e3), 1e-13);
   EXPECT_EQ(contact.pressure(0, 0), contact.peak_pressure);
   EXPECT_EQ(contact.pressure(contact.a, 0), 0);

@@ -103,14 +103,24 @@ TEST(HotCall, LookingUpForcesInATableTakesNoMemory) {
   expect_silent([&] { table.differentiate(all, derivatives); });
 }
 
-TEST(HotCall, SearchingForContactsTakesNoMemory) {
-  std::vector<ProfilePoint> head, tread;
+/// z = slope y + curvature y^2.
+Profile parabola(ProfileRole role, double slope, double curvature) {
+  std::vector<ProfilePoint> points;
   for (int k = -100; k <= 100; ++k) {
     const double y = 3e-4 * k;
-    head.push_back({y, -1.6 * y * y});
-    tread.push_back({y, 0.05 * y - 1.2 * y * y});
+    points.push_back({y, slope * y + curvature * y * y});
   }
-  ContactSearch search(Profile(ProfileRole::rail, head), Profile(ProfileRole::wheel, tread));
+  return Profile(role, points);
+}
+Profile head() {
+  return parabola(ProfileRole::rail, 0, -1.6);
+}
+Profile tread() {
+  return parabola(ProfileRole::wheel, 0.05, -1.2);
+}
+
+TEST(HotCall, SearchingForContactsTakesNoMemory) {
+  ContactSearch search(head(), tread());
   std::size_t points = 0, regions = 0;
   expect_silent([&] {
     for (int k = -10; k <= 10; ++k) {
@@ -129,20 +139,9 @@ TEST(HotCall, SearchingForContactsTakesNoMemory) {
 }
 
 TEST(HotCall, AWheelOnARailTakesNoMemory) {
-  std::vector<ProfilePoint> head, tread;
-  for (int k = -100; k <= 100; ++k) {
-    const double y = 3e-4 * k;
-    head.push_back({y, -1.6 * y * y});
-    tread.push_back({y, 0.05 * y - 1.2 * y * y});
-  }
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
-    WheelRailBodies bodies{Profile(ProfileRole::rail, head),
-                           Profile(ProfileRole::wheel, tread),
-                           {.rail_origin = ProfilePoint{0.75, 0}},
-                           {},
-                           side,
-                           steel,
-                           {{0, 0.3}, {0.1, 0.2}}};
+    WheelRailBodies bodies{
+        head(), tread(), {.rail_origin = ProfilePoint{0.75, 0}}, {}, side, steel, {{0, 0.3}, {0.1, 0.2}}};
     const auto table = std::make_shared<const CreepForceTable>(few_nodes());
     for (const WheelRailMethod& method :
          {WheelRailMethod{}, WheelRailMethod{.level = WheelRailLevel::table, .table = table}}) {

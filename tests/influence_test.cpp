@@ -45,21 +45,10 @@ double rounding(double sx, double sy, double x, double y) {
   return 4e-15 * (10 + (x * x + y * y) / (sx * sy));
 }
 
-struct Point {
-  double x, y; ///< in units of the element's sides
-};
 /// Centre, inside, edges, corners, on the lines of the edges, within a hair of them, and some elements away.
 std::vector<Point> near_points() {
-  std::vector<Point> points;
-  for (const double x : {0.0, 0.2, 0.5, 0.5 + 1e-9, 0.5 - 1e-9, 0.8, 1.0, 2.5, 7.0})
-    for (const double y : {0.0, 0.1, 0.5, 0.5 + 1e-12, 0.9, 3.0, 5.5})
-      for (const int sx : {-1, 1})
-        for (const int sy : {-1, 1}) points.push_back({sx * x, sy * y});
-  return points;
-}
-
-std::string text(const Point& p) {
-  return std::to_string(p.x) + ", " + std::to_string(p.y) + " elements away";
+  return in_all_quarters({0.0, 0.2, 0.5, 0.5 + 1e-9, 0.5 - 1e-9, 0.8, 1.0, 2.5, 7.0},
+                         {0.0, 0.1, 0.5, 0.5 + 1e-12, 0.9, 3.0, 5.5});
 }
 
 TEST(Influence, BothIntegrationsOfTheTestAgree) {

@@ -295,30 +295,22 @@ TEST_F(BadPatch, PressuresAreRefused) {
 
 TEST_F(BadPatch, MotionIsRefused) {
   const PatchMotion good = motion;
+  const auto refuses = [&](double& value, double bad, const std::string& field, const std::string& range) {
+    value = bad;
+    expect(field, range);
+    motion = good;
+  };
   for (const double bad : {0.0, -1.0, infinity, nan}) {
-    motion.flexibilities.longitudinal = bad;
-    expect("flexibilities.longitudinal", "[m/Pa]: must be positive and finite");
-    motion = good;
-    motion.flexibilities.lateral = bad;
-    expect("flexibilities.lateral", "[m/Pa]: must be positive and finite");
-    motion = good;
-    motion.flexibilities.spin = bad;
-    expect("flexibilities.spin", "[m/Pa]: must be positive and finite");
-    motion = good;
-    motion.rolling_speed = bad;
-    expect("rolling_speed", "[m/s]: must be positive and finite");
-    motion = good;
+    const std::string range = "[m/Pa]: must be positive and finite";
+    refuses(motion.flexibilities.longitudinal, bad, "flexibilities.longitudinal", range);
+    refuses(motion.flexibilities.lateral, bad, "flexibilities.lateral", range);
+    refuses(motion.flexibilities.spin, bad, "flexibilities.spin", range);
+    refuses(motion.rolling_speed, bad, "rolling_speed", "[m/s]: must be positive and finite");
   }
   for (const double bad : {infinity, -infinity, nan}) {
-    motion.creepage.longitudinal = bad;
-    expect("creepage.longitudinal", "[-]: must be finite");
-    motion = good;
-    motion.creepage.lateral = bad;
-    expect("creepage.lateral", "[-]: must be finite");
-    motion = good;
-    motion.creepage.spin = bad;
-    expect("creepage.spin", "[1/m]: must be finite");
-    motion = good;
+    refuses(motion.creepage.longitudinal, bad, "creepage.longitudinal", "[-]: must be finite");
+    refuses(motion.creepage.lateral, bad, "creepage.lateral", "[-]: must be finite");
+    refuses(motion.creepage.spin, bad, "creepage.spin", "[1/m]: must be finite");
   }
 }
 

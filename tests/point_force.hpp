@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace microslip {
@@ -92,6 +94,25 @@ inline double error(const Kernels& value, const Kernels& exact, const Kernels& s
   Real worst = 0;
   for (std::size_t k = 0; k < value.size(); ++k) worst = std::max(worst, std::abs(value[k] - exact[k]) / scale[k]);
   return static_cast<double>(worst);
+}
+
+/// A point in units of an element's sides, from its centre.
+struct Point {
+  double x, y;
+};
+
+inline std::string text(const Point& p) {
+  return std::to_string(p.x) + ", " + std::to_string(p.y) + " elements away";
+}
+
+/// All pairs of these, with both signs of each.
+inline std::vector<Point> in_all_quarters(std::initializer_list<double> xs, std::initializer_list<double> ys) {
+  std::vector<Point> points;
+  for (const double x : xs)
+    for (const double y : ys)
+      for (const int sx : {-1, 1})
+        for (const int sy : {-1, 1}) points.push_back({sx * x, sy * y});
+  return points;
 }
 
 } // namespace microslip

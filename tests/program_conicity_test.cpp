@@ -1,9 +1,8 @@
 // `microslip conicity`: the document, the result file, the options, and what is refused.
 
-#include "io/json.hpp"
 #include "paths.hpp"
 #include "tests/support/hdf5_reader.hpp"
-#include "tests/support/program_run.hpp"
+#include "tests/support/program_document.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -19,9 +18,7 @@ const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/profiles/s1002.prw";
 const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
 
 io::Json document(const TemporaryFolder& folder, const std::string& arguments) {
-  const auto outcome = run_program(folder, "conicity " + arguments + " --json");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  return io::Json::parse(outcome.output);
+  return program_document(folder, "conicity " + arguments);
 }
 
 /// Columns in mm: a cone with the flange's back at y = -70 mm, z up, of which the words of the options may differ.

@@ -1,11 +1,10 @@
 // `microslip profile`: the report, its document, the result file, conversion, and what is refused.
 
-#include "io/json.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/railway/profile/profile_dimensions.hpp"
 #include "paths.hpp"
 #include "tests/support/hdf5_reader.hpp"
-#include "tests/support/program_run.hpp"
+#include "tests/support/program_document.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -22,9 +21,7 @@ const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/profiles/s1002.prw";
 const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
 
 io::Json document(const TemporaryFolder& folder, const std::string& arguments) {
-  const auto outcome = run_program(folder, "profile " + arguments + " --json");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  return io::Json::parse(outcome.output);
+  return program_document(folder, "profile " + arguments);
 }
 
 TEST(ProgramProfile, PrintsTheDimensions) {

@@ -183,11 +183,16 @@ TEST(ProgramSweep, OfOneCase) {
   EXPECT_EQ(doubles(Hdf5Reader(folder / "r.h5"), "contact/fx").size(), 1u);
 }
 
+/// Computes a sweep and returns its result file.
+std::string complete_result(const TemporaryFolder& folder) {
+  save(folder / "s.toml", grid(5));
+  EXPECT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "15 cases\nr.h5\n");
+  return contents(folder / "r.h5");
+}
+
 TEST(ProgramSweep, ACompleteResultIsNotComputedAgain) {
   const TemporaryFolder folder;
-  save(folder / "s.toml", grid(5));
-  ASSERT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "15 cases\nr.h5\n");
-  const std::string whole = contents(folder / "r.h5");
+  const std::string whole = complete_result(folder);
   const auto expect_as_it_is = [&] {
     const auto again = run_program(folder, "sweep s.toml -o r.h5");
     EXPECT_EQ(again.exit_code, 1);
@@ -204,9 +209,7 @@ TEST(ProgramSweep, ACompleteResultIsNotComputedAgain) {
 
 TEST(ProgramSweep, AnotherResultIsNotReplaced) {
   const TemporaryFolder folder;
-  save(folder / "s.toml", grid(5));
-  ASSERT_EQ(run_program(folder, "sweep s.toml -o r.h5").output, "15 cases\nr.h5\n");
-  const std::string whole = contents(folder / "r.h5");
+  const std::string whole = complete_result(folder);
   const auto expect_refused = [&] {
     const std::string before = contents(folder / "r.h5");
     const auto again = run_program(folder, "sweep s.toml -o r.h5");

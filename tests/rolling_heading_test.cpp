@@ -5,6 +5,7 @@
 #include "tests/support/expect_close.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/rolled.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -85,13 +86,7 @@ TEST(RollingHeading, IsTheEndOfTransientRolling) {
   ContactStep step = rolling(4e-3, 6e-3, 10, 10, 0.6);
   step.motion.creepage = {1e-3, -5e-4, 0.3};
   const ContactForces steady = forces_of(step);
-  ContactSequence sequence;
-  step.motion.motion = ContactMotion::transient;
-  ContactStepSolution s;
-  for (int n = 0; n < 40; ++n) {
-    s = sequence.solve(step);
-    step.start = StepStart::previous;
-  }
+  const ContactStepSolution s = rolled(step, 40);
   ASSERT_EQ(s.status, Status::ok);
   EXPECT_NEAR(s.tangential.forces.fx, steady.fx, 2e-2 * std::abs(steady.fx)); // tractions between elements' centres
   EXPECT_NEAR(s.tangential.forces.fy, steady.fy, 2e-2 * std::abs(steady.fx));

@@ -44,17 +44,12 @@ bool same_bits(const std::vector<double>& one, const std::vector<double>& other)
 
 /// Contacts of all kinds, as a batch may bring them: of different friction laws, some invalid.
 std::vector<EllipticContact> mixed_contacts() {
-  RandomContacts random(11);
-  std::vector<EllipticContact> contacts = every_nth_case(101);
-  for (int k = 0; k < 60; ++k) {
-    contacts.push_back(random.next());
-    EllipticContact& contact = contacts.back();
+  return cases_and_random_contacts(101, 11, [](int k, EllipticContact& contact) {
     if (k % 5 == 3)
       contact.friction = FrictionLaw::exponential(0.1, {.drop = 0.3, .half_velocity = 0.02 * contact.rolling_speed});
     if (k % 7 == 4) contact.normal_force = -1;
     if (k % 11 == 5) contact.creepage = {};
-  }
-  return contacts;
+  });
 }
 
 std::vector<ContactForces> solve_batch(RowSolver solver, const std::vector<EllipticContact>& contacts) {
@@ -253,30 +248,30 @@ TEST(RowSolver, FullSlidingGivesTheFrictionForceOnEveryGrid) {
       }
 }
 
-TEST(RowSolver, AreasAddUpToTheEllipse) {
-  const auto cases = every_nth_case(13);
+/// Calls `check` with every n-th case and its forces by all solvers on all grids.
+template <class Check> void for_all_solvers(std::size_t n, const Check& check) {
+  const auto cases = every_nth_case(n);
   for (const auto& [mx, my] : grids)
     for (const RowSolver& solver : all_solvers(mx, my)) {
       SCOPED_TRACE(describe(solver));
       const auto forces = solve_batch(solver, cases);
-      for (std::size_t k = 0; k < cases.size(); ++k) {
-        const double area = ellipse_area(cases[k]);
-        ASSERT_NEAR(forces[k].adhesion_area + forces[k].slip_area, area, 1e-15 * area);
-        ASSERT_GE(forces[k].adhesion_area, 0);
-        ASSERT_GE(forces[k].slip_area, 0);
-      }
+      for (std::size_t k = 0; k < cases.size(); ++k) check(cases[k], forces[k]);
     }
 }
 
+TEST(RowSolver, AreasAddUpToTheEllipse) {
+  for_all_solvers(13, [](const EllipticContact& contact, const ContactForces& forces) {
+    const double area = ellipse_area(contact);
+    ASSERT_NEAR(forces.adhesion_area + forces.slip_area, area, 1e-15 * area);
+    ASSERT_GE(forces.adhesion_area, 0);
+    ASSERT_GE(forces.slip_area, 0);
+  });
+}
+
 TEST(RowSolver, ForceIsNeverLargerThanFriction) {
-  const auto cases = every_nth_case(5);
-  for (const auto& [mx, my] : grids)
-    for (const RowSolver& solver : all_solvers(mx, my)) {
-      SCOPED_TRACE(describe(solver));
-      const auto forces = solve_batch(solver, cases);
-      for (std::size_t k = 0; k < cases.size(); ++k)
-        ASSERT_LE(std::hypot(forces[k].fx, forces[k].fy), friction_force(cases[k]) * (1 + 1e-14));
-    }
+  for_all_solvers(5, [](const EllipticContact& contact, const ContactForces& forces) {
+    ASSERT_LE(std::hypot(forces.fx, forces.fy), friction_force(contact) * (1 + 1e-14));
+  });
 }
 
 /// Longitudinal or lateral creepage alone under the parabolic bound, in closed form: with theta = acos(k), the force

@@ -6,6 +6,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "tests/support/expect_error.hpp"
+#include "tests/support/rolled.hpp"
 #include "tests/support/steel.hpp"
 
 #include <algorithm>
@@ -137,13 +138,7 @@ TEST(SlipFriction, OfASteadyStateStaysInSmallSteps) {
   step.friction_memory = {.distance = 5e-5, .slowest = 1e-2};
   const ContactStepSolution steady = ContactSequence().solve(step);
   ASSERT_EQ(steady.status, Status::ok);
-  ContactSequence sequence;
-  step.motion.motion = ContactMotion::transient;
-  ContactStepSolution s;
-  for (int n = 0; n < 300; ++n) {
-    s = sequence.solve(step);
-    step.start = StepStart::previous;
-  }
+  const ContactStepSolution s = rolled(step, 300);
   ASSERT_EQ(s.status, Status::ok);
   EXPECT_NEAR(s.tangential.forces.fx, steady.tangential.forces.fx, 2e-3 * 0.3 * s.normal_force);
 }

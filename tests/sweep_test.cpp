@@ -152,13 +152,19 @@ TEST(Sweep, RowsByATableDoNotDependOnEachOther) {
                                           example("s.toml")));
 }
 
-TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
-  const campaign::Sweep sweep("[grid]\nbody2.transverse_radius = [0.3, 0.0008]\n" + two_bodies +
-                                  "[case.solution]\ntheory = \"table\"\n",
-                              "s.toml");
+/// The second of two cases by a theory, the first of which is solved.
+Row second_row(const campaign::Sweep& sweep) {
   const campaign::RowWorker worker = sweep.make_worker();
   EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
-  const Row beyond = row_of(sweep, worker, 1);
+  return row_of(sweep, worker, 1);
+}
+campaign::Sweep two_cases(const std::string& varied, const std::string& theory) {
+  return {"[grid]\n" + varied + "\n" + two_bodies + "[case.solution]\ntheory = \"" + theory + "\"\n", "s.toml"};
+}
+
+TEST(Sweep, BeyondATablesRangeTheReasonSaysSo) {
+  const campaign::Sweep sweep = two_cases("body2.transverse_radius = [0.3, 0.0008]", "table");
+  const Row beyond = second_row(sweep);
   EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::out_of_range));
   EXPECT_NE(beyond.reason.find("beyond the creep-force table's range"), std::string::npos) << beyond.reason;
   EXPECT_TRUE(std::isfinite(number(sweep, beyond, "contact/fx")));
@@ -198,12 +204,7 @@ TEST(Sweep, SomeCasesMayBeWrongButNotAll) {
 }
 
 TEST(Sweep, ReasonsOfWhatIsNotSolved) {
-  const campaign::Sweep sweep("[grid]\nmotion.force_longitudinal = [10e3, 30e3]\n" + two_bodies +
-                                  "[case.solution]\ntheory = \"exact\"\n",
-                              "s.toml");
-  const campaign::RowWorker worker = sweep.make_worker();
-  EXPECT_EQ(row_of(sweep, worker, 0).reason, "");
-  const Row beyond = row_of(sweep, worker, 1);
+  const Row beyond = second_row(two_cases("motion.force_longitudinal = [10e3, 30e3]", "exact"));
   EXPECT_EQ(beyond.values.front(), static_cast<double>(Status::no_solution));
   EXPECT_FALSE(beyond.reason.empty());
 }

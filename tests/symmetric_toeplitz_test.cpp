@@ -1,13 +1,13 @@
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 #include "tests/support/fields.hpp"
 #include "tests/support/omp_threads.hpp"
+#include "tests/support/two_threads.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -267,21 +267,14 @@ TEST(SymmetricToeplitz, MovedObjectsWork) {
 
 /// Objects made, used and destroyed in two threads at once.
 TEST(SymmetricToeplitz, DistinctObjectsInDistinctThreads) {
-  std::array<double, 2> worst{};
-  const auto work = [&worst](unsigned thread) {
-    for (unsigned round = 0; round < 40; ++round) {
-      const Shape s{3 + static_cast<int>(7 * thread + round % 9), 5 + static_cast<int>(round % 4)};
-      const RandomKernels kernels(s, 100 * thread + round);
-      SymmetricToeplitz transform = kernels.transform();
-      const Pair p = random_pair(s, 7 * round + thread);
-      worst[thread] = std::max(worst[thread], error(kernels, p, product(transform, s, p)));
-    }
-  };
-  std::thread first(work, 0U), second(work, 1U);
-  first.join();
-  second.join();
-  EXPECT_LT(worst[0], 1e-13);
-  EXPECT_LT(worst[1], 1e-13);
+  const double worst = worst_in_two_threads([](unsigned thread, unsigned round) {
+    const Shape s{3 + static_cast<int>(7 * thread + round % 9), 5 + static_cast<int>(round % 4)};
+    const RandomKernels kernels(s, 100 * thread + round);
+    SymmetricToeplitz transform = kernels.transform();
+    const Pair p = random_pair(s, 7 * round + thread);
+    return error(kernels, p, product(transform, s, p));
+  });
+  EXPECT_LT(worst, 1e-13);
 }
 
 } // namespace

@@ -24,15 +24,10 @@ EllipticContact with_signs(EllipticContact contact, const Signs& signs) {
 }
 
 std::vector<EllipticContact> contacts() {
-  RandomContacts random(21);
-  std::vector<EllipticContact> contacts = every_nth_case(37);
-  for (int k = 0; k < 60; ++k) {
-    contacts.push_back(random.next());
-    EllipticContact& contact = contacts.back();
+  return cases_and_random_contacts(37, 21, [](int k, EllipticContact& contact) {
     if (k % 3 == 0)
       contact.friction = FrictionLaw::rational(0.1, {.drop = 0.3, .half_velocity = 0.01 * contact.rolling_speed});
-  }
-  return contacts;
+  });
 }
 
 /// Solvers with and without slope reduction.

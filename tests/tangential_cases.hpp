@@ -134,4 +134,10 @@ inline void expect_solution(const Problem& p, const TangentialInput& input, cons
   }
 }
 
+inline TangentialInput with_creepage(const Creepage& creepage) {
+  TangentialInput input;
+  input.creepage = creepage;
+  return input;
+}
+
 } // namespace microslip

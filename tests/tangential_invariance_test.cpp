@@ -30,8 +30,7 @@ TEST(TangentialInvariance, MirrorAcrossTheRollingDirection) {
 TEST(TangentialInvariance, ReversedCreepagesReverseTheTractions) {
   const EllipticContact contact = steel_contact(3);
   const Problem p = elliptic(contact, 11, 12);
-  TangentialInput input;
-  input.creepage = scaled_creepage(contact, 0.4, 0.3, 0.5);
+  TangentialInput input = with_creepage(scaled_creepage(contact, 0.4, 0.3, 0.5));
   const TangentialSolution s = solve(p, input);
   input.creepage = scaled_creepage(contact, -0.4, -0.3, -0.5);
   const TangentialSolution r = solve(p, input);
@@ -126,8 +125,7 @@ TEST(TangentialInvariance, UnitsDoNotMatter) {
 TEST(TangentialInvariance, IsHomogeneous) {
   const EllipticContact contact = steel_contact(0.7);
   Problem p = elliptic(contact, 12, 11);
-  TangentialInput input;
-  input.creepage = scaled_creepage(contact, 0.4, -0.5, 0.3);
+  TangentialInput input = with_creepage(scaled_creepage(contact, 0.4, -0.5, 0.3));
   const TangentialSolution s = solve(p, input);
   for (const double k : {0x1p-20, 64.0}) {
     Problem other = p;
@@ -145,8 +143,7 @@ TEST(TangentialInvariance, IsHomogeneous) {
 TEST(TangentialInvariance, SpeedMattersForPowerOnly) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 9, 9);
-  TangentialInput input;
-  input.creepage = scaled_creepage(contact, 0.5, 0.2, 0.1);
+  TangentialInput input = with_creepage(scaled_creepage(contact, 0.5, 0.2, 0.1));
   const TangentialSolution slow = solve(p, input);
   input.rolling_speed = 32;
   const TangentialSolution fast = solve(p, input);

@@ -38,8 +38,7 @@ TEST(TangentialProblem, TheLeadingEdgesCorrectionKnowsTheLayer) {
   const Problem p = elliptic(contact, 12, 12, 2);
   Bodies bodies = p.material;
   bodies.layer.flexibility = 0.2 * contact.a / contact.shear_modulus;
-  TangentialInput input;
-  input.creepage = scaled_creepage(contact, 0.6, 0.2, 0.3);
+  TangentialInput input = with_creepage(scaled_creepage(contact, 0.6, 0.2, 0.3));
   TangentialProblem problem(bodies, p.grid);
   const TangentialSolution plain = problem.solve(p.bound, input);
   input.leading_edge = LeadingEdge{.theta = 1};
@@ -220,8 +219,7 @@ TEST(TangentialProblem, VeryLongSteps) {
 TEST(TangentialProblem, DefaultStepIsAnElement) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 9, 9);
-  TangentialInput input;
-  input.creepage = scaled_creepage(contact, 0.5, 0.1, 0.2);
+  TangentialInput input = with_creepage(scaled_creepage(contact, 0.5, 0.1, 0.2));
   const TangentialSolution s = solve(p, input);
   input.step = p.grid.dx;
   EXPECT_EQ(solve(p, input).tractions.px, s.tractions.px);

@@ -119,6 +119,18 @@ private:
   std::mt19937 engine_;
 };
 
+/// Every n-th case and 60 random contacts, each of which `change` is given with its number.
+template <class Change>
+std::vector<EllipticContact> cases_and_random_contacts(std::size_t n, unsigned seed, const Change& change) {
+  RandomContacts random(seed);
+  std::vector<EllipticContact> contacts = every_nth_case(n);
+  for (int k = 0; k < 60; ++k) {
+    contacts.push_back(random.next());
+    change(k, contacts.back());
+  }
+  return contacts;
+}
+
 inline constexpr std::array all_schemes = {MarchingScheme::fastsim, MarchingScheme::fastsim_half_step,
                                            MarchingScheme::fastsim2};
 inline constexpr std::array all_bounds = {TractionBound::parabolic, TractionBound::elliptic};

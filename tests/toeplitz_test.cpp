@@ -2,6 +2,7 @@
 
 #include "tests/support/expect_error.hpp"
 #include "tests/support/fields.hpp"
+#include "tests/support/two_threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -193,22 +193,15 @@ TEST(Toeplitz, MovedObjectsWork) {
 
 /// Objects made, used and destroyed in two threads at once.
 TEST(Toeplitz, DistinctObjectsInDistinctThreads) {
-  std::array<double, 2> worst{};
-  const auto work = [&worst](unsigned thread) {
-    for (unsigned round = 0; round < 40; ++round) {
-      const Shape s{3 + static_cast<int>(7 * thread + round % 9), 5 + static_cast<int>(round % 4)};
-      const auto kernels = random_kernels(s, 4, 100 * thread + round);
-      const auto in = random_fields(s, 2, 7 * round + thread);
-      ToeplitzTransform transform(s.mx, s.my, 2);
-      const auto out = product(transform, spectra(transform, kernels), in);
-      worst[thread] = std::max(worst[thread], error(s, out, dense_product(s, kernels, in)));
-    }
-  };
-  std::thread first(work, 0U), second(work, 1U);
-  first.join();
-  second.join();
-  EXPECT_LT(worst[0], 1e-14);
-  EXPECT_LT(worst[1], 1e-14);
+  const double worst = worst_in_two_threads([](unsigned thread, unsigned round) {
+    const Shape s{3 + static_cast<int>(7 * thread + round % 9), 5 + static_cast<int>(round % 4)};
+    const auto kernels = random_kernels(s, 4, 100 * thread + round);
+    const auto in = random_fields(s, 2, 7 * round + thread);
+    ToeplitzTransform transform(s.mx, s.my, 2);
+    const auto out = product(transform, spectra(transform, kernels), in);
+    return error(s, out, dense_product(s, kernels, in));
+  });
+  EXPECT_LT(worst, 1e-14);
 }
 
 TEST(Toeplitz, RefusesGridsWithoutElements) {

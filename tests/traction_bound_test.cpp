@@ -1,6 +1,7 @@
 #include "microslip/friction/traction_bound.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
+#include "tests/support/ellipse_integral.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"
 #include "tests/support/steel.hpp"
@@ -17,22 +18,9 @@ using std::numbers::pi;
 
 constexpr auto shapes = {TractionBound::parabolic, TractionBound::elliptic};
 
-/// The bound's integral over the ellipse, on curves where 1 - (x/a)^2 - (y/b)^2 = w^2: both bounds are then polynomials
-/// of degree below 4 in w, for which Simpson's rule is exact.
 double integral(TractionBound shape, double a, double b, double force, double friction) {
-  const int n = 20;
-  double sum = 0;
-  for (int i = 0; i <= n; ++i) {
-    const double w = static_cast<double>(i) / n;
-    const double simpson = (i == 0 || i == n ? 1 : i % 2 == 0 ? 2 : 4) / (3.0 * n);
-    const double r = std::sqrt(1 - w * w);
-    for (int j = 0; j < n; ++j) {
-      const double theta = (j + 0.5) * 2 * pi / n;
-      const double g = traction_bound(shape, a, b, force, friction, a * r * std::cos(theta), b * r * std::sin(theta));
-      sum += g * w * simpson;
-    }
-  }
-  return sum * a * b * 2 * pi / n;
+  return integral_over_ellipse(a, b,
+                               [&](double x, double y) { return traction_bound(shape, a, b, force, friction, x, y); });
 }
 
 TEST(TractionBound, IntegratesToTheSlidingForce) {

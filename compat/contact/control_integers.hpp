@@ -26,6 +26,12 @@ template <class Owner> struct ControlInteger {
   std::span<const Put<Owner>> digits;
 };
 
+/// Digits of the third one, which are the same in modules 1 and 3.
+template <class Owner>
+inline constexpr Put<Owner> third_word[] = {
+    put<Owner, &Digits::xflow>,  put<Owner, &Digits::heat>,   put<Owner, &Digits::gausei>, put<Owner, &Digits::iestim>,
+    put<Owner, &Digits::matfil>, put<Owner, &Digits::output>, put<Owner, &Digits::flow>,   put<Owner, &Digits::solve>};
+
 /// Reads the three control integers, with M2 behind the second one and the line that X asks for behind the third.
 template <class Owner>
 void read_control_integers(Words& words, const std::array<ControlInteger<Owner>, 3>& integers, Damping damping,

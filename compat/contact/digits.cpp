@@ -11,10 +11,6 @@ constexpr Put<Digits> second_word[] = {put<Digits, &Digits::varfrc>, put<Digits,
                                        put<Digits, &Digits::discns>, put<Digits, &Digits::inflcf>,
                                        put<Digits, &Digits::mater>,  put<Digits, &Digits::rznorm>,
                                        put<Digits, &Digits::exrhs>};
-constexpr Put<Digits> third_word[] = {put<Digits, &Digits::xflow>,  put<Digits, &Digits::heat>,
-                                      put<Digits, &Digits::gausei>, put<Digits, &Digits::iestim>,
-                                      put<Digits, &Digits::matfil>, put<Digits, &Digits::output>,
-                                      put<Digits, &Digits::flow>,   put<Digits, &Digits::solve>};
 
 } // namespace
 
@@ -29,8 +25,8 @@ void check_value(const Words& words, const std::string& field, int value, const 
 
 Digits read_digits(Words& words, Damping damping) {
   Digits d;
-  read_control_integers<Digits>(words, {{{"PBTNFS", first_word}, {"VLDCMZE", second_word}, {"XHGIAOWR", third_word}}},
-                                damping, d, d);
+  read_control_integers<Digits>(
+      words, {{{"PBTNFS", first_word}, {"VLDCMZE", second_word}, {"XHGIAOWR", third_word<Digits>}}}, damping, d, d);
   return d;
 }
 

@@ -153,19 +153,7 @@ def check_description(text, report):
         return fmi3_rules.check_description(root, report)
     if root.tag != "fmiModelDescription" or root.get("fmiVersion") != "2.0":
         report("is no description of FMI 2.0")
-    tags = [child.tag for child in root]
-    if tags != [tag for tag in ORDER if tag in tags]:
-        report(f"elements must come once and in the order {', '.join(ORDER)}")
-    for needed in ("CoSimulation", "ModelVariables", "ModelStructure"):
-        if needed not in tags:
-            report(f"{needed} is missing")
-            return None
-    check_attributes(root, report)
-    units = {unit.get("name") for unit in root.iterfind("UnitDefinitions/Unit")}
-    variables = list(root.find("ModelVariables"))
-    check_variables(variables, units, report)
-    check_structure(root.find("ModelStructure"), variables, report)
-    return root.find("CoSimulation").get("modelIdentifier")
+    return fmi3_rules.check_elements(root, sys.modules[__name__], report)
 
 
 # Ends of the names of binaries (section 2.3).

@@ -2,6 +2,7 @@
 of type Float64, Int32 and String, no states, no clocks."""
 
 import re
+import sys
 
 ORDER = ["ModelExchange", "CoSimulation", "ScheduledExecution", "UnitDefinitions", "TypeDefinitions", "LogCategories",
          "DefaultExperiment", "ModelVariables", "ModelStructure", "Annotations"]
@@ -128,18 +129,23 @@ def check_structure(structure, variables, report):
 
 def check_description(root, report):
     """Returns the model identifier."""
-    tags = [child.tag for child in root]
     if root.tag != "fmiModelDescription":
         report("is no description of FMI 3.0")
-    if tags != [tag for tag in ORDER if tag in tags]:
-        report(f"elements must come once and in the order {', '.join(ORDER)}")
+    return check_elements(root, sys.modules[__name__], report)
+
+
+def check_elements(root, rules, report):
+    """The elements of a description by the rules of its version, a module. Returns the model identifier."""
+    tags = [child.tag for child in root]
+    if tags != [tag for tag in rules.ORDER if tag in tags]:
+        report(f"elements must come once and in the order {', '.join(rules.ORDER)}")
     for needed in ("CoSimulation", "ModelVariables", "ModelStructure"):
         if needed not in tags:
             report(f"{needed} is missing")
             return None
-    check_attributes(root, report)
+    rules.check_attributes(root, report)
     units = {unit.get("name") for unit in root.iterfind("UnitDefinitions/Unit")}
     variables = list(root.find("ModelVariables"))
-    check_variables(variables, units, report)
-    check_structure(root.find("ModelStructure"), variables, report)
+    rules.check_variables(variables, units, report)
+    rules.check_structure(root.find("ModelStructure"), variables, report)
     return root.find("CoSimulation").get("modelIdentifier")

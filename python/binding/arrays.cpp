@@ -13,10 +13,14 @@ Shape shape_of(const py::array& array) {
   return {array.shape(), array.shape() + array.ndim()};
 }
 
-template <class T> py::array view_of(const T* values, std::size_t count, const Shape& shape, const py::object& owner) {
+py::ssize_t size_of(const Shape& shape) {
   py::ssize_t size = 1;
   for (const auto extent : shape) size *= extent;
-  if (size != static_cast<py::ssize_t>(count)) return py::array_t<T>(0); // results without fields, as of invalid input
+  return size;
+}
+
+template <class T> py::array view_of(const T* values, std::size_t count, const Shape& shape, const py::object& owner) {
+  if (size_of(shape) != static_cast<py::ssize_t>(count)) return py::array_t<T>(0); // results without fields, as of invalid input
   py::array_t<T> array(shape, values, owner);
   array.attr("flags").attr("writeable") = false;
   return array;
@@ -48,15 +52,17 @@ RealArray real_array(const char* field, const py::object& values) {
 RealArray real_array(const char* field, const py::object& values, const Shape& shape) {
   auto array = real_array(field, values);
   const auto found = shape_of(array);
-  py::ssize_t size = 1;
-  for (const auto extent : shape) size *= extent;
-  if (found != shape && !(found.size() == 1 && found[0] == size))
+  if (found != shape && !(found.size() == 1 && found[0] == size_of(shape)))
     throw Error(std::string(field) + " has shape " + to_text(found) + ": must be " + to_text(shape));
   return array;
 }
 
 std::span<const double> span_of(const RealArray& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+py::array view(const double* values, const Shape& shape, const py::object& owner) {
+  return view_of(values, static_cast<std::size_t>(size_of(shape)), shape, owner);
 }
 
 py::array view(const std::vector<double>& values, const Shape& shape, const py::object& owner) {

@@ -28,6 +28,7 @@ std::span<const double> span_of(const RealArray& array);
 std::string to_text(const Shape& shape);
 
 /// A view of a result's values that keeps the result alive and cannot be written to.
+pybind11::array view(const double* values, const Shape& shape, const pybind11::object& owner);
 pybind11::array view(const std::vector<double>& values, const Shape& shape, const pybind11::object& owner);
 pybind11::array view(const std::vector<CellState>& values, const Shape& shape, const pybind11::object& owner);
 pybind11::array view(const std::vector<unsigned char>& values, const Shape& shape, const pybind11::object& owner);

@@ -154,9 +154,7 @@ void bind_forces(py::module_& module) {
       .def_property_readonly(
           "jacobian",
           [](const py::object& self) {
-            auto array = py::array_t<double>({3, 4}, &self.cast<const ContactDerivatives&>().jacobian[0][0], self);
-            array.attr("flags").attr("writeable") = false;
-            return array;
+            return view(&self.cast<const ContactDerivatives&>().jacobian[0][0], {3, 4}, self);
           },
           "Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-], phi [1/m] and Fn [N],\n"
           "shape (3, 4); that with respect to Fn keeps the ellipse as it is.");

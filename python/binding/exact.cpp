@@ -102,9 +102,7 @@ void bind_results(py::module_& module) {
       .def_property_readonly(
           "jacobian",
           [](const py::object& self) {
-            auto array = py::array_t<double>({3, 3}, &self.cast<const ExactDerivatives&>().jacobian[0][0], self);
-            array.attr("flags").attr("writeable") = false;
-            return array;
+            return view(&self.cast<const ExactDerivatives&>().jacobian[0][0], {3, 3}, self);
           },
           "Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-] and phi [1/m], shape (3, 3).")
       .def_readonly("products", &ExactDerivatives::products, "Products that the derivatives took [-].");

@@ -1,16 +1,11 @@
 """The picture of equivalent conicity shows the numbers of its file, with the standard's band and gaps at jumps."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
-from microslip import plot
-from microslip.picture_style import SETTINGS
-from microslip.result_file import ResultFile
+from tests.figures import figures_written_by
 
 
 def write_conicity(path, gauges, sides=1):
@@ -39,11 +34,7 @@ def write_conicity(path, gauges, sides=1):
 
 class ConicityPictureTest(unittest.TestCase):
     def panels(self, gauges, picture="conicity.png", sides=1):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "result.h5"
-            write_conicity(path, gauges, sides)
-            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-                return plot.pictures(result)[picture].axes
+        return figures_written_by(write_conicity, gauges, sides)[picture].axes
 
     def test_conicity_over_the_amplitude_in_millimetres(self):
         line = self.panels([1.435])[0].lines[0]

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -93,21 +94,16 @@ class CommandLineTest(FolderTest):
             write_history(file)
         self.expect_pictures(["tractions.png", "areas.png", "history.png"])
 
-    def test_a_run_of_contact_cases(self):
-        write_contact_run(self.path)
-        self.expect_pictures(["forces.png", "case_0002.png"])
-
-    def test_fastsim2_table1(self):
-        write_fastsim2_table1(self.path)
-        self.expect_pictures(["fastsim2_figure3.png"])
-
-    def test_fastsim2_table2(self):
-        write_fastsim2_table2(self.path)
-        self.expect_pictures(["fastsim2_figure4.png", "fastsim2_figure5.png"])
-
-    def test_model_problem(self):
-        write_model_problem(self.path)
-        self.expect_pictures(["model_problem.png"])
+    def test_kinds_of_files_have_their_pictures(self):
+        for write, names in ((write_contact_run, ["forces.png", "case_0002.png"]),
+                             (write_fastsim2_table1, ["fastsim2_figure3.png"]),
+                             (write_fastsim2_table2, ["fastsim2_figure4.png", "fastsim2_figure5.png"]),
+                             (write_model_problem, ["model_problem.png"])):
+            with self.subTest(names=names):
+                write(self.path)
+                self.expect_pictures(names)
+                for path in (self.path, self.folder / "pictures"):
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
 
     def test_module_runs_as_a_program_and_draws_beside_the_file(self):
         write_model_problem(self.path)

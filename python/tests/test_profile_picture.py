@@ -1,16 +1,11 @@
 """The picture of a profile shows the numbers of its result file."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
-from microslip import plot
-from microslip.picture_style import SETTINGS
-from microslip.result_file import ResultFile
+from tests.figures import figures_written_by
 
 
 def write_profile(path, role, kinks=(), dimensions=None):
@@ -32,11 +27,7 @@ def write_profile(path, role, kinks=(), dimensions=None):
 
 class ProfilePictureTest(unittest.TestCase):
     def figure(self, *arguments, **named):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "result.h5"
-            write_profile(path, *arguments, **named)
-            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-                return plot.pictures(result)["profile.png"]
+        return figures_written_by(write_profile, *arguments, **named)["profile.png"]
 
     def test_a_rail_with_its_gauge_point_and_kinks(self):
         figure = self.figure("rail", kinks=(30, 60), dimensions={"gauge_y": -0.025, "gauge_z": 0.01})

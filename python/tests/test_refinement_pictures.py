@@ -5,13 +5,10 @@ import unittest
 from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
-from microslip import plot
-from microslip.picture_style import SETTINGS
 from microslip.refinement_pictures import EDGES, slip_ahead
-from microslip.result_file import ResultFile
+from tests.figures import figures_of
 
 LIMIT = 0.7
 
@@ -53,8 +50,7 @@ class RefinementPicturesTest(unittest.TestCase):
         write_refinement(self.path)
 
     def figures(self):
-        with ResultFile(self.path) as result, matplotlib.rc_context(SETTINGS):
-            return plot.pictures(result)
+        return figures_of(self.path)
 
     def test_there_are_pictures_for_all_eight_figures(self):
         self.assertEqual(sorted(self.figures()), ["refinement_figure1.png", "refinement_figure5.png",

@@ -5,13 +5,11 @@ import unittest
 from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
-from microslip import plot
-from microslip.picture_style import SETTINGS
 from microslip.result_file import ResultError, ResultFile
 from microslip.subsurface_pictures import CASES, section
+from tests.figures import figures_of
 
 
 def write_subsurface(path):
@@ -38,8 +36,7 @@ class SubsurfacePicturesTest(unittest.TestCase):
         write_subsurface(self.path)
 
     def panels(self):
-        with ResultFile(self.path) as result, matplotlib.rc_context(SETTINGS):
-            return plot.pictures(result)["subsurface.png"].axes[:len(CASES)]
+        return figures_of(self.path)["subsurface.png"].axes[:len(CASES)]
 
     def test_the_wheel_is_above_the_rail(self):
         with ResultFile(self.path) as result:

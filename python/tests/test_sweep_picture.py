@@ -5,16 +5,15 @@ import unittest
 from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
 from microslip import plot
-from microslip.picture_style import SETTINGS
 from microslip.result_file import ResultError, ResultFile
+from tests.figures import figures_written_by
 
 
-def write_sweep(path, shape=None):
-    """Fx = 1000 x + k, of a word with two values, k = 0 and 1, and x; the last case has none."""
+def write_sweep(path, shape=None, more=None):
+    """Fx = 1000 x + k, of a word with two values, k = 0 and 1, and x; the last case has none. `more` are moments."""
     x, k = np.tile(np.linspace(0, 3, 4), 2), np.repeat([0, 1], 4)
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "sweep", "title": "a test", "version": "0.2.0", "commit": "abc", "parameters": "a.word\na.x"})
@@ -25,16 +24,15 @@ def write_sweep(path, shape=None):
         file["contact/fx"].attrs["unit"] = "N"
         if shape:
             file["shape"] = np.array(shape)
+        for name, values in (more or {}).items():
+            file[name] = values
+            file[name].attrs["unit"] = "N m"
 
 
 class SweepPictureTest(unittest.TestCase):
-    def picture(self, shape):
+    def picture(self, shape, more=None):
         """The axes of the picture."""
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "s.h5"
-            write_sweep(path, shape)
-            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-                return plot.pictures(result)["sweep.png"].axes
+        return figures_written_by(write_sweep, shape, more)["sweep.png"].axes
 
     def test_a_grid_has_a_line_for_each_combination(self):
         (axes,) = self.picture((2, 4))
@@ -44,14 +42,7 @@ class SweepPictureTest(unittest.TestCase):
         self.assertEqual(axes.get_ylabel(), "contact/fx [kN]")
 
     def test_rounding_is_no_curve(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "s.h5"
-            write_sweep(path, (2, 4))
-            with h5py.File(path, "a") as file:
-                file["contact/mz"] = 1e-14 * np.arange(8)
-                file["contact/mz"].attrs["unit"] = "N m"
-            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-                _, moments = plot.pictures(result)["sweep.png"].axes
+        _, moments = self.picture((2, 4), {"contact/mz": 1e-14 * np.arange(8)})
         self.assertEqual({value for line in moments.lines for value in line.get_ydata()}, {0.0})
 
     def test_a_list_has_points_over_its_first_number(self):

@@ -1,16 +1,11 @@
 """The pictures of a wheelset show the numbers of their file."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
-import matplotlib
 import numpy as np
 
-from microslip import plot
-from microslip.picture_style import SETTINGS
-from microslip.result_file import ResultFile
+from tests.figures import figures_written_by
 
 
 def write_wheelset(path, states):
@@ -29,11 +24,7 @@ def write_wheelset(path, states):
 
 class WheelsetPicturesTest(unittest.TestCase):
     def figures(self, states):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "result.h5"
-            write_wheelset(path, states)
-            with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
-                return plot.pictures(result)
+        return figures_written_by(write_wheelset, states)
 
     def test_only_sweeps_have_a_picture(self):
         self.assertEqual(self.figures(1), {})

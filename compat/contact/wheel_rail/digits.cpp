@@ -23,17 +23,14 @@ constexpr Put<AllDigits> second_word[] = {
     put<AllDigits, &WheelRailDigits::varfrc>, put<AllDigits, &Digits::frclaw>, put<AllDigits, &WheelRailDigits::discns>,
     put<AllDigits, &Digits::inflcf>,          put<AllDigits, &Digits::mater>,  put<AllDigits, &WheelRailDigits::ztrack>,
     put<AllDigits, &WheelRailDigits::ewheel>};
-constexpr Put<AllDigits> third_word[] = {put<AllDigits, &Digits::xflow>,  put<AllDigits, &Digits::heat>,
-                                         put<AllDigits, &Digits::gausei>, put<AllDigits, &Digits::iestim>,
-                                         put<AllDigits, &Digits::matfil>, put<AllDigits, &Digits::output>,
-                                         put<AllDigits, &Digits::flow>,   put<AllDigits, &Digits::solve>};
 
 } // namespace
 
 WheelRailDigits read_digits(Words& words, Damping damping, Digits& digits) {
   AllDigits all;
   read_control_integers<AllDigits>(
-      words, {{{"CPBTNFS", first_word}, {"VLDCMZE", second_word}, {"XHGIAOWR", third_word}}}, damping, all, all);
+      words, {{{"CPBTNFS", first_word}, {"VLDCMZE", second_word}, {"XHGIAOWR", third_word<AllDigits>}}}, damping, all,
+      all);
   digits = all;
   return all;
 }

@@ -78,16 +78,22 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
   s.products += first.products;
 }
 
+SecondOrderSolution::SecondOrderSolution(const SecondOrderInput& input, std::size_t elements)
+    : centred(elements, 0), creepage(input.creepage) {
+  if (input.force_x) creepage.longitudinal = 0;
+  if (input.force_y) creepage.lateral = 0;
+}
+
+void SecondOrderSolution::add_found_creepages() {
+  creepage.longitudinal += friction.constant_x;
+  creepage.lateral += friction.constant_y;
+}
+
 SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
-  SecondOrderSolution out;
-  out.creepage = input.creepage;
-  out.centred.assign(bound.size(), 0);
-  if (input.force_x) out.creepage.longitudinal = 0;
-  if (input.force_y) out.creepage.lateral = 0;
+  SecondOrderSolution out(input, bound.size());
   solve_twice(bound, input, out);
+  out.add_found_creepages();
   const FrictionSolution& s = out.friction;
-  out.creepage.longitudinal += s.constant_x;
-  out.creepage.lateral += s.constant_y;
   out.frictional_work = work_on_rigid_slip(contact_, out.creepage, input.variation, s.px, s.py);
   Field sx(bound.size()), sy(sx);
   operator_.apply(s.px, s.py, sx, sy);

@@ -8,6 +8,7 @@
 #include "microslip/exact/newton/friction_newton.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,6 +31,12 @@ struct SecondOrderSolution {
   std::vector<double> ux, uy; ///< displacement difference [m]
   Creepage creepage;
   double frictional_work = 0; ///< per metre rolled [N]
+
+  /// One to be solved for: creepages as given, 0 where a force is.
+  SecondOrderSolution(const SecondOrderInput& input, std::size_t elements);
+  SecondOrderSolution() = default;
+  /// Adds the creepages that were found for the given forces.
+  void add_found_creepages();
 };
 
 /// Steady rolling along +x with forces of second order in the elements' size. Three measures make it so: leading

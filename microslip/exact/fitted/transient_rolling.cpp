@@ -115,17 +115,11 @@ void TransientRolling::take_slip(SecondOrderSolution& out) {
 }
 
 SecondOrderSolution TransientRolling::step(std::span<const double> bound, const SecondOrderInput& input) {
-  SecondOrderSolution out;
-  out.creepage = input.creepage;
-  out.centred.assign(bound.size(), 0);
-  if (input.force_x) out.creepage.longitudinal = 0;
-  if (input.force_y) out.creepage.lateral = 0;
+  SecondOrderSolution out(input, bound.size());
   solve_twice(bound, input, out);
-  const FrictionSolution& s = out.friction;
-  out.creepage.longitudinal += s.constant_x;
-  out.creepage.lateral += s.constant_y;
+  out.add_found_creepages();
   take_slip(out);
-  px_ = s.px, py_ = s.py;
+  px_ = out.friction.px, py_ = out.friction.py;
   ahead_x_.resize(bound.size()), ahead_y_.resize(bound.size());
   Field sx(bound.size()), sy(sx);
   operator_.apply(px_, py_, sx, sy);
