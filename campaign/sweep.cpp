@@ -4,6 +4,7 @@
 #include "cases/wheel_rail_result.hpp"
 #include "io/nearest_word.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/rolling/solver.hpp"
@@ -98,13 +99,31 @@ void add_wheel(Columns<Solved>& all, const std::string& group, int patches, cons
   }
 }
 
-/// What wheels and wheelsets share. `Input` is a WheelRailCase or a WheelsetCase.
-template <class Input, class Solver> class RailwayCases {
+const std::optional<double>& load_of(const io::LoadedWheelState& loaded) {
+  return loaded.vertical_force;
+}
+const WheelsetLoad& load_of(const io::LoadedWheelsetState& loaded) {
+  return loaded.load;
+}
+
+/// What wheels and wheelsets share. `Input` is a WheelRailCase or a WheelsetCase, which `read` reads, of the keys of
+/// `inputs`.
+template <class Input, class Solver, class Solution, auto read, auto inputs> class RailwayKind {
 public:
+  using Solved = Solution;
+
+  static bool needs_new_solver(std::string_view key) {
+    const auto dot = key.rfind('.');
+    const description::Input* const input =
+        dot == std::string_view::npos ? nullptr : inputs().find(key.substr(0, dot), key.substr(dot + 1));
+    return input == nullptr || !input->is_state;
+  }
+  static void check(const io::TomlSection& root, const io::CreepTables& tables) { read(root, tables, nullptr); }
+  static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
+
   /// The state alone is read from case to case, unless something else has changed. The exact theory's solver is new
   /// each time: with what it keeps for the next state the last bits are others.
-  template <class Read>
-  const auto& state(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Read& read) {
+  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
     is_new = is_new || !solver_;
     if (is_new)
       input_ = read(root, tables, nullptr);
@@ -112,9 +131,10 @@ public:
       input_->states = io::read_states(root, *input_);
     if (is_new || input_->method.level == WheelRailLevel::exact)
       solver_.emplace(io::solver_of(*input_, input_->method));
-    return input_->states.front();
+    if constexpr (requires { solver_->reset(); }) solver_->reset(); // cases do not depend on each other
+    const auto& loaded = input_->states.front();
+    return solver_->solve(loaded.state, load_of(loaded), progress);
   }
-  Solver& solver() { return *solver_; }
 
 private:
   std::optional<Input> input_;
@@ -122,41 +142,20 @@ private:
 };
 
 /// A wheel on a rail.
-class WheelKind {
+class WheelKind : public RailwayKind<io::WheelRailCase, WheelRail, WheelRailSolution, io::read_wheel_rail_case,
+                                     description::wheel_inputs> {
 public:
-  using Solved = WheelRailSolution;
-
   static Columns<Solved> columns(const SweepSpec& spec) {
     Columns<Solved> all;
     add_wheel(all, "", spec.patches(), [](const Solved& s) -> const WheelRailSolution& { return s; });
     return all;
   }
-  static bool needs_new_solver(std::string_view key) {
-    const auto of_state = state_quantities();
-    return key != "wheel.vertical_force" && std::none_of(of_state.begin(), of_state.end(), [&](const StateQuantity& q) {
-             return key == std::string(q.section) + "." + std::string(q.name);
-           });
-  }
-  static void check(const io::TomlSection& root, const io::CreepTables& tables) {
-    io::read_wheel_rail_case(root, tables);
-  }
-
-  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
-    const io::LoadedWheelState& s = cases_.state(root, tables, is_new, io::read_wheel_rail_case);
-    cases_.solver().reset(); // rows do not depend on each other
-    return cases_.solver().solve(s.state, s.vertical_force, progress);
-  }
-  static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
-
-private:
-  RailwayCases<io::WheelRailCase, WheelRail> cases_;
 };
 
 /// Both wheels of a wheelset.
-class WheelsetKind {
+class WheelsetKind : public RailwayKind<io::WheelsetCase, WheelsetOnTrack, WheelsetSolution, io::read_wheelset_case,
+                                        description::wheelset_inputs> {
 public:
-  using Solved = WheelsetSolution;
-
   static Columns<Solved> columns(const SweepSpec& spec) {
     Columns<Solved> all = {{{"wheelset/status", "-", status_codes}, [](const Solved& s) { return code_of(s.status); }},
                            warning_column<Solved>("wheelset/", [](const Solved& s) { return s.warnings; })};
@@ -167,28 +166,6 @@ public:
     add_wheel(all, "right/", spec.patches(), [](const Solved& s) -> const WheelRailSolution& { return s.right; });
     return all;
   }
-  static bool needs_new_solver(std::string_view key) {
-    const auto of_state = wheelset_state_quantities();
-    const auto forces = prescribed_forces();
-    const auto is_key = [&](std::string_view section, std::string_view name) {
-      return key == std::string(section) + "." + std::string(name);
-    };
-    return std::none_of(of_state.begin(), of_state.end(),
-                        [&](const auto& q) { return is_key(q.of_wheel->section, q.name); }) &&
-           std::none_of(forces.begin(), forces.end(), [&](const auto& f) { return is_key("wheel", f.name); });
-  }
-  static void check(const io::TomlSection& root, const io::CreepTables& tables) {
-    io::read_wheelset_case(root, tables);
-  }
-
-  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
-    const io::LoadedWheelsetState& s = cases_.state(root, tables, is_new, io::read_wheelset_case);
-    return cases_.solver().solve(s.state, s.load, progress);
-  }
-  static std::string reason(const Solved& solved) { return std::string(to_string(solved.reason)); }
-
-private:
-  RailwayCases<io::WheelsetCase, WheelsetOnTrack> cases_;
 };
 
 /// The case file's table, with the parameters of one case after the other.

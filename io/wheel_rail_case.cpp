@@ -213,6 +213,19 @@ bool varies(const std::vector<Sweep>& sweeps, std::string_view name) {
   return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; });
 }
 
+/// The sections that have states, and their sweeps.
+struct StateSections {
+  TomlSection root, wheel;
+  std::vector<Sweep> sweeps;
+  bool pitch_is_given;
+};
+
+StateSections state_sections(const TomlSection& file, const description::InputTable& inputs) {
+  const TomlSection root = file.described_by(inputs), wheel = root.required_section("wheel");
+  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(inputs));
+  return {root, wheel, sweeps, wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity")};
+}
+
 /// A number of the state before any sweep. What a sweep varies, and what may be left out without a default, is 0 then.
 double number_of_state(const TomlSection& root, std::string_view section_name, std::string_view name,
                        const std::vector<Sweep>& sweeps) {
@@ -414,10 +427,7 @@ WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& t
 }
 
 std::vector<LoadedWheelState> read_states(const TomlSection& file, const WheelRailCase& of) {
-  const TomlSection root = file.described_by(description::wheel_inputs());
-  const TomlSection wheel = root.required_section("wheel");
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
-  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  const auto& [root, wheel, sweeps, pitch_is_given] = state_sections(file, description::wheel_inputs());
   auto states = states_of(read_state(root, wheel, sweeps), sweeps, pitch_is_given, of.wheelset.nominal_radius);
   for (const LoadedWheelState& loaded : states) check_place_along_track(root, of.rail, loaded.state);
   return states;
@@ -447,10 +457,7 @@ WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tabl
 }
 
 std::vector<LoadedWheelsetState> read_states(const TomlSection& file, const WheelsetCase& of) {
-  const TomlSection root = file.described_by(description::wheelset_inputs());
-  const TomlSection wheel = root.required_section("wheel");
-  const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheelset_inputs()));
-  const bool pitch_is_given = wheel.has("pitch_velocity") || varies(sweeps, "pitch_velocity");
+  const auto& [root, wheel, sweeps, pitch_is_given] = state_sections(file, description::wheelset_inputs());
   auto states = states_of(wheel, read_wheelset_state(root, wheel, sweeps), sweeps, pitch_is_given);
   for (const LoadedWheelsetState& loaded : states) {
     check_place_along_track(root, of.rail, loaded.state.left);

@@ -32,12 +32,19 @@ std::vector<microslip_contact> c_forms(const std::vector<EllipticContact>& conta
   return all;
 }
 
+/// What a call finds for contacts, all at once.
+template <class Found, class Call>
+std::vector<Found> found_by(const Call& call, const Solver& solver, const std::vector<microslip_contact>& contacts) {
+  std::vector<Found> found(contacts.size());
+  EXPECT_EQ(call(solver.get(), contacts.size(), contacts.data(), found.data()), MICROSLIP_OK);
+  return found;
+}
+
 TEST(CFastsim2, ForcesAreThoseOfTheLibraryToTheLastBit) {
   const std::vector<EllipticContact> contacts = every_nth_case(7); // several chunks, the last not full
   const std::vector<microslip_contact> all = c_forms(contacts);
-  std::vector<microslip_forces> together(all.size());
   const Solver solver = make();
-  ASSERT_EQ(microslip_fastsim2_solve(solver.get(), all.size(), all.data(), together.data()), MICROSLIP_OK);
+  const auto together = found_by<microslip_forces>(microslip_fastsim2_solve, solver, all);
   Fastsim2 wanted;
   for (std::size_t k = 0; k < all.size(); ++k) {
     microslip_forces alone;
@@ -50,12 +57,9 @@ TEST(CFastsim2, ForcesAreThoseOfTheLibraryToTheLastBit) {
 
 TEST(CFastsim2, DerivativesAreThoseOfTheLibraryToTheLastBit) {
   const std::vector<EllipticContact> contacts = every_nth_case(23);
-  const std::vector<microslip_contact> all = c_forms(contacts);
-  std::vector<microslip_derivatives> found(all.size());
-  const Solver solver = make();
-  ASSERT_EQ(microslip_fastsim2_differentiate(solver.get(), all.size(), all.data(), found.data()), MICROSLIP_OK);
+  const auto found = found_by<microslip_derivatives>(microslip_fastsim2_differentiate, make(), c_forms(contacts));
   Fastsim2 wanted;
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
     const ContactDerivatives derivatives = wanted.differentiate(contacts[k]);
     EXPECT_TRUE(same(found[k].forces, derivatives.forces)) << k;
     EXPECT_EQ(std::memcmp(found[k].jacobian, derivatives.jacobian, sizeof derivatives.jacobian), 0) << k;

@@ -20,7 +20,8 @@ py::ssize_t size_of(const Shape& shape) {
 }
 
 template <class T> py::array view_of(const T* values, std::size_t count, const Shape& shape, const py::object& owner) {
-  if (size_of(shape) != static_cast<py::ssize_t>(count)) return py::array_t<T>(0); // results without fields, as of invalid input
+  if (size_of(shape) != static_cast<py::ssize_t>(count))
+    return py::array_t<T>(0); // results without fields, as of invalid input
   py::array_t<T> array(shape, values, owner);
   array.attr("flags").attr("writeable") = false;
   return array;
