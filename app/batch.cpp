@@ -532,16 +532,16 @@ void add_batch_command(Command& program, int& exit_code) {
                      "a creep-force table made by `microslip table make`; default: the one that microslip has");
   command.add_option("--grid MXxMY", arguments.grid,
                      "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
-  solution.add(command, "bound", arguments.bound, false);
-  solution.add(command, "flexibility", arguments.flexibility, false);
-  solution.add(command, "coefficients", arguments.coefficients, false);
+  solution.add(command, "bound", arguments.bound, "", true);
+  solution.add(command, "flexibility", arguments.flexibility, "", true);
+  solution.add(command, "coefficients", arguments.coefficients, "", true);
   command
       .add_option("--precision " + choices<Precision>(), arguments.precision,
                   "of FASTSIM and FASTSIM2: single takes about half the time, forces are accurate to 1e-5 of mu Fn")
       .capture_default_str();
   arguments.motion.add(command, "direction", arguments.direction);
-  solution.add(command, "discretisation", arguments.discretisation, false);
-  solution.add(command, "elements", arguments.elements, false);
+  solution.add(command, "discretisation", arguments.discretisation, "", true);
+  solution.add(command, "elements", arguments.elements, "", true);
   solution.add(command, "tolerance", arguments.tolerance);
   command.add_option("--threads COUNT", arguments.threads,
                      "threads, 1 to 1024; results do not depend on it; default: one for each processor");

@@ -4,7 +4,6 @@
 #include "microslip/description/input.hpp"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,28 +16,22 @@ class InputOptions {
 public:
   /// `prefix` makes --wheel-unit of unit, `of` says in texts what it concerns.
   explicit InputOptions(const description::InputTable& table, std::string_view section = "", std::string prefix = "",
-                        const std::string& of = "");
+                        const std::string& of = "")
+      : table_(&table), section_(section), prefix_(std::move(prefix)), of_(of.empty() ? "" : of + ": ") {}
 
   /// The option's name with its dashes.
   std::string name(std::string_view key) const;
-  /// Add an option. Its value becomes the default, if there is one.
-  CommandOption add(Command& command, std::string_view key, double& value);
-  CommandOption add(Command& command, std::string_view key, std::optional<double>& value);
-  CommandOption add(Command& command, std::string_view key, int& value);
-  /// `type` stands in place of the values in texts, "FROM TO STEP".
-  CommandOption add(Command& command, std::string_view key, std::vector<double>& values, const std::string& type);
-  /// A word; empty where the option is left out, if it has no default or `has_default` is false.
-  CommandOption add(Command& command, std::string_view key, std::string& word, bool has_default = true);
-  CommandOption add_text(Command& command, std::string_view key, std::string& text, const std::string& type);
+  /// Adds an option. A number, a list of numbers or a word becomes the default, if there is one; an optional number,
+  /// and a word with `is_given_only`, stay empty where the option is left out. `type` stands in place of the value in
+  /// texts, "FROM TO STEP"; of words these.
+  template <class Value>
+  CommandOption add(Command& command, std::string_view key, Value& value, std::string type = "VALUE",
+                    bool is_given_only = false);
 
   /// Throws Error with option, value, unit and range for a number out of bounds or an unknown word.
   void require() const;
 
 private:
-  const description::Input& input(std::string_view key) const;
-  template <class Value>
-  CommandOption add_option(Command& command, std::string_view key, Value& value, const std::string& type);
-
   const description::InputTable* table_;
   std::string_view section_;
   std::string prefix_, of_;

@@ -12,11 +12,11 @@ ProfileOptions::ProfileOptions(const std::string& prefix, const std::string& of)
 void add_profile_options(Command& command, ProfileOptions& options) {
   InputOptions& inputs = options.inputs;
   inputs.add(command, "format", options.format);
-  inputs.add_text(command, "unit", options.unit, "mm|m|in");
+  inputs.add(command, "unit", options.unit, "mm|m|in");
   inputs.add(command, "scale", options.scale);
   inputs.add(command, "y_axis", options.y_axis);
   inputs.add(command, "z_axis", options.z_axis);
-  inputs.add(command, "section", options.section);
+  inputs.add(command, "section", options.section, "COUNT");
   inputs.add(command, "trim", options.trim, "Y1 Y2").expected(2);
   inputs.add(command, "smoothing_length", options.smoothing_length);
 }

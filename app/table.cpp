@@ -189,11 +189,11 @@ void add_make(Command& table, int& exit_code) {
   InputOptions& inputs = arguments.inputs;
   inputs.add(command, "poisson_ratio", making.axes.poisson_ratios, "NU...");
   inputs.add(command, "axis_ratio", arguments.range, "LEAST LARGEST").expected(2);
-  inputs.add(command, "ratios", making.axes.ratios);
-  inputs.add(command, "levels", making.axes.levels);
-  inputs.add(command, "elevations", making.axes.elevations);
-  inputs.add(command, "azimuths", making.axes.azimuths);
-  inputs.add(command, "elements", making.elements);
+  inputs.add(command, "ratios", making.axes.ratios, "COUNT");
+  inputs.add(command, "levels", making.axes.levels, "COUNT");
+  inputs.add(command, "elevations", making.axes.elevations, "COUNT");
+  inputs.add(command, "azimuths", making.axes.azimuths, "COUNT");
+  inputs.add(command, "elements", making.elements, "COUNT");
   command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
   add_json_flag(command, arguments.json);
 }

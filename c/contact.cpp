@@ -20,7 +20,6 @@ FrictionTerm term_of(const microslip_contact& contact, int i) {
 
 /// microslip_friction_law numbers the laws as the library does.
 constexpr int laws = static_cast<int>(FrictionLaw::names.size());
-static_assert(laws == MICROSLIP_EXPONENTIAL + 1);
 
 /// Throws Error, for which it allocates, if a number is out of range.
 FrictionLaw friction_of(const microslip_contact& contact) {

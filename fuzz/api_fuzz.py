@@ -91,14 +91,18 @@ class Draw(random.Random):
 # What problems are made of.
 
 
+LAWS = next(one["words"] for one in microslip.inputs("bodies") if one["key"] == "law")
+
+
 def friction(draw):
     law = microslip.FrictionLaw
     term = lambda: (draw.number(0, 0.3), draw.scale(1e-3, 10))
-    return draw.choice((
-        lambda: draw.number(0.05, 0.6), lambda: law.coulomb(draw.number(0.05, 0.6)),
-        lambda: law.exponential(draw.number(0.05, 0.4), term()), lambda: law.linear(draw.number(0.05, 0.4), term(), term()),
-        lambda: law.rational(draw.number(0.05, 0.4), term()), lambda: law.polach(draw.number(0.1, 0.5), draw.number(0, 1), draw.scale(0.01, 1)),
-    ))()
+    arguments = {"coulomb": lambda: (draw.number(0.05, 0.6),),
+                 "polach": lambda: (draw.number(0.1, 0.5), draw.number(0, 1), draw.scale(0.01, 1))}
+    name = draw.choice((None, *LAWS))
+    if name is None:
+        return draw.number(0.05, 0.6)
+    return getattr(law, name)(*arguments.get(name, lambda: (draw.number(0.05, 0.4), term(), *draw.choice(((), (term(),)))))())
 
 
 def creepage(draw):

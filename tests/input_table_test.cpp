@@ -1,4 +1,4 @@
-// The tables of inputs, the annotated examples, the fuzzer's dictionary and the library's defaults agree.
+// The tables of inputs, the annotated examples and the library's defaults agree.
 
 #include "microslip/description/input.hpp"
 
@@ -149,14 +149,6 @@ TEST(InputTable, AnnotatedExamplesSayItsDefaults) {
         EXPECT_EQ(text, input->missing_word) << key;
     }
   EXPECT_GT(count, 30);
-}
-
-TEST(InputTable, FuzzersKnowEveryKey) {
-  std::ifstream file(MICROSLIP_SOURCE_DIR "/fuzz/case_file.dict");
-  const std::string text((std::istreambuf_iterator<char>(file)), {});
-  for (const Kind& kind : kinds())
-    for (const Input& input : kind.table.inputs())
-      EXPECT_NE(text.find('"' + std::string(input.key)), std::string::npos) << input.key;
 }
 
 TEST(InputTable, DefaultsAreTheLibrarys) {

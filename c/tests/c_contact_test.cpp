@@ -1,7 +1,11 @@
 #include "c/tests/c_cases.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/version.hpp"
+#include "paths.hpp"
+#include "tests/support/files.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 
@@ -28,6 +32,19 @@ TEST(CContact, CheckNamesTheFieldItsValueAndTheRange) {
   EXPECT_EQ(microslip_contact_check(nullptr, &error), MICROSLIP_NULL_POINTER);
   EXPECT_STREQ(error.text, "contact is NULL");
   EXPECT_EQ(microslip_contact_check(nullptr, nullptr), MICROSLIP_NULL_POINTER);
+}
+
+/// The header and the Fortran module number the laws as the library does.
+TEST(CContact, FrictionLawsAreThoseOfTheLibrary) {
+  const std::string header = contents(MICROSLIP_SOURCE_DIR "/c/include/microslip.h"),
+                    fortran = contents(MICROSLIP_SOURCE_DIR "/c/fortran/microslip.f90");
+  for (std::size_t k = 0; k < FrictionLaw::names.size(); ++k) {
+    const std::string value = "microslip_" + std::string(FrictionLaw::names[k]) + " = " + std::to_string(k);
+    EXPECT_NE(fortran.find(value), std::string::npos) << value;
+    std::string capital = value;
+    std::transform(value.begin(), value.end(), capital.begin(), [](unsigned char c) { return std::toupper(c); });
+    EXPECT_NE(header.find(capital), std::string::npos) << capital;
+  }
 }
 
 TEST(CContact, CheckNamesTheTermOfAFallingLaw) {

@@ -61,8 +61,7 @@ std::vector<Input> all_inputs() {
        {
            word("law", friction_laws, "coulomb", "how friction depends on the slip velocity v"),
            number("coefficient", "-", coefficient, "coulomb: coefficient of friction"),
-           number("kinetic_coefficient", "-", coefficient,
-                  "linear, rational, exponential: coefficient at large slip velocities"),
+           number("kinetic_coefficient", "-", coefficient, "falling laws: coefficient at large slip velocities"),
            number("drop", "-", coefficient, "the same: what is added to it where nothing slips"),
            number("half_velocity", "m/s", positive, "the same: slip velocity at which half of that is left"),
            number("second_drop", "-", coefficient, "drop of a second term"),

@@ -7,7 +7,9 @@
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
 
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace microslip::python {
 namespace {
@@ -15,6 +17,12 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 using Term = std::pair<double, double>;
+
+/// Of the laws by FrictionLaw::names.
+constexpr std::array<std::string_view, FrictionLaw::names.size()> formulas = {
+    "mu_k", "mu_k + sum d_i max(0, 1 - v/(2 v_i))", "mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)",
+    "mu_k + sum d_i 2^(-v/v_i)"};
+static_assert(!formulas.back().empty());
 
 FrictionTerm term(const Term& given) {
   return {given.first, given.second};
@@ -40,13 +48,13 @@ double coefficient_at(const FrictionLaw& law, double velocity) {
 } // namespace
 
 void bind_friction(py::module_& module) {
-  auto law = py::class_<FrictionLaw>(
-      module, "FrictionLaw",
-      "The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:\n"
-      "mu_k + sum d_i max(0, 1 - v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);\n"
-      "exponential: mu_k + sum d_i 2^(-v/v_i); polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair\n"
-      "(drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient outside [0, 10] or a\n"
-      "velocity that is not positive. FrictionLaw() is frictionless.");
+  std::string text = "The friction coefficient mu as a function of the slip velocity v [m/s]:\n";
+  for (std::size_t k = 0; k < FrictionLaw::names.size(); ++k)
+    text.append(FrictionLaw::names[k]).append(": ").append(formulas[k]).append(";\n");
+  text += "polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]).\n"
+          "Makers raise Error for a coefficient outside [0, 10] or a velocity that is not positive.\n"
+          "FrictionLaw() is frictionless.";
+  auto law = py::class_<FrictionLaw>(module, "FrictionLaw", text.c_str());
   law.def(py::init<>(), "Frictionless, mu = 0 [-].")
       .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].");
   bind_falling_laws(law);

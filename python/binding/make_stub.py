@@ -4,6 +4,7 @@ PYTHONPATH=build/release/share/microslip/python python3 python/binding/make_stub
 """
 
 import enum
+import json
 import re
 import sys
 
@@ -23,25 +24,12 @@ from numpy.typing import ArrayLike, NDArray
 '''
 
 # Arguments that take words, and those that take more than their C++ type says.
-TYPES_OF_ARGUMENTS = {
-    "bound": 'Literal["parabolic", "elliptic"]',
-    "flexibility": 'Literal["three", "one", "blended"]',
-    "coefficients": 'Literal["kalker", "computed"]',
-    "direction": 'Literal["forward", "backward"]',
-    "discretisation": 'Literal["second_order", "classical"]',
-    "elements": 'Literal["constant", "bilinear"]',
-    "coupling": 'Literal["newton", "alternating"]',
-    "slip_start": 'Literal["below", "above"]',
+TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for kind in ("bodies", "wheel", "conicity")
+                      for key, words in ((one["key"], one["words"]) for one in microslip.inputs(kind)) if words} | {
     "side": 'Literal["left", "right"]',
-    "theory": 'Literal["fastsim2", "exact", "table"]',
-    "shape": 'Literal["flat", "curved", "conformal"]',
     "motion": 'Literal["steady", "transient", "shift"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
-    "roll": 'Literal["equilibrium", "none"]',
     "kind": 'Literal["rail", "wheel"]',
-    "format": 'Literal["simpack", "miniprof", "columns"]',
-    "y_axis": 'Literal["field", "gauge"]',
-    "z_axis": 'Literal["up", "down"]',
     "body": "Literal[1, 2]",
     "friction": "FrictionLaw | float",
     "WheelRail.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",

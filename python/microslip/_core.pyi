@@ -821,11 +821,14 @@ class ForceArrays:
         attrs what result it is, and the version; needs xarray."""
 
 class FrictionLaw:
-    """The friction coefficient mu as a function of the slip velocity v [m/s]. coulomb: mu; linear:
-    mu_k + sum d_i max(0, 1 - v/(2 v_i)); rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);
-    exponential: mu_k + sum d_i 2^(-v/v_i); polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair
-    (drop d [-], half_velocity v_i [m/s]). Makers raise Error for a coefficient outside [0, 10] or a
-    velocity that is not positive. FrictionLaw() is frictionless."""
+    """The friction coefficient mu as a function of the slip velocity v [m/s]:
+    coulomb: mu_k;
+    linear: mu_k + sum d_i max(0, 1 - v/(2 v_i));
+    rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);
+    exponential: mu_k + sum d_i 2^(-v/v_i);
+    polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]).
+    Makers raise Error for a coefficient outside [0, 10] or a velocity that is not positive.
+    FrictionLaw() is frictionless."""
     def __init__(self) -> None:
         """Frictionless, mu = 0 [-]."""
     @staticmethod
