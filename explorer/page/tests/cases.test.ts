@@ -156,7 +156,7 @@ test("what the page does not have is named", async () => {
   const rolling = example("hertzian_contact.toml"), wheel = example("wheel_on_rail.toml");
   const classical = replaced(rolling, '"second_order"', '"classical"'), lacking = "the page does not have this of the case: ";
   for (const [text, why] of [
-    [replaced(classical, 'poisson_ratio = 0.28\n\n# [layer]', 'poisson_ratio = 0.3\n\n# [layer]'), `${lacking}body2.poisson_ratio`],
+    [replaced(classical, 'poisson_ratio = 0.28\n\n# [ellipse]', 'poisson_ratio = 0.3\n\n# [ellipse]'), `${lacking}body2.poisson_ratio`],
     [replaced(classical, 'spin = "0.4 1/m"', 'spin = "0.4 1/m"\nstep = "0.3 mm"'), `${lacking}motion.step`],
     [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nsecond_drop = 0.1\nsecond_half_velocity = 2 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.second_drop, friction.second_half_velocity`],
     [replaced(rolling, "creepage_longitudinal = 0.0018", "creepage_longitudinal = 50"), "motion.creepage_longitudinal = 50: must be in [-2, 2]"],
