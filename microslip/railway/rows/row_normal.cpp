@@ -26,7 +26,7 @@ RowNormal::RowNormal(std::size_t most_rows) : equations_(most_rows) {
     row->resize(most_rows);
   system_.resize(2 * most_rows * columns_of(2 * most_rows));
   right_.resize(2 * most_rows), per_lowering_.resize(2 * most_rows);
-  in_contact_.resize(most_rows);
+  in_contact_.resize(most_rows), times_left_.resize(most_rows);
   active_.reserve(most_rows), near_.reserve(most_rows), is_near_.resize(most_rows);
 }
 
@@ -122,15 +122,19 @@ void RowNormal::solve_system(bool linear) {
 }
 
 /// Rows whose load would pull leave the contact, or else those that would overlap come into it. Returns whether any
-/// does.
+/// does. Rows with a kappa that follows their load may fit neither in nor out, by next to nothing: after leaving a few
+/// times they stay out unless they overlap by more than that.
 bool RowNormal::change_contact(bool linear, double length, double lowering) {
+  constexpr int few_times = 3;
+  constexpr double rounding = 1e-12, next_to_nothing = 1e-3; // of the length
   const RowEquations& e = equations_;
   const std::size_t n = active_.size();
   bool changed = false;
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     largest = std::max(largest, right_[i]);
-    if (!(right_[i] > 0)) in_contact_[near_[active_[i]]] = 0, changed = true;
+    const std::size_t row = near_[active_[i]];
+    if (!(right_[i] > 0)) in_contact_[row] = 0, ++times_left_[row], changed = true;
   }
   if (changed && largest > 0) return true;
   for (std::size_t j = 0; j < near_.size(); ++j) {
@@ -140,7 +144,8 @@ bool RowNormal::change_contact(bool linear, double length, double lowering) {
       gap += e.gap_by_load(j, active_[i]) * right_[i] * e.largest();
       if (!linear) gap += e.gap_by_kappa(j, active_[i]) * right_[n + i];
     }
-    if (gap < -1e-12 * length) in_contact_[near_[j]] = 1, changed = true;
+    const double overlap = times_left_[near_[j]] < few_times ? rounding : next_to_nothing;
+    if (gap < -overlap * length) in_contact_[near_[j]] = 1, changed = true;
   }
   return changed;
 }
@@ -157,6 +162,7 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, bool linear, 
       constant_[j] += e.gap_by_load(j, k) * e.load(k);
       turn_constant_[j] += e.turn_by_load(j, k) * e.load(k);
     }
+  std::fill_n(times_left_.begin(), count_, 0);
   for (int sets = 0; sets < most_sets; ++sets) {
     active_.clear();
     for (std::size_t j = 0; j < near_.size(); ++j)

@@ -67,6 +67,7 @@ private:
   std::vector<double> load_, log_kappa_, half_length_, width_;
   std::vector<double> next_load_, change_; ///< of loads, and by how much ln(kappa) changes
   std::vector<char> in_contact_;
+  std::vector<int> times_left_;   ///< the contact, in a step
   std::vector<std::size_t> near_; ///< those of the equations: the others have no part in a step
   std::vector<char> is_near_;
   std::vector<std::size_t> active_; ///< those of the equations that are in contact
