@@ -26,6 +26,7 @@ void solve(WheelRail& solver, const io::LoadedWheelState& given, WheelRailSoluti
 }
 void solve(WheelsetOnTrack& solver, const io::LoadedWheelsetState& given, WheelsetSolution& solution,
            const Progress& progress) {
+  solver.reset();
   solver.solve(given.state, given.load, solution, progress);
 }
 

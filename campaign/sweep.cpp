@@ -131,7 +131,7 @@ public:
       input_->states = io::read_states(root, *input_);
     if (is_new || input_->method.level == WheelRailLevel::exact)
       solver_.emplace(io::solver_of(*input_, input_->method));
-    if constexpr (requires { solver_->reset(); }) solver_->reset(); // cases do not depend on each other
+    solver_->reset(); // cases do not depend on each other
     const auto& loaded = input_->states.front();
     return solver_->solve(loaded.state, load_of(loaded), progress);
   }

@@ -312,6 +312,7 @@ WheelsetResult solve_case(const io::WheelsetCase& input, const Progress& progres
   WheelsetOnTrack solver = io::solver_of(input, method);
   auto result =
       solve_states<WheelsetResult>(input, progress, [&](const io::LoadedWheelsetState& s, const Progress& within) {
+        solver.reset();
         return solver.solve(s.state, s.load, within);
       });
   for (const auto* profile : {&input.right_rail, &input.right_wheel})

@@ -83,6 +83,7 @@ TEST(WheelsetOnTrack, BalancesTheForcesThatItIsGiven) {
     EXPECT_NEAR(force_z, load, 1e-9 * load);
     EXPECT_NEAR(moment_x, moment, 1e-3 * load); // patches are not points
     // What was found, given again.
+    wheelset.reset();
     const WheelsetSolution again = wheelset.solve(at(state, s));
     EXPECT_EQ(again.force.z, s.force.z);
     EXPECT_EQ(again.moment.y, s.moment.y);

@@ -139,6 +139,7 @@ DifferentiatedWheelset differentiate(PythonWheelset& self, const py::kwargs& giv
   DifferentiatedWheelset out;
   WheelsetDerivatives d;
   self.run([&, state = state, load = load](WheelsetOnTrack& solver, const Progress& progress) {
+    solver.reset();
     solver.differentiate(state, load, out.solution, d, progress);
   });
   out.jacobian.assign(d.values.begin(), d.values.end());
@@ -209,6 +210,7 @@ void bind_wheelset_on_track(py::module_& module) {
           [](PythonWheelset& self, const py::kwargs& given) {
             const auto [state, load] = given_wheelset(given);
             return self.run([&, state = state, load = load](WheelsetOnTrack& solver, const Progress& progress) {
+              solver.reset();
               return solver.solve(state, load, progress);
             });
           },

@@ -82,7 +82,6 @@ struct WheelsetOnTrack::Workspace {
 
   void solve(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
     out.residual = 0, iterations = 0, evaluations = 0;
-    wheels.reset(), first().reset();
     if (is_valid(state, load))
       find_balance(state, load, out);
     else
@@ -112,6 +111,7 @@ private:
   /// level exact from there on.
   void find_balance(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
     if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
+    wheels.reset(), first().reset();
     if (!start(load, state)) return leave_unsolved(state, Status::no_contact, out);
     evaluate(first(), state, out);
     const WheelsetEquations equations(state, load, wheels, out.force.z);
@@ -293,6 +293,10 @@ WheelsetSolution WheelsetOnTrack::solve(const WheelsetState& state, const Wheels
   WheelsetSolution solution;
   solve(state, load, solution, progress);
   return solution;
+}
+
+void WheelsetOnTrack::reset() {
+  workspace_->wheels.reset(), workspace_->first().reset();
 }
 
 void WheelsetOnTrack::differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,

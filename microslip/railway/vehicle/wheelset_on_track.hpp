@@ -94,6 +94,8 @@ public:
   void solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
              const Progress& progress = {});
   WheelsetSolution solve(const WheelsetState& state, const WheelsetLoad& load = {}, const Progress& progress = {});
+  /// Forgets the last state, from which wheels where nothing is prescribed start, as WheelRail::reset() does.
+  void reset();
 
   /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of
   /// what is not solved are zero.
