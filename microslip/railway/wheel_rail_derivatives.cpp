@@ -80,7 +80,8 @@ WheelState<double> moved(WheelState<double> state, std::size_t number, double st
   return state;
 }
 
-/// From derivatives with the height held to those with the vertical force held, by the implicit function theorem.
+/// From derivatives with the height held to those with the vertical force held, by the implicit function theorem; other
+/// numbers follow by (W8) and (W9).
 BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   const Wrench& by_height = height_held.by[height_number];
   BasicDerivatives out;

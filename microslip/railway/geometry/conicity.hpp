@@ -61,7 +61,7 @@ struct WheelsetBase {
 struct KinematicOscillation {
   double from = 0, to = 0; ///< [m], extreme lateral displacements, 2 amplitudes apart
   double wavelength = 0;   ///< [m]
-  double conicity = 0;     ///< [-], of the conical wheels that have the same wavelength (Klingel)
+  double conicity = 0;     ///< [-], of the conical wheels that have the same wavelength (Klingel, (W3))
 };
 
 /// The exact solution of y'' + dr(y)/(e r0) = 0 with the given amplitude [m]: (y')^2/2 = (S(y_max) - S(y))/(e r0) with

@@ -26,7 +26,7 @@ struct PatchFrame {
 enum class PatchShape {
   flat,   ///< the plane of its frame: gaps are measured along one direction
   curved, ///< the rail's surface: the normal differs from row to row; s is the length along the rail
-  /// the same, and rows act on each other as their angles want it (RowInclination); for the level exact
+  /// the same, and rows act on each other as their angles want it (RowInclination, (W5)); for the level exact
   conformal
 };
 
@@ -66,10 +66,10 @@ public:
   /// neighbour; updates the row's wheel_s. Cost some 50 ns for each.
   void find_gaps(PatchRow& row, std::span<const double> x, std::span<double> gaps) const;
 
-  /// Velocity of the wheel over the rail, as creepages about the row's point for the rolling speed V [m/s]: (e_x (v_w -
-  /// v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V. On a flat patch these are those of the frame's plane; on a curved
-  /// one they differ from row to row. Velocities are taken at the height `gap` over the rail; with the least gap, < 0,
-  /// that is the undeformed wheel's surface where the overlap is greatest, as in CONTACT.
+  /// Velocity of the wheel over the rail (W4), as creepages about the row's point for the rolling speed V [m/s]: (e_x
+  /// (v_w - v_r), e_s (v_w - v_r), n (omega_w - omega_r))/V. On a flat patch these are those of the frame's plane; on a
+  /// curved one they differ from row to row. Velocities are taken at the height `gap` over the rail; with the least
+  /// gap, < 0, that is the undeformed wheel's surface where the overlap is greatest, as in CONTACT.
   Creepage creepage(const PatchFrame& frame, PatchShape shape, const PatchRow& row, double gap, double speed) const;
 
 private:

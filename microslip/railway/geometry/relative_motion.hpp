@@ -13,8 +13,8 @@ inline constexpr std::size_t basic_motions = 10;
 
 /// Motion of a left wheel against its rail by each number of a state: as these changes of the basic numbers, with this
 /// rotation of rail and wheel together about the wheel's centre. A force F has the derivative sum_k combination[k]
-/// dF/dq_k + turn x F, and
-/// ahead times the one by the distance along the track; a moment about the wheel's centre likewise.
+/// dF/dq_k + turn x F (W8), and ahead times the one by the distance along the track; a moment about the wheel's centre
+/// likewise.
 struct RelativeMotion {
   std::array<double, basic_motions> combination{};
   double ahead = 0;  ///< by how much it moves the wheel along the track besides; that matters where surfaces vary [m]

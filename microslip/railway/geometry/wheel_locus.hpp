@@ -22,8 +22,8 @@ template <class T> struct LocusPoint {
 ///
 /// With the profile's angle alpha, the unit normal in the wheel's axes is (cos alpha sin tau, sin alpha, -cos alpha cos
 /// tau); in track axes it is (0, sin delta, -cos delta). The component along the axle e gives sin alpha = e_y sin delta
-/// - e_z cos delta = c sin(delta - delta0), with c = hypot(e_y, e_z) and tan delta0 = e_z/e_y; the components across
-/// it give tau.
+/// - e_z cos delta = c sin(delta - delta0), with c = hypot(e_y, e_z) and tan delta0 = e_z/e_y (W1); the components
+/// across it give tau. Speed and turn are (W2).
 template <class T> class WheelLocus {
 public:
   explicit WheelLocus(const Frame<T>& wheel, double radius) : wheel_(wheel), radius_(radius) {

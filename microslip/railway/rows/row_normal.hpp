@@ -13,8 +13,8 @@ namespace microslip {
 
 /// The normal problem of all rows of a wheel in one: in each row the pressure is semi-elliptic along x (Knothe & Le The
 /// 1984), with a load q [N/m] for each unit of width and a half-length a. Loads and half-lengths are those of the least
-/// complementary energy among all such pressures (Ritz): with U the mean displacement of row j for q_k = 1, C cosine P
-/// of detail::RowPair between the edges of row k,
+/// complementary energy among all such pressures (Ritz, (W6)): with U the mean displacement of row j for q_k = 1, C
+/// cosine P of detail::RowPair between the edges of row k,
 ///   by q_j: q >= 0, e = h + A a_j^2/4 - zeta cos(angle) + sum U_jk q_k >= 0, q e = 0,
 ///   by a_j: A a_j^2/2 + sum dU_jk/d(ln a_j) q_k = 0;
 /// zeta [m] is by how much the wheel is lowered further, given as 0 or such that the vertical force is given: sum of

@@ -4,8 +4,8 @@
 
 namespace microslip {
 
-/// The equations of a wheelset whose forces balance its load, for what that leaves open: F_z = Q; M_x = the roll moment
-/// or F_z,left - F_z,right = Q_left - Q_right; the moment of the contacts about the axle = -torque. Unknowns are
+/// The equations of a wheelset whose forces balance its load (W10), for what that leaves open: F_z = Q; M_x = the roll
+/// moment or F_z,left - F_z,right = Q_left - Q_right; the moment of the contacts about the axle = -torque. Unknowns are
 /// height, roll and pitch velocity, in units of changes that matter; residuals count in units of the load, times half
 /// the base or the radius where they are moments. What is not prescribed has the residual 0, and its unknown stays.
 class WheelsetEquations {

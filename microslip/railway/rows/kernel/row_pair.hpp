@@ -24,7 +24,7 @@ template <class Real, int count> MICROSLIP_INLINE Lanes<Real, count> logarithm(c
 /// away its displacement has the mean, with the weight of a semi-ellipse as well,
 ///   C q dy E[(Z^2 + y^2)^(-1/2)],  Z = a S - b T,
 /// C = (1 - nu)/(pi G), S and T independent with the density 2/pi sqrt(1 - t^2) on [-1, 1]. Over a strip that is
-///   P = E[asinh(D/|Z|)]
+///   P = E[asinh(D/|Z|)]                                                                                     (W7)
 /// between the distances D of its edges. P depends on delta = D/c, c^2 = (a^2 + b^2)/2, in which Z has the same
 /// variance whatever a/b, and little on rho = (a^2 - b^2)/(a^2 + b^2), which is 0 for equal rows:
 ///   P = sum of rho^(2 n) P_n(delta), P_n = h (A_n(m) + ln(delta^2) B_n(m)), h = delta/sqrt(1 + delta^2), m = h^2,
