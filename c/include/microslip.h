@@ -448,7 +448,7 @@ MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wh
                                                         size_t state_width, const double* states, size_t result_width,
                                                         double* results, int* status);
 /* The same for the steps of a simulation: each state starts from the one before, the first one from the last state of
- * the call before, which takes two thirds of the time where they are near each other and changes results by about the
+ * the call before, which takes half of the time where they are near each other and changes results by about the
  * tolerance. */
 MICROSLIP_API microslip_code microslip_wheel_rail_continue(microslip_wheel_rail* wheel_rail, size_t count,
                                                            size_t state_width, const double* states,

@@ -94,7 +94,7 @@ public:
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {},
                           const Progress& progress = {});
   /// Forgets the last state, from which the next solve at the levels `fastsim2` and `table` starts where it is near.
-  /// That changes results by about the tolerance, and times by a third; after reset() they are those of a new solver
+  /// That changes results by about the tolerance, and halves the time; after reset() they are those of a new solver
   /// to the last bit.
   void reset();
 

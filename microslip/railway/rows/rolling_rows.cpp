@@ -92,7 +92,7 @@ void RollingRows::load(const WheelRows& rows, const PatchSurface& surface) {
 
 double RollingRows::roll(WheelRows& rows, const PatchSurface& surface) {
   load(rows, surface);
-  const bool forward = rows.placement().wheel.velocity.x >= 0;
+  const bool forward = rows.rolls_forward();
   const CombinedMaterial& material = bodies_.material;
   if (look_up_)
     look_up_->solve(material, loaded(), forward ? 1 : -1, forces_);

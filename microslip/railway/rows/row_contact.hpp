@@ -62,7 +62,7 @@ public:
   /// The patches of the last solve, those without load as well; valid until the next one.
   std::span<const ContactPatch> patches();
   PatchSurface surface() const { return {bodies_.rail, bodies_.wheel, rows_.placement(), equivalent_}; }
-  bool rolls_forward() const { return rows_.placement().wheel.velocity.x >= 0; }
+  bool rolls_forward() const { return rows_.rolls_forward(); }
   /// mu at an inclination [rad].
   double friction(double angle) const { return friction_at(bodies_.friction, angle); }
   /// Describes a patch, apart from its forces.

@@ -30,9 +30,9 @@ public:
   void see(double here, double missing, bool converged) {
     const double slope = (missing - missing_) / (here - here_);
     if (seen_ && converged_ && slope < -0.05 && slope > -4) slope_ = slope;
-    share_left_ = slope_ == 0 && !seen_
-                      ? 1
-                      : (slope_ == 0 ? 0 : std::abs(1 + slope_)) + (seen_ ? std::abs(missing / missing_) : 0);
+    if (slope_ != 0 || seen_) share_left_ = 0;
+    if (slope_ != 0) share_left_ += std::abs(1 + slope_);   // of a slope that is right,
+    if (seen_) share_left_ += std::abs(missing / missing_); // and what it was off in the last step
     here_ = here, missing_ = missing, seen_ = true, converged_ = converged;
   }
 

@@ -58,6 +58,7 @@ public:
   std::span<const ContactRegion> regions() const { return regions_; }
   double least_gap(const ContactRegion& region) const; ///< along the normal where the overlap is deepest, < 0 [m]
   const WheelPlacement<double>& placement() const { return placement_; }
+  bool rolls_forward() const { return placement_.wheel.velocity.x >= 0; }
   double clearance() const { return clearance_; } ///< from where the state has the wheel to its first touch [m]
   double depth() const { return depth_; }         ///< below that [m]
   double vertical() const { return state_.vertical - clearance_ - depth_; } ///< of the wheelset [m]
