@@ -137,7 +137,7 @@ double head_height(double y) {
 }
 
 /// A cone on such a head, in states from side to side.
-BenchRow rail_row(std::string_view name, WheelRailLevel level, std::shared_ptr<const CreepForceTable> table,
+BenchRow rail_row(std::string_view name, Theory theory, std::shared_ptr<const CreepForceTable> table,
                   std::string_view over) {
   WheelRailBodies bodies{profile_of(ProfileRole::rail, 0.036, head_height),
                          profile_of(ProfileRole::wheel, 0.06, [](double y) { return 0.05 * y; }),
@@ -146,7 +146,7 @@ BenchRow rail_row(std::string_view name, WheelRailLevel level, std::shared_ptr<c
                          TrackSide::left,
                          {82e9, 0.28, 0},
                          {{0, 0.3}}};
-  WheelRailMethod method{.level = level};
+  WheelRailMethod method{.theory = theory};
   method.table = std::move(table);
   const auto wheel = std::make_shared<WheelRail>(std::move(bodies), method);
   return {name,
@@ -178,9 +178,9 @@ std::vector<BenchRow> bench_rows() {
   rows.push_back(exact_row("exact theory, 24 x 24", 24, 30, "exact theory, 12 x 12"));
   rows.push_back(exact_row("exact theory, 51 x 51", 51, 8, "exact theory, 24 x 24"));
   rows.push_back(new_ellipse_row("exact theory, 24 x 24, new ellipse", "exact theory, 24 x 24"));
-  rows.push_back(rail_row("wheel on rail, fastsim2", WheelRailLevel::fastsim2, nullptr, "exact theory, 24 x 24"));
-  rows.push_back(rail_row("wheel on rail, table", WheelRailLevel::table, table, "wheel on rail, fastsim2"));
-  rows.push_back(rail_row("wheel on rail, exact, 24 across", WheelRailLevel::exact, nullptr, "exact theory, 24 x 24"));
+  rows.push_back(rail_row("wheel on rail, fastsim2", Theory::fastsim2, nullptr, "exact theory, 24 x 24"));
+  rows.push_back(rail_row("wheel on rail, table", Theory::table, table, "wheel on rail, fastsim2"));
+  rows.push_back(rail_row("wheel on rail, exact, 24 across", Theory::exact, nullptr, "exact theory, 24 x 24"));
   return rows;
 }
 

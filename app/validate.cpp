@@ -38,7 +38,7 @@ void add_validate_command(Command& program, int& exit_code, int (*run)(const Val
   command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
   command.add_flag(
       "--thorough", arguments.thorough,
-      "do in full what studies sample: wheel-rail sweeps all displacements at the exact level, for 20 minutes");
+      "do in full what studies sample: wheel-rail sweeps all displacements with the exact theory, for 20 minutes");
   command.add_flag("--no-pictures", arguments.no_pictures, "write the result files only");
   add_json_flag(command, arguments.json);
   command

@@ -95,9 +95,9 @@ template <class Table> const auto& find(const Table& table, std::string_view nam
 }
 
 std::string description_of(const io::WheelRailSetting& input, std::string_view what) {
-  const bool is_exact = input.method.level == WheelRailLevel::exact;
+  const bool is_exact = input.method.theory == Theory::exact;
   const std::string theory = is_exact ? fmt::format("exact theory, {0} x {0} elements", input.method.elements)
-                                      : std::string(io::to_word(input.method.level));
+                                      : std::string(io::to_word(input.method.theory));
   const auto shape = input.method.shape ? fmt::format("{} patches", io::to_word(*input.method.shape)) : "true surfaces";
   return fmt::format("{}, {}, {}", what, theory, shape);
 }

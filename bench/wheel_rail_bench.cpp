@@ -2,7 +2,7 @@
 // Manchester benchmark or, where its profiles are not beside MICROSLIP_REFERENCE_DATA, the example's S1002 on 60E1.
 // Prints a Markdown table of processor time, beside a yardstick measured between the rows: the exact theory of second
 // order on one ellipse of 24 x 24 elements. What counts are ratios within one run, and steps.
-//   wheel_rail_bench [states of each row at the exact level; default 500]
+//   wheel_rail_bench [states of each row with the exact theory; default 500]
 
 #include "io/creep_table_file.hpp"
 #include "io/profile_file.hpp"
@@ -167,7 +167,7 @@ void exact(const WheelRailBodies& bodies, const std::vector<Posed>& all, int sta
     const double across = std::sqrt(4 / std::numbers::pi * p.area / static_cast<double>(p.patches));
     const int elements = dx > 0 ? std::max(6, static_cast<int>(std::lround(across / dx))) : 24;
     WheelRail& contact =
-        contacts.try_emplace(elements, bodies, WheelRailMethod{.level = WheelRailLevel::exact, .elements = elements})
+        contacts.try_emplace(elements, bodies, WheelRailMethod{.theory = Theory::exact, .elements = elements})
             .first->second;
     const double start = processor_time();
     contact.solve(p.state, force_given ? std::optional(vertical_force) : std::nullopt, s);
@@ -178,11 +178,11 @@ void exact(const WheelRailBodies& bodies, const std::vector<Posed>& all, int sta
   print(row);
 }
 
-/// Differences of the tangential force from the exact level's, over mu Fn, from 0 to 10 mm to the right with so much
+/// Differences of the tangential force from the exact theory's, over mu Fn, from 0 to 10 mm to the right with so much
 /// yaw for each metre; the wheel turns by up to `slip` faster or slower than it rolls.
 void differences(const WheelRailBodies& bodies, const WheelRailMethod& look_up, int states, double yaw, double slip) {
   WheelsetSearch search(bodies.track, bodies.wheelset, {bodies.rail, bodies.wheel}, {bodies.rail, bodies.wheel});
-  WheelRail exact(bodies, {.level = WheelRailLevel::exact}), table(bodies, look_up), fast(bodies);
+  WheelRail exact(bodies, {.theory = Theory::exact}), table(bodies, look_up), fast(bodies);
   std::vector<double> of_table, of_fast;
   for (int k = 0; k < states; ++k) {
     WheelState<double> state;
@@ -221,7 +221,7 @@ int main(int argc, char** argv) {
       "|\n|---|---|---|---|---|---|---|\n");
   const auto table = std::make_shared<const CreepForceTable>(
       io::read_creep_table(MICROSLIP_EXAMPLES "/../python/microslip/hertz.creep"), steel.poisson_ratio);
-  const WheelRailMethod look_up{.level = WheelRailLevel::table, .table = table};
+  const WheelRailMethod look_up{.theory = Theory::table, .table = table};
   fast(pair, all, {}, "fastsim2, one patch", 1, false);
   fast(pair, all, look_up, "table, one patch", 1, false);
   fast(pair, all, {}, "fastsim2, one patch, anew", 1, false, Start::anew);

@@ -129,8 +129,7 @@ public:
       input_ = read(root, tables, nullptr);
     else
       input_->states = io::read_states(root, *input_);
-    if (is_new || input_->method.level == WheelRailLevel::exact)
-      solver_.emplace(io::solver_of(*input_, input_->method));
+    if (is_new || input_->method.theory == Theory::exact) solver_.emplace(io::solver_of(*input_, input_->method));
     solver_->reset(); // cases do not depend on each other
     const auto& loaded = input_->states.front();
     return solver_->solve(loaded.state, load_of(loaded), progress);

@@ -278,7 +278,7 @@ Result solve_states(const Input& input, const Progress& progress, const Solve& s
 
 WheelRailMethod solving_method(const io::WheelRailCase& input) {
   WheelRailMethod method = input.method;
-  method.fields = method.level != WheelRailLevel::table && (input.interior.count() > 0 || input.states.size() == 1);
+  method.fields = method.theory != Theory::table && (input.interior.count() > 0 || input.states.size() == 1);
   return method;
 }
 
@@ -297,8 +297,8 @@ WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, co
         for (const ContactSolution& fields : solution.fields)
           if (has_points)
             interior.push_back(interior_states(input.material, input.material, fields, input.interior, within));
-        // Of a sweep at the level fastsim2 they were needed for stresses only.
-        if (!is_single && input.method.level == WheelRailLevel::fastsim2) solution.fields.clear();
+        // Of a sweep with the theory fastsim2 they were needed for stresses only.
+        if (!is_single && input.method.theory == Theory::fastsim2) solution.fields.clear();
         return solution;
       });
   result.interior = std::move(interior);
@@ -308,7 +308,7 @@ WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, co
 
 WheelsetResult solve_case(const io::WheelsetCase& input, const Progress& progress) {
   WheelRailMethod method = input.method;
-  method.fields = method.level != WheelRailLevel::table && input.states.size() == 1;
+  method.fields = method.theory != Theory::table && input.states.size() == 1;
   WheelsetOnTrack solver = io::solver_of(input, method);
   auto result =
       solve_states<WheelsetResult>(input, progress, [&](const io::LoadedWheelsetState& s, const Progress& within) {

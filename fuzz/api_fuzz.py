@@ -305,7 +305,7 @@ def profile(draw):
 
 
 def wheel_rail(draw):
-    """S1002 on 60E1 anywhere near the track, on either side and at both levels."""
+    """S1002 on 60E1 anywhere near the track, on either side and with both theories."""
     rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
     pair = microslip.WheelRail(
         track=microslip.Track(gauge=draw.number(1.43, 1.45), cant=draw.number(0, 0.06)), rail=rail,

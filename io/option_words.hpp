@@ -2,7 +2,6 @@
 
 #include "io/profile_file.hpp"
 #include "microslip/rolling/method.hpp"
-#include "microslip/rolling/theory.hpp"
 
 #include <span>
 #include <string_view>
@@ -12,7 +11,7 @@ namespace microslip::io {
 /// The words by which files and the command line name options, e.g. "fastsim_half_step" or "parabolic". There are
 /// words for Theory, TractionBound, FlexibilityModel, CreepageTable, Precision, RollingDirection,
 /// ContactMotion, Discretisation, ElementShape, Coupling, SlipStart, ProfileRole, ProfileFormat, LateralSense,
-/// VerticalSense, WheelRailLevel, PatchShape, TrackSide and RollRule.
+/// VerticalSense, PatchShape, TrackSide and RollRule.
 template <class Option> std::span<const std::string_view> option_words();
 template <class Option> std::string_view to_word(Option option);
 

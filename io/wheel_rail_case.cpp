@@ -149,11 +149,11 @@ std::vector<InclinedFriction> read_friction(const TomlSection& section) {
 WheelRailMethod read_method(const TomlSection& section, double poisson_ratio, const CreepTables& tables) {
   section.allow_described();
   WheelRailMethod method;
-  method.level = section.option<WheelRailLevel>("theory");
+  method.theory = section.option<Theory>("theory");
   if (section.has("shape")) method.shape = section.option<PatchShape>("shape");
   section.at("shape",
              [&] { require_shape(method, "solution.shape = \"" + std::string(to_word(method.surface())) + '"'); });
-  if (method.level == WheelRailLevel::table)
+  if (method.theory == Theory::table)
     method.table = tables.get(section, poisson_ratio, RollingDirection::forward);
   else if (section.has("table"))
     section.at("table", [] { throw Incompatible(table_without_theory); });
@@ -418,7 +418,7 @@ WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& t
   WheelRailCase input{read_setting(root, tables, profiles), wheel.option("side", TrackSide::left), {}, {}};
   input.states = read_states(root, input);
   add_varied(input, sweeps);
-  if (root.has("interior") && input.method.level == WheelRailLevel::table)
+  if (root.has("interior") && input.method.theory == Theory::table)
     root.at("interior", [] { throw Error("interior: a creep-force table has no tractions: fastsim2 or exact have"); });
   if (root.has("interior")) input.interior = read_interior(root.required_section("interior"), input.states.size());
   check_places(root, input, input.rail, input.wheel);

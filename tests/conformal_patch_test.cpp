@@ -1,4 +1,4 @@
-// Conformal patches at the level exact: planes, small patches, mirror images, work and convergence.
+// Conformal patches with the theory exact: planes, small patches, mirror images, work and convergence.
 
 #include "microslip/railway/wheel_rail.hpp"
 #include "tests/support/expect_error.hpp"
@@ -36,7 +36,7 @@ WheelState<double> creeping(double xi, double eta = 0) {
 
 WheelRailSolution solve(const WheelRailBodies& bodies, PatchShape shape, const WheelState<double>& state, double force,
                         int elements = 20) {
-  WheelRail contact(bodies, {.level = WheelRailLevel::exact, .shape = shape, .elements = elements});
+  WheelRail contact(bodies, {.theory = Theory::exact, .shape = shape, .elements = elements});
   return contact.solve(state, force);
 }
 

@@ -63,12 +63,12 @@ WheelState<double> rolling(double lateral, double yaw = 0) {
 
 const std::vector<double> along_track = equal_steps(-0.5, 0.5, 11), around_wheel = equal_steps(-pi, pi, 41);
 
-class GeneralSurfaces : public testing::TestWithParam<WheelRailLevel> {
+class GeneralSurfaces : public testing::TestWithParam<Theory> {
 protected:
-  WheelRail solver(const WheelRailBodies& bodies) const { return WheelRail(bodies, {.level = GetParam()}); }
+  WheelRail solver(const WheelRailBodies& bodies) const { return WheelRail(bodies, {.theory = GetParam()}); }
 };
-INSTANTIATE_TEST_SUITE_P(Levels, GeneralSurfaces, testing::Values(WheelRailLevel::fastsim2, WheelRailLevel::exact),
-                         [](const auto& level) { return level.param == WheelRailLevel::exact ? "exact" : "fastsim2"; });
+INSTANTIATE_TEST_SUITE_P(Levels, GeneralSurfaces, testing::Values(Theory::fastsim2, Theory::exact),
+                         [](const auto& level) { return level.param == Theory::exact ? "exact" : "fastsim2"; });
 
 void expect_alike(const WheelRailSolution& a, const WheelRailSolution& b, double tolerance, double of_place = 1e-6) {
   ASSERT_EQ(a.status, Status::ok);
@@ -190,7 +190,7 @@ TEST_P(GeneralSurfaces, OfRollersAreThoseOfHertz) {
       WheelState<double> state; // at rest
       state.lateral = lateral + 0.7 * (1 - std::cos(yaw)), state.yaw = yaw;
       state.longitudinal = 0.7 * std::sin(yaw); // so that the sphere's centre is over the roller's
-      const double angle = -std::asin(lateral / (radius + roller)), fine = GetParam() == WheelRailLevel::exact ? 1 : 8;
+      const double angle = -std::asin(lateral / (radius + roller)), fine = GetParam() == Theory::exact ? 1 : 8;
       const auto s = contact.solve(state, 5e3 * std::cos(angle));
       ASSERT_EQ(s.status, Status::ok);
       ASSERT_EQ(s.patches.size(), 1u);

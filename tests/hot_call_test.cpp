@@ -144,7 +144,7 @@ TEST(HotCall, AWheelOnARailTakesNoMemory) {
         head(), tread(), {.rail_origin = ProfilePoint{0.75, 0}}, {}, side, steel, {{0, 0.3}, {0.1, 0.2}}};
     const auto table = std::make_shared<const CreepForceTable>(few_nodes());
     for (const WheelRailMethod& method :
-         {WheelRailMethod{}, WheelRailMethod{.level = WheelRailLevel::table, .table = table}}) {
+         {WheelRailMethod{}, WheelRailMethod{.theory = Theory::table, .table = table}}) {
       WheelRail contact(bodies, method);
       WheelRailSolution found;
       WheelRailDerivatives derivatives;

@@ -166,8 +166,7 @@ TEST(InputTable, DefaultsAreTheLibrarys) {
   EXPECT_EQ(missing(rolling, "motion", "steps"), Motion().steps);
   EXPECT_EQ(missing(wheel, "solution", "grid"), of_wheel.elements);
   EXPECT_EQ(missing(wheel, "solution", "tolerance"), of_wheel.tolerance);
-  EXPECT_EQ(description::wheel_rail_levels[static_cast<std::size_t>(of_wheel.level)],
-            wheel.find("solution", "theory")->missing_word);
+  EXPECT_EQ(io::to_word(of_wheel.theory), wheel.find("solution", "theory")->missing_word);
 }
 
 TEST(InputTable, FilesOfSweepsShowEveryKey) {

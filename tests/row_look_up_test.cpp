@@ -1,4 +1,4 @@
-// The level `table` of wheel on rail.
+// The theory `table` of wheel on rail.
 
 #include "microslip/railway/rows/row_look_up.hpp"
 
@@ -263,7 +263,7 @@ WheelRailBodies example_bodies() {
 }
 
 WheelRail table_level(WheelRailBodies bodies) {
-  return WheelRail(std::move(bodies), {.level = WheelRailLevel::table, .table = steel_table()});
+  return WheelRail(std::move(bodies), {.theory = Theory::table, .table = steel_table()});
 }
 
 /// The roll angle in equilibrium, yaw in proportion.
@@ -279,7 +279,7 @@ WheelState<double> state_at(const WheelRailBodies& bodies, double lateral, doubl
 
 TEST(TableLevel, ForcesAreThoseOfTheExactLevelWithinAFewPercent) {
   const WheelRailBodies bodies = example_bodies();
-  WheelRail exact(bodies, {.level = WheelRailLevel::exact}), table = table_level(bodies);
+  WheelRail exact(bodies, {.theory = Theory::exact}), table = table_level(bodies);
   std::vector<double> errors;
   for (int k = 0; k < 24; ++k) {
     const WheelState<double> state = state_at(bodies, -4e-4 * (k + 0.5), k % 2 == 0 ? 2.4 : 0.2, 3e-4 * (k % 3 - 1));
@@ -342,7 +342,7 @@ void expect_refused(const WheelRailMethod& method, const std::string& reason) {
 }
 
 TEST(TableLevel, WhatItCannotDoIsSaid) {
-  WheelRailMethod method{.level = WheelRailLevel::table};
+  WheelRailMethod method{.theory = Theory::table};
   expect_refused(method, "needs a creep-force table, and none is given");
   method.table = steel_table();
   method.fields = true;

@@ -53,12 +53,12 @@ TEST(WheelContinuity, ForcesDoNotJumpWhereLobesComeAndMerge) {
 }
 
 /// Elements come into contact with every micrometre or so, at 0.83 and 0.86 mm at a leading edge; at 4.762 mm a lobe
-/// that the rows of the coarse level bear nothing on; at 5.05 and 5.63 mm on a flank whose frame turns with the height.
+/// that the rows of the fast theory bear nothing on; at 5.05 and 5.63 mm on a flank whose frame turns with the height.
 TEST(WheelContinuity, ForcesOfTheExactLevelDoNotJumpWhereElementsComeAndGo) {
   struct Place {
     double y, yaw, force;
   };
-  WheelRail wheel(s1002_on_60e1(), {.level = WheelRailLevel::exact});
+  WheelRail wheel(s1002_on_60e1(), {.theory = Theory::exact});
   for (const Place& p : {Place{0.835e-3, 2e-3, 80e3}, Place{0.865e-3, 2e-3, 80e3}, Place{4.762e-3, 2e-3, 80e3},
                          Place{5.055e-3, 2e-3, 80e3}, Place{5.63e-3, 0, 50e3}}) {
     EXPECT_LT(jump_near(wheel, p.y, p.yaw, p.force, 4), 5e-4) << "y = " << p.y;
@@ -69,7 +69,7 @@ TEST(WheelContinuity, ForcesOfTheExactLevelDoNotJumpWhereElementsComeAndGo) {
 TEST(WheelContinuity, APatchBetweenOthersThatLosesItsLoadLeavesThemAlone) {
   WheelRailBodies bodies = s1002_on_60e1();
   bodies.track.cant = 1.0 / 20;
-  WheelRail wheel(bodies, {.level = WheelRailLevel::exact});
+  WheelRail wheel(bodies, {.theory = Theory::exact});
   EXPECT_LT(jump_near(wheel, 6.4635e-3, 2e-3, 150e3, 2), 1e-3);
 }
 

@@ -24,7 +24,7 @@
 namespace microslip {
 namespace {
 
-const WheelRailMethod methods[] = {{}, {.level = WheelRailLevel::exact, .elements = 8}};
+const WheelRailMethod methods[] = {{}, {.theory = Theory::exact, .elements = 8}};
 
 bool all_numbers(const WheelRailSolution& s) {
   double sum = s.force.x + s.force.y + s.force.z + s.moment.x + s.moment.y + s.moment.z + s.vertical + s.residual;
@@ -186,7 +186,7 @@ TEST(WheelRailBadInput, ProfilesThatAreUpsideDownGiveNumbersOrAStatus) {
 }
 
 TEST(WheelRailBadInput, AtRestNothingIsTangential) {
-  const WheelRailMethod planes{.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 8};
+  const WheelRailMethod planes{.theory = Theory::exact, .shape = PatchShape::flat, .elements = 8};
   for (const WheelRailMethod& method : {methods[0], methods[1], planes}) {
     WheelRail contact(s1002_on_60e1(), method);
     WheelState<double> state;

@@ -41,7 +41,7 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
   EXPECT_DOUBLE_EQ(input.material.shear_modulus, 210e9 / 2.56);
   ASSERT_EQ(input.friction.size(), 1u);
   EXPECT_EQ(input.friction[0].coefficient, 0.3);
-  EXPECT_EQ(input.method.level, WheelRailLevel::fastsim2);
+  EXPECT_EQ(input.method.theory, Theory::fastsim2);
   EXPECT_EQ(input.method.surface(), PatchShape::curved);
   ASSERT_EQ(input.states.size(), 1u);
   EXPECT_EQ(input.states[0].vertical_force, 80e3);
@@ -100,12 +100,12 @@ TEST(WheelRailCase, ReadsTheRest) {
   EXPECT_EQ(placed.track.rail_origin->z, 0.001);
   EXPECT_EQ(parse_with("side = \"left\"", "side = \"right\"").side, TrackSide::right);
   const auto method = parse_with("\"fastsim2\"", "\"exact\"\nshape = \"curved\"\ngrid = 30\ntolerance = 1e-8").method;
-  EXPECT_EQ(method.level, WheelRailLevel::exact);
+  EXPECT_EQ(method.theory, Theory::exact);
   EXPECT_EQ(method.shape, PatchShape::curved);
   EXPECT_EQ(method.elements, 30);
   EXPECT_EQ(method.tolerance, 1e-8);
   const auto look_up = parse_with("\"fastsim2\"", "\"table\"").method;
-  EXPECT_EQ(look_up.level, WheelRailLevel::table);
+  EXPECT_EQ(look_up.theory, Theory::table);
   ASSERT_NE(look_up.table, nullptr);
   EXPECT_EQ(look_up.table->axes().poisson_ratios, std::vector<double>{0.28});
   const auto friction = parse_with("coefficient = 0.3", "coefficient = [0.1, 0.4]\nangle = [-1, 0]").friction;

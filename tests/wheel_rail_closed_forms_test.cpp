@@ -31,7 +31,7 @@ WheelRailBodies bodies(double crown, double radius, double rail_curvature) {
 
 TEST(WheelRailClosedForms, AYawedSphereTouchesThePlaneWhereItsCentreIs) {
   const HertzContact hertz = hertz_from_approach({5, 5}, steel, 0.16e-3);
-  WheelRail contact(bodies(0.1, 0.1, 0), {.level = WheelRailLevel::exact, .elements = 32});
+  WheelRail contact(bodies(0.1, 0.1, 0), {.theory = Theory::exact, .elements = 32});
   for (const double yaw : {0.0, 0.3, -0.1}) {
     WheelState<double> state;
     state.yaw = yaw, state.vertical = -0.16e-3;
@@ -59,13 +59,13 @@ TEST(WheelRailClosedForms, PrincipalDirectionsOfTheGapNeedNotBeThoseOfTheTrack) 
                yy = s * s / radius + c * c / crown + rail;
   const double mean = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
   const HertzContact hertz = hertz_from_approach({(mean - half) / 2, (mean + half) / 2}, steel, 0.16e-3);
-  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail contact(bodies(crown, radius, rail), {.level = level, .elements = 32});
+  for (const Theory theory : {Theory::fastsim2, Theory::exact}) {
+    WheelRail contact(bodies(crown, radius, rail), {.theory = theory, .elements = 32});
     WheelState<double> state;
     state.vertical = -0.16e-3, state.deflection.yaw = yaw;
     const auto found = contact.solve(state);
     ASSERT_EQ(found.patches.size(), 1U);
-    const double tolerance = level == WheelRailLevel::exact ? 1e-3 : 5e-3;
+    const double tolerance = theory == Theory::exact ? 1e-3 : 5e-3;
     EXPECT_NEAR(found.patches[0].normal_force, hertz.normal_force, tolerance * hertz.normal_force);
     EXPECT_NEAR(found.patches[0].peak_pressure, hertz.peak_pressure, 4 * tolerance * hertz.peak_pressure);
   }

@@ -37,16 +37,16 @@ double number_of(const WheelRailPatch& patch, std::string_view name) {
   return std::find_if(all.begin(), all.end(), [name](const auto& q) { return q.name == name; })->value(patch);
 }
 
-constexpr WheelRailLevel levels[] = {WheelRailLevel::fastsim2, WheelRailLevel::exact};
+constexpr Theory theories[] = {Theory::fastsim2, Theory::exact};
 
 TEST(WheelRailDamage, IsGivenWhereItsStrengthIs) {
-  for (const WheelRailLevel level : levels)
+  for (const Theory theory : theories)
     for (const bool hard : {false, true})
       for (const bool yields : {false, true}) {
         SurfaceStrength strength;
         if (hard) strength.hardness = hardness;
         if (yields) strength.shear_yield_strength = shear_yield;
-        WheelRail contact(example(TrackSide::left, strength), {.level = level, .elements = 10});
+        WheelRail contact(example(TrackSide::left, strength), {.theory = theory, .elements = 10});
         const auto s = contact.solve(running(6.1e-3, 2e-3, 0, 30), 80e3);
         ASSERT_EQ(s.status, Status::ok);
         for (const WheelRailPatch& patch : s.patches) {
@@ -56,15 +56,15 @@ TEST(WheelRailDamage, IsGivenWhereItsStrengthIs) {
           for (const auto* name : {"worn_mass_r8t", "t_gamma_per_area", "shakedown_limit", "nadal_limit"})
             EXPECT_FALSE(std::isnan(number_of(patch, name)));
         }
-        EXPECT_EQ(s.fields.empty(), level == WheelRailLevel::fastsim2);
+        EXPECT_EQ(s.fields.empty(), theory == Theory::fastsim2);
       }
 }
 
 TEST(WheelRailDamage, IsTheSameOnBothSides) {
   const SurfaceStrength strength{hardness, shear_yield};
-  for (const WheelRailLevel level : levels) {
-    WheelRail left(example(TrackSide::left, strength), {.level = level, .elements = 10}),
-        right(example(TrackSide::right, strength), {.level = level, .elements = 10});
+  for (const Theory theory : theories) {
+    WheelRail left(example(TrackSide::left, strength), {.theory = theory, .elements = 10}),
+        right(example(TrackSide::right, strength), {.theory = theory, .elements = 10});
     const WheelState<double> state = running(6.1e-3, 2e-3, 0, 30);
     const auto a = left.solve(state, 80e3), b = right.solve(state.mirrored(), 80e3);
     ASSERT_EQ(a.patches.size(), b.patches.size());
@@ -84,9 +84,9 @@ TEST(WheelRailDamage, IsTheSameOnBothSides) {
 TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
   constexpr double k = 6e-4;
   const SurfaceStrength strength{hardness, {}, {.slow = k, .medium = k, .fast = k, .seizure = k}};
-  for (const WheelRailLevel level : levels)
+  for (const Theory theory : theories)
     for (const double lateral : {-3e-3, 2e-3, 6.1e-3}) {
-      WheelRail contact(example(TrackSide::left, strength), {.level = level, .elements = 16, .fields = true});
+      WheelRail contact(example(TrackSide::left, strength), {.theory = theory, .elements = 16, .fields = true});
       const auto s = contact.solve(running(lateral, 4e-3, 0, 30), 80e3);
       ASSERT_EQ(s.status, Status::ok);
       ASSERT_EQ(s.fields.size(), s.patches.size());
@@ -95,7 +95,7 @@ TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
         const auto work = friction_work(s.fields[i]);
         const double expected = k / (friction * hardness) *
                                 std::inner_product(work.begin(), work.end(), s.fields[i].elements.area.begin(), 0.0);
-        EXPECT_NEAR(*patch.damage.worn_area / expected, 1, level == WheelRailLevel::exact ? 1e-4 : 0.15) << lateral;
+        EXPECT_NEAR(*patch.damage.worn_area / expected, 1, theory == Theory::exact ? 1e-4 : 0.15) << lateral;
         double sum = 0;
         for (const DamageField& field : damage_fields())
           if (field.name == "wear_depth")
@@ -106,8 +106,8 @@ TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
 }
 
 TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) {
-  const WheelRailMethod planes{.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 16};
-  const WheelRailMethod surfaces{.level = WheelRailLevel::exact, .elements = 16};
+  const WheelRailMethod planes{.theory = Theory::exact, .shape = PatchShape::flat, .elements = 16};
+  const WheelRailMethod surfaces{.theory = Theory::exact, .elements = 16};
   for (const WheelRailMethod& method : {WheelRailMethod{.fields = true}, planes, surfaces})
     for (const double lateral : {-3e-3, 2e-3, 6.1e-3}) {
       WheelRail contact(example(TrackSide::left, {}), method);
@@ -120,7 +120,7 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
         for (std::size_t k = 0; k < f.elements.size(); ++k) normal += f.fields.pressure[k] * f.elements.area[k];
         // Rows lean against one another by the turn of the surface; fields of fastsim2 have rows of equal width in one
         // plane.
-        const bool is_exact = method.level == WheelRailLevel::exact, is_plane = method.surface() == PatchShape::flat;
+        const bool is_exact = method.theory == Theory::exact, is_plane = method.surface() == PatchShape::flat;
         const double rows = is_exact ? 1e-6 : 2e-3, turn = is_plane ? 0 : std::abs(patch.turn);
         EXPECT_NEAR(normal / patch.normal_force, 1, rows + 1 - std::cos(turn));
         EXPECT_NEAR(f.totals.fx, patch.fx, rows * normal);
@@ -133,10 +133,10 @@ TEST(WheelRailDamage, FieldsOfBothLevelsHaveTheForcesAndThePowerOfTheirPatches) 
 }
 
 /// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track, and its state with a contact angle [rad].
-WheelRail sphere_on_cylinder(WheelRailLevel level) {
+WheelRail sphere_on_cylinder(Theory theory) {
   WheelRailBodies bodies = sphere_on_rail(0.1, 0.1);
   bodies.strength = {hardness, shear_yield};
-  return WheelRail(std::move(bodies), {.level = level, .elements = 24});
+  return WheelRail(std::move(bodies), {.theory = theory, .elements = 24});
 }
 WheelState<double> leaning(double angle) {
   WheelState<double> state;
@@ -147,9 +147,9 @@ WheelState<double> leaning(double angle) {
 
 // A wheel that slides down on its rail: the rail pushes it towards the track's centre by Nadal's Y/Q.
 TEST(WheelRailDamage, YOverQIsNadalsWhereAWheelSlidesDown) {
-  for (const WheelRailLevel level : levels)
+  for (const Theory theory : theories)
     for (const double angle : {0.05, 0.15}) {
-      WheelRail contact = sphere_on_cylinder(level);
+      WheelRail contact = sphere_on_cylinder(theory);
       WheelState<double> state = leaning(angle);
       state.lateral_velocity = -std::cos(angle), state.vertical_velocity = -std::sin(angle);
       const auto down = contact.solve(state, 5e3);
@@ -171,13 +171,13 @@ TEST(WheelRailDamage, NadalsLimitIsThatOfTheAngleOfFriction) {
   const auto s = contact.solve(running(0, 0, 0, 30), 80e3);
   // S1002: 70 degrees.
   EXPECT_NEAR(*s.nadal_limit, std::tan(70 * std::numbers::pi / 180 - std::atan(friction)), 0.01);
-  WheelRail sphere = sphere_on_cylinder(WheelRailLevel::fastsim2);
+  WheelRail sphere = sphere_on_cylinder(Theory::fastsim2);
   EXPECT_LT(std::abs(*sphere.solve(leaning(0), 5e3).y_over_q), 1e-3);
 }
 
 TEST(WheelRailDamage, FatigueIndexIsHertzs) {
-  for (const WheelRailLevel level : levels) {
-    WheelRail contact = sphere_on_cylinder(level);
+  for (const Theory theory : theories) {
+    WheelRail contact = sphere_on_cylinder(theory);
     WheelState<double> state = leaning(0);
     state.pitch_velocity *= 1.05;
     const auto s = contact.solve(state, 5e3);
@@ -185,9 +185,9 @@ TEST(WheelRailDamage, FatigueIndexIsHertzs) {
     const HertzContact hertz =
         hertz_from_load(gap_curvatures({0.1, std::numeric_limits<double>::infinity(), 0.1, 0.1}), steel, 5e3);
     const double expected = friction - 2 * std::numbers::pi * hertz.a * hertz.b * shear_yield / (3 * 5e3);
-    EXPECT_NEAR(*s.patches[0].damage.fatigue_index, expected, level == WheelRailLevel::exact ? 2e-3 : 0.02);
+    EXPECT_NEAR(*s.patches[0].damage.fatigue_index, expected, theory == Theory::exact ? 2e-3 : 0.02);
     EXPECT_NEAR(*s.patches[0].damage.shakedown_load / (hertz.peak_pressure / shear_yield), 1,
-                level == WheelRailLevel::exact ? 0.01 : 0.08);
+                theory == Theory::exact ? 0.01 : 0.08);
     EXPECT_EQ(number_of(s.patches[0], "shakedown_limit"),
               point_shakedown_limit(number_of(s.patches[0], "traction_coefficient")));
   }

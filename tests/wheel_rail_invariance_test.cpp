@@ -1,4 +1,4 @@
-// What a wheel on a rail must keep at both levels: mirrors, moves of the whole, scales of velocity, the energy that
+// What a wheel on a rail must keep with both theories: mirrors, moves of the whole, scales of velocity, the energy that
 // friction takes, and friction of the inclination row by row on curved patches.
 
 #include "microslip/railway/geometry/contact_search.hpp"
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double friction = 0.3;
 
-/// Both levels, the exact one with few elements, since what is kept does not depend on them.
-const WheelRailMethod methods[] = {{}, {.level = WheelRailLevel::exact, .elements = 10}};
+/// Both theories, the exact one with few elements, since what is kept does not depend on them.
+const WheelRailMethod methods[] = {{}, {.theory = Theory::exact, .elements = 10}};
 
 /// Running states with all motions, one of them with contact on tread and flange.
 std::vector<WheelState<double>> states(double height_below) {
@@ -56,8 +56,8 @@ TEST(WheelRailInvariance, InAMirrorAcrossTheTrackTravelTurnsRound) {
       const auto b = contact.solve(backward, 50e3);
       ASSERT_EQ(f.status, Status::ok);
       ASSERT_EQ(b.status, Status::ok);
-      // The exact level's elements begin at one end of a patch: mirrored they are others.
-      const bool exact = method.level == WheelRailLevel::exact;
+      // The exact theory's elements begin at one end of a patch: mirrored they are others.
+      const bool exact = method.theory == Theory::exact;
       const double tolerance = exact ? 2e-3 * friction * 50e3 : 1e-9 * 50e3;
       EXPECT_NEAR(b.force.x, -f.force.x, tolerance);
       EXPECT_NEAR(b.force.y, f.force.y, tolerance);
@@ -100,9 +100,9 @@ TEST(WheelRailInvariance, MovedAsAWholeItsForcesAreTheSame) {
       state.vertical = contact.solve(state, 60e3).vertical;
       const auto a = contact.solve(state), b = contact.solve(moved(state, 0, {0, 3e-3, -2e-3}));
       ASSERT_EQ(b.status, Status::ok);
-      // Positions of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps. At the exact level rounding may
+      // Positions of some metres are rounded by 1e-16 m, which is 1e-11 of overlaps. With the exact theory rounding may
       // decide whether there is one element more.
-      const double tolerance = method.level == WheelRailLevel::exact ? 1e-3 : 1e-9;
+      const double tolerance = method.theory == Theory::exact ? 1e-3 : 1e-9;
       EXPECT_LT(size(b.force - a.force), tolerance * size(a.force));
       EXPECT_LT(size(b.moment - a.moment), 2 * tolerance * size(a.moment) + 1e-9);
       ASSERT_EQ(b.patches.size(), a.patches.size());
@@ -125,7 +125,7 @@ TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
       const auto a = contact.solve(state), b = contact.solve(moved(state, angle, {}));
       ASSERT_EQ(b.status, Status::ok);
       ASSERT_EQ(b.patches.size(), a.patches.size());
-      const double tolerance = method.level == WheelRailLevel::exact ? 5e-4 : 3e-3;
+      const double tolerance = method.theory == Theory::exact ? 5e-4 : 3e-3;
       EXPECT_LT(size(b.force - rotation_about_x(angle) * a.force), tolerance * size(a.force));
       for (std::size_t k = 0; k < a.patches.size(); ++k)
         EXPECT_NEAR(b.patches[k].angle, a.patches[k].angle + angle, 2e-4);
@@ -136,7 +136,7 @@ TEST(WheelRailInvariance, TurnedAsAWholeItsForcesTurnWithIt) {
 TEST(WheelRailInvariance, TheHeightThatBearsAForceGivesThatForce) {
   // Also where two lobes are about to become one patch, with a load that is hard to share out.
   for (const PatchShape shape : {PatchShape::flat, PatchShape::curved}) {
-    WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 16});
+    WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact, .shape = shape, .elements = 16});
     int solved = 0;
     for (const double y : {1e-3, 4.94e-3, 4.9505e-3, 4.95108e-3, 4.9525e-3, 4.97e-3, 6e-3}) {
       WheelState<double> state;
@@ -174,8 +174,8 @@ TEST(WheelRailInvariance, OnlyRatiosOfVelocitiesMatter) {
 
 TEST(WheelRailInvariance, FrictionTakesWhatCreepagesPutIn) {
   // A row loses what its rigid slip does, since the body's displacement comes back at the trailing edge.
-  const WheelRailMethod planes{.level = WheelRailLevel::exact, .shape = PatchShape::flat};
-  for (const WheelRailMethod& method : {WheelRailMethod{}, WheelRailMethod{.level = WheelRailLevel::exact}, planes}) {
+  const WheelRailMethod planes{.theory = Theory::exact, .shape = PatchShape::flat};
+  for (const WheelRailMethod& method : {WheelRailMethod{}, WheelRailMethod{.theory = Theory::exact}, planes}) {
     WheelRail contact(s1002_on_60e1(), method);
     for (const WheelState<double>& state : states(0)) {
       const auto s = contact.solve(state, 50e3);
@@ -210,7 +210,7 @@ TEST(WheelRailInvariance, RowsOfCurvedPatchesSlideAtTheFrictionOfTheirInclinatio
   WheelRailBodies bodies = s1002_on_60e1();
   const auto coefficient = [](double angle) { return 0.3 + 0.4 * angle; };
   bodies.friction = {{-0.5, coefficient(-0.5)}, {0.5, coefficient(0.5)}};
-  WheelRail contact(bodies, {.level = WheelRailLevel::exact, .shape = PatchShape::curved, .elements = 16});
+  WheelRail contact(bodies, {.theory = Theory::exact, .shape = PatchShape::curved, .elements = 16});
   for (const double y : {-2e-3, 5.5e-3}) {
     WheelState<double> state;
     state.lateral = y;
@@ -236,17 +236,17 @@ TEST(WheelRailInvariance, RowsOfCurvedPatchesSlideAtTheFrictionOfTheirInclinatio
 TEST(WheelRailInvariance, BothLevelsSlideAtTheSameFrictionOnCurvedPatches) {
   WheelRailBodies bodies = s1002_on_60e1();
   bodies.friction = {{-0.5, 0.1}, {0.5, 0.5}};
-  const auto sliding = [&](WheelRailLevel level, double direction) {
-    WheelRail contact(bodies, {.level = level, .shape = PatchShape::curved, .elements = 20});
+  const auto sliding = [&](Theory theory, double direction) {
+    WheelRail contact(bodies, {.theory = theory, .shape = PatchShape::curved, .elements = 20});
     WheelState<double> state;
     state.lateral = 2e-3;
     state.forward_velocity = 20 * direction, state.pitch_velocity = 20 / 0.46 * 3 * direction;
     return contact.solve(state, 60e3).force.x / 60e3;
   };
-  const double exact = sliding(WheelRailLevel::exact, 1), fast = sliding(WheelRailLevel::fastsim2, 1);
+  const double exact = sliding(Theory::exact, 1), fast = sliding(Theory::fastsim2, 1);
   EXPECT_GT(exact, 0.25);
   EXPECT_NEAR(fast, exact, 3e-3);
-  EXPECT_NEAR(sliding(WheelRailLevel::exact, -1), -exact, 1e-6) << "backward";
+  EXPECT_NEAR(sliding(Theory::exact, -1), -exact, 1e-6) << "backward";
 }
 
 } // namespace

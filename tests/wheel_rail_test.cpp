@@ -27,16 +27,16 @@ namespace {
 constexpr double friction = 0.3;
 
 /// A sphere of 0.1 m on a rail that is a cylinder of 0.1 m along the track.
-WheelRail sphere_on_cylinder(WheelRailLevel level, int elements = 24) {
-  return WheelRail(sphere_on_rail(0.1, 0.1), {.level = level, .elements = elements});
+WheelRail sphere_on_cylinder(Theory theory, int elements = 24) {
+  return WheelRail(sphere_on_rail(0.1, 0.1), {.theory = theory, .elements = elements});
 }
 
 TEST(WheelRail, HasHertzsForcesOnAnyInclination) {
   const GapCurvatures gap = gap_curvatures({0.1, std::numeric_limits<double>::infinity(), 0.1, 0.1});
   const HertzContact hertz = hertz_from_load(gap, steel, 5e3);
-  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail contact = sphere_on_cylinder(level);
-    const double fine = level == WheelRailLevel::exact ? 1 : 8;
+  for (const Theory theory : {Theory::fastsim2, Theory::exact}) {
+    WheelRail contact = sphere_on_cylinder(theory);
+    const double fine = theory == Theory::exact ? 1 : 8;
     for (const double lateral : {0.0, 0.02, -0.04}) {
       // Centres 0.2 m apart: the normal leans by asin(lateral/0.2). At rest, so that there is no friction.
       WheelState<double> state;
@@ -81,10 +81,10 @@ void expect_mirror_images(const ContactSolution& here, const ContactSolution& im
 TEST(WheelRail, IsTheSameInAMirror) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> any(-1, 1);
-  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail left(s1002_on_60e1(), {.level = level, .elements = 8}),
-        right(s1002_on_60e1(TrackSide::right), {.level = level, .elements = 8});
-    for (int k = 0; k < (level == WheelRailLevel::exact ? 3 : 30); ++k) {
+  for (const Theory theory : {Theory::fastsim2, Theory::exact}) {
+    WheelRail left(s1002_on_60e1(), {.theory = theory, .elements = 8}),
+        right(s1002_on_60e1(TrackSide::right), {.theory = theory, .elements = 8});
+    for (int k = 0; k < (theory == Theory::exact ? 3 : 30); ++k) {
       WheelState<double> state = running(5e-3 * any(random), 5e-3 * any(random), 2e-3 * any(random));
       state.roll = 1e-3 * any(random), state.lateral_velocity = 0.02 * any(random);
       const auto a = left.solve(state, 50e3), b = right.solve(state.mirrored(), 50e3);
@@ -137,8 +137,8 @@ TEST(WheelRail, BearsTheVerticalForceThatItIsGiven) {
 }
 
 TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
-  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    WheelRail contact(s1002_on_60e1(), {.level = level, .shape = PatchShape::curved, .elements = 10});
+  for (const Theory theory : {Theory::fastsim2, Theory::exact}) {
+    WheelRail contact(s1002_on_60e1(), {.theory = theory, .shape = PatchShape::curved, .elements = 10});
     for (double y = -4e-3; y <= 8e-3; y += 2e-3) {
       const auto s = contact.solve(running(y, 3e-3, 1e-3), 80e3);
       EXPECT_EQ(s.status, Status::ok) << y;
@@ -148,7 +148,7 @@ TEST(WheelRail, BearsTheVerticalForceOnCurvedPatches) {
 }
 
 TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
-  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 24});
+  WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact, .shape = PatchShape::flat, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
     const auto s = contact.solve(running(y, 2e-3, 1e-3), 50e3);
     for (const WheelRailPatch& p : s.patches) {
@@ -162,7 +162,7 @@ TEST(WheelRail, LosesInFrictionWhatItsCreepagesDo) {
 
 /// On the true surfaces creepages differ from row to row; what the whole wheel puts in is lost all the same.
 TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
-  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 24});
+  WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact, .elements = 24});
   for (const double y : {0.0, 5e-3}) {
     const WheelState<double> state = running(y, 2e-3, 1e-3);
     const auto s = contact.solve(state, 50e3);
@@ -176,7 +176,7 @@ TEST(WheelRail, LosesInFrictionWhatTheWheelPutsIn) {
 
 TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
   // At 4.948 mm two regions touch whose frames are 2 mm and 0.03 rad apart; at 3 mm one patch stays one.
-  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
+  WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact});
   for (const double middle : {4.9484e-3, 3e-3}) {
     Vec3<double> before;
     for (int k = -3; k <= 3; ++k) {
@@ -194,7 +194,7 @@ TEST(WheelRail, ChangesNothingAtOnceWherePatchesBecomeOne) {
 
 TEST(WheelRail, SharesTheLoadOfTwoPatchesAtTheExactLevel) {
   // Held in the height in which they bear a vertical force, the patches bear it again.
-  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
+  WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact});
   WheelState<double> state = running(5.2e-3, 2e-3);
   const auto s = contact.solve(state, 10e3);
   ASSERT_EQ(s.status, Status::ok);
@@ -208,7 +208,7 @@ TEST(WheelRail, SharesTheLoadOfTwoPatchesAtTheExactLevel) {
 }
 
 TEST(WheelRail, HasBothLevelsNearEachOther) {
-  WheelRail fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 20});
+  WheelRail fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.theory = Theory::exact, .elements = 20});
   for (double y = -4e-3; y <= 4e-3; y += 2e-3) {
     const auto a = fast.solve(running(y, 1e-3, 5e-4), 50e3), b = exact.solve(running(y, 1e-3, 5e-4), 50e3);
     EXPECT_NEAR(a.force.x, b.force.x, 0.05 * friction * 50e3);
@@ -219,8 +219,8 @@ TEST(WheelRail, HasBothLevelsNearEachOther) {
 
 TEST(WheelRail, TakesACurvedPatchForFlatWhereItTurnsLittle) {
   // The wheel's rolling radius varies over the patch by about its width squared over twice the rail's radius.
-  WheelRail flat(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::flat}),
-      curved(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = PatchShape::curved});
+  WheelRail flat(s1002_on_60e1(), {.theory = Theory::exact, .shape = PatchShape::flat}),
+      curved(s1002_on_60e1(), {.theory = Theory::exact, .shape = PatchShape::curved});
   double before = 1;
   for (const double force : {20e3, 2e3, 200.0}) {
     const auto a = flat.solve(running(0, 1e-3, 1e-3), force), b = curved.solve(running(0, 1e-3, 1e-3), force);
@@ -360,7 +360,7 @@ TEST(WheelRail, MovesAsCombinationsOfTheBasicNumbersDo) {
   }
 }
 
-/// As long as the derivatives' own at the exact level, where elements that come and go leave kinks in the forces.
+/// As long as the derivatives' own with the exact theory, where elements that come and go leave kinks in the forces.
 double exact_half_step(const StateQuantity& q, bool held) {
   const double place = held ? 5e-6 : 1.4e-6;
   if (q.name == "yaw" || q.name == "deflection_yaw") return 2e-5;
@@ -370,7 +370,7 @@ double exact_half_step(const StateQuantity& q, bool held) {
 TEST(WheelRail, HasDerivativesAtTheExactLevel) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right})
     for (const bool held : {false, true}) {
-      WheelRail contact(s1002_on_60e1(side), {.level = WheelRailLevel::exact, .elements = 16});
+      WheelRail contact(s1002_on_60e1(side), {.theory = Theory::exact, .elements = 16});
       WheelState<double> state = in_a_curve(2e-3);
       if (side == TrackSide::right) state = state.mirrored();
       state.vertical = contact.solve(state, 50e3).vertical;
@@ -399,7 +399,7 @@ TEST(WheelRail, HasDerivativesAtTheExactLevel) {
 TEST(WheelRail, HasTheSlopesOfItsForcesAtTheExactLevel) {
   constexpr double load = 80e3, least = 0.3 * load / 0.01, spacing = 1e-5;
   constexpr int places = 20;
-  WheelRail contact(s1002_on_60e1(), {.level = WheelRailLevel::exact});
+  WheelRail contact(s1002_on_60e1(), {.theory = Theory::exact});
   std::vector<double> errors;
   for (int k = 0; k < places; ++k) {
     const double y = -5.741e-3 + 0.7e-3 * k;
@@ -481,7 +481,7 @@ TEST(WheelRail, RefusesWhatMakesNoSense) {
   bad = s1002_on_60e1();
   bad.friction = {{0, 0}};
   EXPECT_EQ(message(bad), "no error");
-  EXPECT_NE(message(bad, {.level = WheelRailLevel::exact}).find("friction = 0"), std::string::npos);
+  EXPECT_NE(message(bad, {.theory = Theory::exact}).find("friction = 0"), std::string::npos);
   bad.material.dissimilarity = 0.1;
   EXPECT_NE(message(bad).find("dissimilarity"), std::string::npos);
   EXPECT_NE(message(s1002_on_60e1(), {.elements = 0}).find("elements"), std::string::npos);

@@ -32,15 +32,15 @@ const std::vector<ProfilePair>& pairs() {
   return all;
 }
 
-WheelRail wheel_of(const ProfilePair& pair, WheelRailLevel level, double friction) {
+WheelRail wheel_of(const ProfilePair& pair, Theory theory, double friction) {
   static const auto table = std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()),
                                                                     pairs().front().bodies.material.poisson_ratio);
   WheelRailBodies bodies = pair.bodies;
   bodies.friction = {{0, friction}};
-  return WheelRail(bodies, {.level = level, .elements = 12, .table = table});
+  return WheelRail(bodies, {.theory = theory, .elements = 12, .table = table});
 }
 
-constexpr WheelRailLevel levels[] = {WheelRailLevel::fastsim2, WheelRailLevel::table, WheelRailLevel::exact};
+constexpr Theory theories[] = {Theory::fastsim2, Theory::table, Theory::exact};
 
 /// A solved state of one patch.
 WheelRailSolution solved() {
@@ -105,8 +105,8 @@ TEST(WheelStatus, WhateverIsNotOkHasAReason) {
 TEST(WheelStatus, FlanksWithMuchFrictionGiveAStatus) {
   LoadedState one;
   one.state.lateral = 0.006577823564, one.state.yaw = 0.02717795, one.state.forward_velocity = -30, one.force = 7863.4;
-  for (const WheelRailLevel level : levels) {
-    WheelRail level_track = wheel_of(pairs().front(), level, 0.5);
+  for (const Theory theory : theories) {
+    WheelRail level_track = wheel_of(pairs().front(), theory, 0.5);
     WheelRailSolution s;
     ASSERT_NO_THROW(level_track.solve(one.state, one.force, s));
     EXPECT_EQ(contradiction(s, one.force), "");
@@ -114,7 +114,7 @@ TEST(WheelStatus, FlanksWithMuchFrictionGiveAStatus) {
     ASSERT_NO_THROW(level_track.differentiate(one.state, one.force, s, derivatives));
   }
   for (const double friction : {0.4, 0.6}) {
-    WheelRail wheel = wheel_of(pairs().front(), WheelRailLevel::fastsim2, friction);
+    WheelRail wheel = wheel_of(pairs().front(), Theory::fastsim2, friction);
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
       LoadedState s = random_state(seed);
       s.state.lateral = 5.5e-3 + 0.15 * std::abs(s.state.lateral), s.state.yaw = std::abs(s.state.yaw);
@@ -127,9 +127,9 @@ TEST(WheelStatus, FlanksWithMuchFrictionGiveAStatus) {
 
 TEST(WheelStatus, RandomStatesOnWornAndMeasuredProfiles) {
   for (const ProfilePair& pair : pairs())
-    for (const WheelRailLevel level : levels) {
-      WheelRail wheel = wheel_of(pair, level, 0.3);
-      const std::uint64_t count = level == WheelRailLevel::exact ? 60 : 150;
+    for (const Theory theory : theories) {
+      WheelRail wheel = wheel_of(pair, theory, 0.3);
+      const std::uint64_t count = theory == Theory::exact ? 60 : 150;
       for (std::uint64_t seed = 0; seed < count; ++seed) {
         const LoadedState one = random_state(seed);
         WheelRailSolution s;
@@ -152,8 +152,8 @@ TEST(WheelStatus, ContinuousForcesAreFound) {
 
 TEST(WheelStatus, NumbersBeyondAllBoundsGiveAStatus) {
   const double extremes[] = {0, 1e-320, 1e-300, 1e-9, 1, 1e9, 1e150, 1e300, -1e300, HUGE_VAL, nan};
-  for (const WheelRailLevel level : levels) {
-    WheelRail wheel = wheel_of(pairs().front(), level, 0.3);
+  for (const Theory theory : theories) {
+    WheelRail wheel = wheel_of(pairs().front(), theory, 0.3);
     for (const StateQuantity& quantity : state_quantities())
       for (const double extreme : extremes) {
         WheelState<double> state;
@@ -179,7 +179,7 @@ TEST(WheelStatus, NumbersBeyondAllBoundsGiveAStatus) {
 TEST(WheelStatus, PatchesInTheFrameOfOthersAreSolved) {
   WheelRailBodies bodies = pairs().front().bodies;
   bodies.track.cant = 0.05, bodies.friction = {{0, 0.3}};
-  WheelRail wheel(bodies, {.level = WheelRailLevel::exact});
+  WheelRail wheel(bodies, {.theory = Theory::exact});
   WheelState<double> state;
   state.yaw = 2e-3, state.forward_velocity = 20, state.pitch_velocity = 20 / 0.46;
   double lateral_force = 0;
@@ -198,7 +198,7 @@ TEST(WheelStatus, PatchesInTheFrameOfOthersAreSolved) {
 TEST(WheelStatus, ThroatsAreSolvedOverAllOfTheirOverlap) {
   WheelRailBodies bodies = pairs().front().bodies;
   bodies.friction = {{0, 0.1}};
-  WheelRail wheel(bodies, {.level = WheelRailLevel::exact});
+  WheelRail wheel(bodies, {.theory = Theory::exact});
   WheelState<double> state;
   state.lateral = 0.0073855, state.yaw = 0.0162745, state.roll = -0.0019794;
   state.forward_velocity = 20, state.pitch_velocity = 43.49095;

@@ -56,8 +56,8 @@ TEST(WheelWarnings, ExtremePressuresCannotBeMeant) {
   for (const ProfilePiece& piece : edged.rail.pieces()) points.push_back({piece.c[0].z, piece.c[0].y});
   edged.rail = Profile(ProfileRole::rail, points);
   edged.track.rail_origin = ProfilePoint{0.75, 0};
-  for (const WheelRailLevel level : {WheelRailLevel::fastsim2, WheelRailLevel::exact}) {
-    const auto s = solve(edged, 0, 200e3, {.level = level, .elements = 12});
+  for (const Theory theory : {Theory::fastsim2, Theory::exact}) {
+    const auto s = solve(edged, 0, 200e3, {.theory = theory, .elements = 12});
     EXPECT_EQ(s.status, Status::implausible) << to_string(s.status) << ", " << to_string(s.reason);
     EXPECT_TRUE(s.warnings.has(Warning::extreme_pressure));
     EXPECT_EQ(s.reason, Unsolved::implausible);
@@ -123,7 +123,7 @@ TEST(WheelWarnings, ProfilesThatAreExchanged) {
 /// On a hollow wheel the rolling radius is far from linear across the patch; in small contacts on a new tread a plane
 /// hardly matters.
 TEST(WheelWarnings, FlatPatchesWhereTheSurfacesAreNot) {
-  const WheelRailMethod flat{.level = WheelRailLevel::exact, .shape = PatchShape::flat, .elements = 12};
+  const WheelRailMethod flat{.theory = Theory::exact, .shape = PatchShape::flat, .elements = 12};
   auto true_surface = flat;
   true_surface.shape.reset();
   const auto all = validation::worn_pairs();

@@ -271,7 +271,7 @@ TEST(WheelsetOnTrack, FindsItsWayThroughContactJumps) {
 }
 
 TEST(WheelsetOnTrack, AgreesAtBothLevels) {
-  WheelsetOnTrack fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.level = WheelRailLevel::exact, .elements = 12});
+  WheelsetOnTrack fast(s1002_on_60e1()), exact(s1002_on_60e1(), {.theory = Theory::exact, .elements = 12});
   const WheelsetSolution a = fast.solve(running(-2e-3, 1e-3), axle_load(100e3)),
                          b = exact.solve(running(-2e-3, 1e-3), axle_load(100e3));
   ASSERT_EQ(b.status, Status::ok);
@@ -306,10 +306,10 @@ TEST(WheelsetOnTrack, SaysWhatCannotBe) {
   EXPECT_EQ(wheelset.solve(state).status, Status::invalid_input);
 }
 
-/// At the exact level a shape is that of the exact patches; rows, with which it begins, follow the surface.
+/// With the exact theory a shape is that of the exact patches; rows, with which it begins, follow the surface.
 TEST(WheelsetOnTrack, TakesAnyShapeAtTheExactLevel) {
   for (const PatchShape shape : {PatchShape::flat, PatchShape::curved, PatchShape::conformal}) {
-    WheelsetOnTrack wheelset(s1002_on_60e1(), {.level = WheelRailLevel::exact, .shape = shape, .elements = 12});
+    WheelsetOnTrack wheelset(s1002_on_60e1(), {.theory = Theory::exact, .shape = shape, .elements = 12});
     const auto s = wheelset.solve(running(1e-3, 1e-3), axle_load(100e3));
     EXPECT_EQ(s.status, Status::ok) << static_cast<int>(shape) << ": " << to_string(s.reason);
     EXPECT_NEAR(s.force.z, 100e3, 2);

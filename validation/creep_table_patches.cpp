@@ -296,7 +296,7 @@ std::vector<State> random_states(int count, double largest_lateral, std::mt19937
 /// The patches of all states with two hundredths of the load or more.
 std::vector<Patch> patches_of(const WheelRailBodies& bodies, const std::vector<State>& states, int elements) {
   WheelsetSearch search(bodies.track, bodies.wheelset, {bodies.rail, bodies.wheel}, {bodies.rail, bodies.wheel});
-  WheelRail exact(bodies, {.level = WheelRailLevel::exact, .elements = elements});
+  WheelRail exact(bodies, {.theory = Theory::exact, .elements = elements});
   std::vector<Patch> patches;
   for (const State& s : states) {
     WheelState<double> state;

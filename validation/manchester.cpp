@@ -149,10 +149,10 @@ struct Compliance {
 
 /// CONTACT's patches are planes.
 std::array<Compliance, 3> methods() {
-  const WheelRailMethod planes{.level = WheelRailLevel::exact, .shape = PatchShape::flat};
-  return {{{"Exact level on planes, 24 elements across each contact", planes, {39, 37, 41, 39, 39, 41}, 0.02},
-           {"Exact level on the true surfaces", {.level = WheelRailLevel::exact}, {39, 37, 41, 39, 0, 41}, 0.02},
-           {"Level fastsim2", {}, {37, 37, 41, 39, 34, 42}, 0.05}}};
+  const WheelRailMethod planes{.theory = Theory::exact, .shape = PatchShape::flat};
+  return {{{"Exact theory on planes, 24 elements across each contact", planes, {39, 37, 41, 39, 39, 41}, 0.02},
+           {"Exact theory on the true surfaces", {.theory = Theory::exact}, {39, 37, 41, 39, 0, 41}, 0.02},
+           {"Theory fastsim2", {}, {37, 37, 41, 39, 34, 42}, 0.05}}};
 }
 
 /// The part of a rail on one side of y [m].
@@ -219,8 +219,8 @@ void report_two_patches(Report& report, const Profile& rail, const Profile& whee
     report.line(fmt::format("{:34} {:11.3f} {:14.0f} {:14.0f} {:8.0f} {:6.0f}", "CONTACT", row.at("y_cp_r"),
                             row.at("fn"), row.at("pmax"), -row.at("fx"), row.at("fy_or_fs")));
   double worst = 0;
-  for (const WheelRailLevel level : {WheelRailLevel::exact, WheelRailLevel::fastsim2}) {
-    const bool exact = level == WheelRailLevel::exact;
+  for (const Theory theory : {Theory::exact, Theory::fastsim2}) {
+    const bool exact = theory == Theory::exact;
     const std::string name = exact ? "exact, on planes" : "fastsim2";
     const WheelRailMethod method = exact ? methods().front().method : WheelRailMethod{};
     const auto apart = independent_patches(bodies, method, state, -0.0285);
@@ -254,7 +254,7 @@ void count(Report& report, const char* name, const std::vector<Compared>& cases,
 void print(Report& report, const Compliance& one) {
   report.heading(one.title);
   const auto& [height, place, angle, creepage, force, pressure] = one.wanted;
-  // On fine elements one of the exact level's heights is 0.00030 mm from CONTACT's.
+  // On fine elements one of the exact theory's heights is 0.00030 mm from CONTACT's.
   count(
       report, "height [mm]", one.cases, [](const Compared& c) { return c.height; }, 3e-4, height);
   count(

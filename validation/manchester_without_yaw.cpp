@@ -99,7 +99,7 @@ void report_patches(Report& report, const Profile& rail, const Profile& wheel, W
   std::size_t alike = 0, all = 0;
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
     const WheelRailBodies bodies{rail, wheel, {}, {}, side, steel, {{0, 0.3}}};
-    WheelRail exact(bodies, {.level = WheelRailLevel::exact}), fast(bodies);
+    WheelRail exact(bodies, {.theory = Theory::exact}), fast(bodies);
     for (int k = 0; k <= 20; ++k) {
       WheelState<double> state;
       state.lateral = -0.5e-3 * k;
@@ -120,7 +120,7 @@ void report_patches(Report& report, const Profile& rail, const Profile& wheel, W
     report.figure(name, fmt::format("{:.2g} at {:g} mm", largest.difference, largest.at), fmt::format("<= {:g}", limit),
                   largest.difference <= limit);
   };
-  report.figure("as many patches at both levels", fmt::format("{} of {}", alike, all), fmt::format("{}", all),
+  report.figure("as many patches with both theories", fmt::format("{} of {}", alike, all), fmt::format("{}", all),
                 alike == all);
   figure("height of fastsim2 beside exact [mm]", height, 8e-4);
   figure("load of that patch, relative", load, 0.02);

@@ -24,14 +24,14 @@
 namespace microslip::validation {
 namespace {
 
-constexpr std::array levels = {WheelRailLevel::fastsim2, WheelRailLevel::table, WheelRailLevel::exact};
+constexpr std::array theories = {Theory::fastsim2, Theory::table, Theory::exact};
 constexpr std::array names = {"fastsim2", "table", "exact"};
 constexpr std::array frictions = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
 constexpr std::array sides = {TrackSide::left, TrackSide::right};
 
 /// One pair of profiles, a level, a coefficient of friction and a side, with separate states.
 struct Group {
-  std::size_t pair, level;
+  std::size_t pair, theory;
   double friction;
   TrackSide side;
 };
@@ -39,9 +39,9 @@ struct Group {
 std::vector<Group> groups(std::size_t pairs) {
   std::vector<Group> all;
   for (std::size_t pair = 0; pair < pairs; ++pair)
-    for (std::size_t level = 0; level < levels.size(); ++level)
+    for (std::size_t theory = 0; theory < theories.size(); ++theory)
       for (const double friction : frictions)
-        for (const TrackSide side : sides) all.push_back({pair, level, friction, side});
+        for (const TrackSide side : sides) all.push_back({pair, theory, friction, side});
   return all;
 }
 
@@ -123,7 +123,7 @@ Outcome outcome_of(WheelRailBodies bodies, const Group& group, std::span<const L
   constexpr int repetitions = 3;
   bodies.side = group.side;
   bodies.friction = {{0, group.friction}};
-  WheelRail wheel(bodies, {.level = levels[group.level], .table = table});
+  WheelRail wheel(bodies, {.theory = theories[group.theory], .table = table});
   WheelRailSolution s;
   Outcome out;
   for (const LoadedState& state : states) {
@@ -144,8 +144,8 @@ Outcome outcome_of(WheelRailBodies bodies, const Group& group, std::span<const L
       out.remarkable.push_back({group, state, what});
     }
     if (s.status != Status::not_converged && s.status != Status::no_solution) continue;
-    // A scan at the exact level takes seconds: there those that give up are looked at, not those that say why.
-    if (s.status == Status::no_solution && levels[group.level] == WheelRailLevel::exact) continue;
+    // A scan with the exact theory takes seconds: there those that give up are looked at, not those that say why.
+    if (s.status == Status::no_solution && theories[group.theory] == Theory::exact) continue;
     const Status status = s.status;
     const double residual = s.residual;
     const std::string reason(to_string(s.reason));
@@ -175,16 +175,16 @@ double median(std::vector<double> times) {
   return *middle;
 }
 
-void add_line(Report& report, const std::string& name, const char* level, const Outcome& out) {
-  report.line(fmt::format("{:16} {:8} {:7} {:7} {:7} {:7} {:7} {:7} {:7} {:7}", name, level, out.states,
+void add_line(Report& report, const std::string& name, const char* theory, const Outcome& out) {
+  report.line(fmt::format("{:16} {:8} {:7} {:7} {:7} {:7} {:7} {:7} {:7} {:7}", name, theory, out.states,
                           out.of(Status::ok), out.of(Status::implausible), out.of(Status::no_solution),
                           out.of(Status::not_converged), out.thrown, out.contradictions, out.roots));
 }
 
 /// The longest processor time over the median.
-double add_times(Report& report, const std::string& name, const char* level, const Outcome& out) {
+double add_times(Report& report, const std::string& name, const char* theory, const Outcome& out) {
   const double usual = median(out.times), slowest = *std::max_element(out.times.begin(), out.times.end());
-  report.line(fmt::format("processor time of {:16} {:8} {:8.0f} {:7.1f}", name, level, 1e6 * usual, slowest / usual));
+  report.line(fmt::format("processor time of {:16} {:8} {:8.0f} {:7.1f}", name, theory, 1e6 * usual, slowest / usual));
   return slowest / usual;
 }
 
@@ -192,9 +192,9 @@ std::string line_of(const Remarkable& one, const std::string& pair) {
   const auto& s = one.state.state;
   return fmt::format(
       "{} {} mu {} {} y {:.17g} yaw {:.17g} roll {:.17g} V {} pitch {:.17g} vy {:.17g} vyaw {:.17g} F {:.17g}: {}",
-      pair, names[one.group.level], one.group.friction, one.group.side == TrackSide::left ? "left" : "right", s.lateral,
-      s.yaw, s.roll, s.forward_velocity, s.pitch_velocity, s.lateral_velocity, s.yaw_velocity, one.state.force,
-      one.what);
+      pair, names[one.group.theory], one.group.friction, one.group.side == TrackSide::left ? "left" : "right",
+      s.lateral, s.yaw, s.roll, s.forward_velocity, s.pitch_velocity, s.lateral_velocity, s.yaw_velocity,
+      one.state.force, one.what);
 }
 
 } // namespace
@@ -249,15 +249,15 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   report.heading(fmt::format("{} random states: y to 20 mm, yaw to 50 mrad, roll to 5 mrad, friction 0.1 to 0.6, 1 to "
                              "200 kN, both sides and directions",
                              each * all.size()));
-  report.line("profiles         level     states      ok implaus  no sol  no cnv  thrown  contra   roots");
+  report.line("profiles         theory    states      ok implaus  no sol  no cnv  thrown  contra   roots");
   Outcome total;
   std::vector<Outcome> sums;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair)
-    for (std::size_t level = 0; level < levels.size(); ++level) {
+    for (std::size_t theory = 0; theory < theories.size(); ++theory) {
       Outcome sum;
       for (std::size_t k = 0; k < all.size(); ++k)
-        if (all[k].pair == pair && all[k].level == level) sum += found[k];
-      add_line(report, pairs[pair].name, names[level], sum);
+        if (all[k].pair == pair && all[k].theory == theory) sum += found[k];
+      add_line(report, pairs[pair].name, names[theory], sum);
       total += sum;
       sums.push_back(std::move(sum));
     }
@@ -270,7 +270,7 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   report.heading("Processor time of a state: median [us], longest over the median");
   double ratio = 0;
   for (std::size_t k = 0; k < sums.size(); ++k)
-    ratio = std::max(ratio, add_times(report, pairs[k / levels.size()].name, names[k % levels.size()], sums[k]));
+    ratio = std::max(ratio, add_times(report, pairs[k / theories.size()].name, names[k % theories.size()], sums[k]));
   report.bounded("longest processor time over the median of its line", "{:.0f}", ratio, "at most 100");
   if (options.thorough) {
     report.heading("States without a solution, and the slowest ones");

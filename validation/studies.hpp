@@ -86,7 +86,7 @@ bool run_hertz(const StudyOptions& options, std::ostream& out);
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out);
 
 /// The study `manchester`: the Manchester benchmark's wheelset (S1002 on UIC 60, Shackleton & Iwnicki 2008) in the 42
-/// states of its part, left and right, at both levels beside the forces that CONTACT printed. Needs CONTACT's
+/// states of its part, left and right, with both theories beside the forces that CONTACT printed. Needs CONTACT's
 /// input files, profiles and stored results; without them it says so.
 bool run_manchester(const StudyOptions& options, std::ostream& out);
 
@@ -144,7 +144,7 @@ bool run_wheel_levels(const StudyOptions& options, std::ostream& out);
 /// and worn ones beside CONTACT's cases.
 bool run_wheel_rail(const StudyOptions& options, std::ostream& out);
 
-/// The study `wheel-surfaces`: forces of the exact level on planes, on the true surfaces, as conformal patches and as
+/// The study `wheel-surfaces`: forces of the exact theory on planes, on the true surfaces, as conformal patches and as
 /// it chooses by itself, beside those on the true surfaces with 48 elements across each contact, for random states of
 /// wheels on new, hollow and worn profiles; what the warning of flat patches says there.
 bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out);

@@ -31,7 +31,7 @@ inline constexpr std::array study_texts = {
     StudyText{"frictional-power", "power of the classical discretisation on refined elements, for bodies of all kinds"},
     StudyText{"hertz", "the normal problem against Hertz's closed form, and its order"},
     StudyText{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table"},
-    StudyText{"manchester", "a wheelset of the Manchester benchmark beside CONTACT, at both levels"},
+    StudyText{"manchester", "a wheelset of the Manchester benchmark beside CONTACT, with both theories"},
     StudyText{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies"},
     StudyText{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps"},
     StudyText{"random-wheels",
@@ -46,7 +46,7 @@ inline constexpr std::array study_texts = {
     StudyText{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads"},
     StudyText{"wheel-levels", "fast theories of a wheel on a rail beside the exact one; their largest jumps"},
     StudyText{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy"},
-    StudyText{"wheel-surfaces", "the exact level of wheels on rails on planes and on the true surfaces"},
+    StudyText{"wheel-surfaces", "the exact theory of wheels on rails on planes and on the true surfaces"},
 };
 
 } // namespace microslip::validation

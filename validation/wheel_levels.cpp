@@ -36,12 +36,12 @@ struct Level {
 
 Level exact(int elements) {
   return {fmt::format("exact, {}", elements),
-          {.level = WheelRailLevel::exact, .shape = PatchShape::curved, .elements = elements}};
+          {.theory = Theory::exact, .shape = PatchShape::curved, .elements = elements}};
 }
 
 std::vector<Level> fast_levels(double poisson_ratio) {
   return {{"table",
-           {.level = WheelRailLevel::table,
+           {.theory = Theory::table,
             .table = std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()),
                                                              poisson_ratio)}},
           {"fastsim2", {}}};
@@ -202,7 +202,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
           for (std::size_t k = first; k < first + n; ++k) {
             const Level& level = levels[k % of_pair / each];
             WheelRail wheel(pairs[k / of_pair].bodies, level.method);
-            const bool fast = level.method.level != WheelRailLevel::exact;
+            const bool fast = level.method.theory != Theory::exact;
             const double step = fast ? options.thorough ? 1e-6 : 4e-6 : options.thorough ? 2e-6 : 4e-5;
             found[k] = smoothness(wheel, yaws[k % yaws.size()], loads[k % each / yaws.size()], step, fast ? 40 : 8);
           }
@@ -228,7 +228,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
     report.line(line + fmt::format(" {:11.4f}", largest.where * 1e3));
   }
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    const double limit = levels[level].method.level == WheelRailLevel::exact ? 0.001 : 0.0005;
+    const double limit = levels[level].method.theory == Theory::exact ? 0.001 : 0.0005;
     report.bounded(levels[level].name + ": largest jump", "{:.5f}", worst[level], fmt::format("at most {:g}", limit));
   }
   return true;

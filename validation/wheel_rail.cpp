@@ -167,13 +167,13 @@ std::vector<double> changes_of_patches(WheelRail& contact, double force) {
 /// With `thorough` all displacements are swept, else those around changes of patches.
 bool exact_continuity(Report& report, const std::vector<Pair>& all, bool thorough, const Progress& progress) {
   constexpr double limit = 0.005, reach = 15e-6;
-  report.heading(thorough ? "Exact level: sweeps from -8 to 8 mm in steps of 0.001 mm"
-                          : "Exact level: steps of 0.001 mm within 0.015 mm of where patches come, go or become one");
+  report.heading(thorough ? "Exact theory: sweeps from -8 to 8 mm in steps of 0.001 mm"
+                          : "Exact theory: steps of 0.001 mm within 0.015 mm of where patches come, go or become one");
   report.line("pair                          load kN   points  states  not solved  beyond 0.005  largest  at once");
   double jump = 0;
   int part = 0, failed = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 3); ++k) {
-    WheelRail fast(all[k].bodies), exact(all[k].bodies, {.level = WheelRailLevel::exact});
+    WheelRail fast(all[k].bodies), exact(all[k].bodies, {.theory = Theory::exact});
     for (const double force : {1e3, 10e3, 50e3, 150e3}) {
       if (progress && !progress(part++ / 12.0)) return false;
       const std::vector<double> places = changes_of_patches(fast, force);
@@ -209,10 +209,10 @@ struct Outcome {
   }
 };
 
-Outcome outcome_of(WheelRailBodies bodies, TrackSide side, WheelRailLevel level, int states, std::mt19937_64& random) {
+Outcome outcome_of(WheelRailBodies bodies, TrackSide side, Theory theory, int states, std::mt19937_64& random) {
   std::uniform_real_distribution<double> any(-1, 1);
   bodies.side = side;
-  WheelRail contact(bodies, {.level = level});
+  WheelRail contact(bodies, {.theory = theory});
   WheelRailSolution s;
   Outcome out;
   out.states = states;
@@ -232,8 +232,8 @@ Outcome outcome_of(WheelRailBodies bodies, TrackSide side, WheelRailLevel level,
     if (out.times.back() > out.slowest) out.slowest = out.times.back(), slowest_state = state, slowest_force = force;
     ++out.status[static_cast<std::size_t>(s.status)];
     out.nan += !std::isfinite(s.force.x + s.force.y + s.force.z + s.moment.x + s.moment.y + s.moment.z);
-    // The exact level ends at 1e-5, where its discretisation errs by more.
-    const double residual = level == WheelRailLevel::exact ? 1e-4 : 2e-6;
+    // The exact theory ends at 1e-5, where its discretisation errs by more.
+    const double residual = theory == Theory::exact ? 1e-4 : 2e-6;
     out.wrong += s.status == Status::ok && std::abs(s.force.z / force - 1) > residual;
     out.ends += s.warnings.has(Warning::profile_end);
     out.iterations += s.iterations, out.most_iterations = std::max(out.most_iterations, s.iterations);
@@ -242,11 +242,10 @@ Outcome outcome_of(WheelRailBodies bodies, TrackSide side, WheelRailLevel level,
   return out;
 }
 
-bool robustness(Report& report, const std::vector<Pair>& all, WheelRailLevel level, int states,
-                const Progress& progress) {
+bool robustness(Report& report, const std::vector<Pair>& all, Theory theory, int states, const Progress& progress) {
   report.heading(
       fmt::format("{} random states{}: y to 15 mm, yaw to 50 mrad, roll to 5 mrad, 0.1 to 200 kN, both sides", states,
-                  level == WheelRailLevel::exact ? " at the exact level" : ""));
+                  theory == Theory::exact ? " with the exact theory" : ""));
   report.line("pair                           states      ok  not conv.  no contact  at an end  NaN  iterations  most");
   std::mt19937_64 random(20);
   Outcome total;
@@ -254,7 +253,7 @@ bool robustness(Report& report, const std::vector<Pair>& all, WheelRailLevel lev
     if (progress && !progress(static_cast<double>(total.states) / states)) return false;
     Outcome of_pair;
     for (const TrackSide side : {TrackSide::left, TrackSide::right})
-      of_pair += outcome_of(pair.bodies, side, level, states / static_cast<int>(2 * all.size()), random);
+      of_pair += outcome_of(pair.bodies, side, theory, states / static_cast<int>(2 * all.size()), random);
     report.line(fmt::format("{:28} {:8} {:7} {:10} {:11} {:10} {:4} {:11.2f} {:5}", pair.name, of_pair.states,
                             of_pair.status[0], of_pair.status[2], of_pair.status[3], of_pair.ends, of_pair.nan,
                             static_cast<double>(of_pair.iterations) / of_pair.states, of_pair.most_iterations));
@@ -302,20 +301,20 @@ std::pair<WheelState<double>, double> some_state(std::mt19937_64& random) {
   return {state, 20e3 * std::pow(5, any(random))};
 }
 
-/// Steps of differences [m or rad, m/s or rad/s], others than the library's. At the exact level elements come and go:
-/// slopes are those over some micrometres, fewer where the load changes with the place.
+/// Steps of differences [m or rad, m/s or rad/s], others than the library's. With the exact theory elements come and
+/// go: slopes are those over some micrometres, fewer where the load changes with the place.
 struct Steps {
   double place = 1e-9, velocity = 1e-5;
 
-  static Steps of(WheelRailLevel level, Held held) {
-    if (level != WheelRailLevel::exact) return {};
+  static Steps of(Theory theory, Held held) {
+    if (theory != Theory::exact) return {};
     return {held == Held::height ? 1e-6 : 4e-6, 1e-4};
   }
 };
 
-DerivativeErrors derivative_errors(const WheelRailBodies& bodies, WheelRailLevel level, Held held, int states) {
-  const Steps steps = Steps::of(level, held);
-  WheelRail contact(bodies, {.level = level, .tolerance = 1e-11});
+DerivativeErrors derivative_errors(const WheelRailBodies& bodies, Theory theory, Held held, int states) {
+  const Steps steps = Steps::of(theory, held);
+  WheelRail contact(bodies, {.theory = theory, .tolerance = 1e-11});
   WheelRailSolution s, low, high;
   WheelRailDerivatives d;
   DerivativeErrors errors;
@@ -348,9 +347,10 @@ DerivativeErrors derivative_errors(const WheelRailBodies& bodies, WheelRailLevel
   return errors;
 }
 
-/// Of derivatives at the exact level by those with an element more across each contact: what the discretisation leaves.
+/// Of derivatives with the exact theory by those with an element more across each contact: what the discretisation
+/// leaves.
 DerivativeErrors derivative_differences(const WheelRailBodies& bodies, int states) {
-  const WheelRailMethod method{.level = WheelRailLevel::exact};
+  const WheelRailMethod method{.theory = Theory::exact};
   WheelRailMethod finer = method;
   ++finer.elements;
   WheelRail contact(bodies, method), other(bodies, finer);
@@ -401,12 +401,12 @@ void report_errors(Report& report, const std::vector<Pair>& all, double limit, c
   figure("half of them by velocities, worst pair", velocities);
 }
 
-void derivatives(Report& report, const std::vector<Pair>& all, WheelRailLevel level, Held held, int states) {
+void derivatives(Report& report, const std::vector<Pair>& all, Theory theory, Held held, int states) {
   report.heading(fmt::format("Derivatives of forces{} beside differences, with the {} held: {} states of each pair",
-                             level == WheelRailLevel::exact ? " at the exact level" : "",
+                             theory == Theory::exact ? " with the exact theory" : "",
                              held == Held::height ? "height" : "vertical force", states));
-  report_errors(report, all, level == WheelRailLevel::exact ? 1e-3 : 1e-4,
-                [&](const WheelRailBodies& bodies) { return derivative_errors(bodies, level, held, states); });
+  report_errors(report, all, theory == Theory::exact ? 1e-3 : 1e-4,
+                [&](const WheelRailBodies& bodies) { return derivative_errors(bodies, theory, held, states); });
 }
 
 void discretised_derivatives(Report& report, const std::vector<Pair>& all, int states) {
@@ -417,12 +417,12 @@ void discretised_derivatives(Report& report, const std::vector<Pair>& all, int s
 
 void energy(Report& report, const std::vector<Pair>& all) {
   report.heading(
-      "Work of friction at the elements' centres beside the frictional power, exact level: 12 states of each pair");
+      "Work of friction at the elements' centres beside the frictional power, exact theory: 12 states of each pair");
   std::mt19937_64 random(22);
   std::uniform_real_distribution<double> any(-1, 1);
   double worst = 0;
   for (const Pair& pair : all) {
-    WheelRail contact(pair.bodies, {.level = WheelRailLevel::exact});
+    WheelRail contact(pair.bodies, {.theory = Theory::exact});
     for (int k = 0; k < 12; ++k) {
       WheelState<double> state = running(6e-3 * any(random));
       state.pitch_velocity *= 1 + 3e-3 * any(random);
@@ -449,11 +449,11 @@ bool run_wheel_rail(const StudyOptions& options, std::ostream& out) {
   report_closed_forms(report);
   if (!continuity(report, all, part_of(options.progress, 0, 0.4))) return false;
   if (!exact_continuity(report, all, options.thorough, part_of(options.progress, 0.4, 0.5))) return false;
-  if (!robustness(report, all, WheelRailLevel::fastsim2, 100000, part_of(options.progress, 0.5, 0.8))) return false;
-  if (!robustness(report, all, WheelRailLevel::exact, 2000, part_of(options.progress, 0.8, 0.9))) return false;
-  derivatives(report, all, WheelRailLevel::fastsim2, Held::vertical_force, 200);
-  derivatives(report, all, WheelRailLevel::exact, Held::height, 10);
-  derivatives(report, all, WheelRailLevel::exact, Held::vertical_force, 10);
+  if (!robustness(report, all, Theory::fastsim2, 100000, part_of(options.progress, 0.5, 0.8))) return false;
+  if (!robustness(report, all, Theory::exact, 2000, part_of(options.progress, 0.8, 0.9))) return false;
+  derivatives(report, all, Theory::fastsim2, Held::vertical_force, 200);
+  derivatives(report, all, Theory::exact, Held::height, 10);
+  derivatives(report, all, Theory::exact, Held::vertical_force, 10);
   discretised_derivatives(report, all, 10);
   energy(report, all);
   return report.all_met();

@@ -212,14 +212,14 @@ void report_loads(Report& report) {
     const HertzContact hertz = hertz_of(p);
     std::string line = fmt::format("{:34} {:7.3f} {:7.1f} {:9.2f}", p.name, 1e-3 * hertz.normal_force,
                                    1e-6 * hertz.peak_pressure, 1e-3 * p.printed);
-    for (const WheelRailLevel theory : {WheelRailLevel::exact, WheelRailLevel::fastsim2}) {
-      WheelRail contact(bodies_of(p), {.level = theory, .elements = 48});
+    for (const Theory theory : {Theory::exact, Theory::fastsim2}) {
+      WheelRail contact(bodies_of(p), {.theory = theory, .elements = 48});
       WheelState<double> state = p.state; // at rest, so that friction bears nothing
       state.vertical = height_of(p);
       const WheelRailSolution s = contact.solve(state);
       if (s.status != Status::ok || s.patches.size() != 1) throw Error(p.name + ": not solved");
       const WheelRailPatch& patch = s.patches[0];
-      Largest& largest = worst[theory == WheelRailLevel::fastsim2];
+      Largest& largest = worst[theory == Theory::fastsim2];
       largest.load = std::max(largest.load, std::abs(patch.normal_force / hertz.normal_force - 1));
       largest.pressure = std::max(largest.pressure, std::abs(patch.peak_pressure / hertz.peak_pressure - 1));
       const bool level = p.slope == 0 && p.state.deflection.roll == 0;

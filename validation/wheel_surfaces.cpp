@@ -31,7 +31,7 @@ struct Way {
 constexpr std::size_t truth = 0, planes = 1, itself = 4;
 std::array<Way, 5> ways() {
   const auto exact = [](std::optional<PatchShape> shape, int elements) {
-    return WheelRailMethod{.level = WheelRailLevel::exact, .shape = shape, .elements = elements};
+    return WheelRailMethod{.theory = Theory::exact, .shape = shape, .elements = elements};
   };
   return {{{"curved, 48", exact(PatchShape::curved, 48)},
            {"flat, 24", exact(PatchShape::flat, 24)},
@@ -75,7 +75,7 @@ Compared compare(std::vector<WheelRail>& by, const LoadedState& s) {
 
 bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
   constexpr std::size_t count = 200, kinds = 3;
-  constexpr double warned_from = 0.02; // of mu Fn: the warning goes by the fast level
+  constexpr double warned_from = 0.02; // of mu Fn: the warning goes by the fast theory
   const auto all = ways();
   const std::vector<ProfilePair> pairs = worn_pairs();
   std::vector<Compared> found(kinds * count);
@@ -113,7 +113,7 @@ bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
       report.line(fmt::format("{:16} {:16} {:6} {:11} {:8.4f} {:8.4f}", pairs[pair].name, all[way].name, states,
                               unsolved, rms, largest));
     }
-  report.bounded("rms of the level as it is by itself", "{:.4f}", worst, "at most 0.005");
+  report.bounded("rms of the theory as it is by itself", "{:.4f}", worst, "at most 0.005");
   report.count("states that it does not solve", refused, 0);
   report.figure("flat patches beyond 0.02 without a warning",
                 fmt::format("{} of {}, {} warned of", missed, needed, warned), "at most 5 %", missed <= 0.05 * needed);

@@ -1,8 +1,8 @@
-// The wheelset on real profiles with each level of its contacts: what a simulated second costs, and the limit cycle
+// The wheelset on real profiles with each theory of its contacts: what a simulated second costs, and the limit cycle
 // between the flanges at 66 m/s.
 //
 //   wheelset_levels PROFILES TABLE [DURATION [ELEMENTS]]     PROFILES: where s1002.prw and 60e1.prr are; TABLE: a
-//                                                            creep-force table; DURATION [s] of the exact level, which
+//                                                            creep-force table; DURATION [s] of the exact theory, which
 //                                                            starts in the table's limit cycle, none: 0.3; ELEMENTS of
 //                                                            it across a patch, none: 24
 
@@ -53,9 +53,9 @@ Cycle cycle_of(const ProfiledHistory& history, std::size_t half_periods) {
   return cycle;
 }
 
-/// Runs a level, prints its line and returns where it ends.
-State run_level(const char* name, const microslip::WheelRailBodies& bodies, const microslip::WheelRailMethod& method,
-                const State* start, double duration, std::size_t half_periods) {
+/// Runs a theory, prints its line and returns where it ends.
+State run_theory(const char* name, const microslip::WheelRailBodies& bodies, const microslip::WheelRailMethod& method,
+                 const State* start, double duration, std::size_t half_periods) {
   ProfiledParameters parameters;
   parameters.speed = speed;
   ProfiledWheelset wheelset(bodies, parameters, method);
@@ -78,18 +78,17 @@ State run_level(const char* name, const microslip::WheelRailBodies& bodies, cons
 int main(int count, char** arguments) {
   try {
     if (count < 3) throw std::runtime_error("needs the folder of s1002.prw and 60e1.prr, and a creep-force table");
-    using microslip::WheelRailLevel;
+    using microslip::Theory;
     const microslip::WheelRailBodies bodies = bodies_from(arguments[1]);
     const auto table = read_table(arguments[2], bodies.material.poisson_ratio);
     const double duration = count > 3 ? std::atof(arguments[3]) : 0.3;
     const int elements = count > 4 ? std::atoi(arguments[4]) : 24;
     std::printf("Limit cycle at %.0f m/s; processor time\n", speed);
-    std::printf("level     simulated  s per simulated  us for a wheel  Newton  Jacobians  amplitude [mm]  frequency "
+    std::printf("theory    simulated  s per simulated  us for a wheel  Newton  Jacobians  amplitude [mm]  frequency "
                 "[Hz]\n");
-    run_level("fastsim2", bodies, {.level = WheelRailLevel::fastsim2}, nullptr, 4, 20);
-    const State end = run_level("table", bodies, {.level = WheelRailLevel::table, .table = table}, nullptr, 4, 20);
-    if (duration > 0)
-      run_level("exact", bodies, {.level = WheelRailLevel::exact, .elements = elements}, &end, duration, 4);
+    run_theory("fastsim2", bodies, {.theory = Theory::fastsim2}, nullptr, 4, 20);
+    const State end = run_theory("table", bodies, {.theory = Theory::table, .table = table}, nullptr, 4, 20);
+    if (duration > 0) run_theory("exact", bodies, {.theory = Theory::exact, .elements = elements}, &end, duration, 4);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "wheelset_levels: %s\n", error.what());

@@ -154,7 +154,7 @@ TEST(WheelRailUnit, ParametersReachTheSolver) {
   wanted.rail = io::read_profile(resources / "60e1.prr", {.treatment = {.smoothing_length = 2e-3}}).profile;
   wanted.track.gauge = 1.437, wanted.track.cant = 0.025, wanted.wheelset.nominal_radius = 0.45;
   wanted.friction = {{0, 0.2}};
-  WheelRail contact(wanted, {.level = WheelRailLevel::exact, .elements = 8});
+  WheelRail contact(wanted, {.theory = Theory::exact, .elements = 8});
   instance.expect(contact.solve(running(-2e-3), 60e3)); // follows the inputs already during initialization
 }
 

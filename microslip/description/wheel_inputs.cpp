@@ -79,7 +79,7 @@ std::vector<Input> all_inputs() {
        }},
       {"solution",
        {
-           word("theory", wheel_rail_levels, "fastsim2",
+           word("theory", wheel_theories, "fastsim2",
                 "FASTSIM2 on rows, the exact theory of half-spaces, or a creep-force table"),
            word("shape", patch_shapes, "",
                 "exact: surface of a patch; left out: the true one, conformal where it turns and else curved"),

@@ -24,7 +24,7 @@ inline constexpr std::array<Word, 2> profile_roles{"rail", "wheel"};
 inline constexpr std::array<Word, 3> profile_formats{"simpack", "miniprof", "columns"};
 inline constexpr std::array<Word, 2> lateral_senses{"field", "gauge"};
 inline constexpr std::array<Word, 2> vertical_senses{"up", "down"};
-inline constexpr std::array<Word, 3> wheel_rail_levels{"fastsim2", "exact", "table"};
+inline constexpr std::array<Word, 3> wheel_theories{"fastsim2", "exact", "table"};
 inline constexpr std::array<Word, 3> patch_shapes{"flat", "curved", "conformal"};
 inline constexpr std::array<Word, 2> track_sides{"left", "right"};
 inline constexpr std::array<Word, 2> roll_rules{"equilibrium", "none"};

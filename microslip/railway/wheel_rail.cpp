@@ -4,10 +4,10 @@
 #include "microslip/railway/call_progress.hpp"
 #include "microslip/railway/problem/wheel_status.hpp"
 #include "microslip/railway/wheel_assessment.hpp"
-#include "microslip/railway/wheel_levels.hpp"
 #include "microslip/railway/wheel_rail_checks.hpp"
 #include "microslip/railway/wheel_rail_derivatives.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheel_theories.hpp"
 
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ bool is_finite(const WheelRailDerivatives& d) {
 struct WheelRail::Workspace {
   WheelRailBodies bodies;
   WheelRailMethod method;
-  const WheelLevel& level = level_of(method);
+  const WheelTheory& theory = theory_of(method);
   NominalPlacement nominal = nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel);
   EquivalentContact contact{bodies, method, nominal};
   WheelLimits limits = limits_of(bodies, contact.rows());
@@ -63,16 +63,16 @@ private:
 
   /// No number of a state makes it throw: the state has a status, and others can be solved.
   void solve_left(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out) {
-    if (level.by_elements)
+    if (theory.by_elements)
       contact.rows().height().reset(); // next to nothing of the cost, and the grids are the same each time
     try {
-      if (solve_rows(state, vertical_force, out)) level.solve(contact, state, method, vertical_force, out, progress);
+      if (solve_rows(state, vertical_force, out)) theory.solve(contact, state, method, vertical_force, out, progress);
     } catch (const Error&) {
       out.status = Status::not_converged, out.residual = std::numeric_limits<double>::quiet_NaN();
     }
     conclude(out, state.vertical, method.solved_tolerance());
     assess(bodies, limits, method.surface(), out);
-    if (!level.by_elements && !method.fields) out.fields.clear(); // they were there for wear
+    if (!theory.by_elements && !method.fields) out.fields.clear(); // they were there for wear
   }
 
   /// Returns whether there is contact.
@@ -131,7 +131,7 @@ private:
       contact.rows().height().move(state);
       return of_rows();
     };
-    if (level.by_elements)
+    if (theory.by_elements)
       forces.of_elements = [this](const WheelState<double>& state, std::optional<double> vertical_force) {
         solve_left(state, vertical_force, trial);
         return Wrench::of(trial);

@@ -84,18 +84,18 @@ public:
 
   /// The forces in a state. `vertical_force` [N] > 0 is F_z on the wheel, its height then an unknown; without it the
   /// state's is taken. No contact, a force that no height gives, and not converging are statuses; NaN in the state
-  /// gives invalid_input. At the levels `fastsim2` and `table` it allocates nothing once `solution` has had its
+  /// gives invalid_input. With the theories `fastsim2` and `table` it allocates nothing once `solution` has had its
   /// size, unless fields are asked for, or wear, which needs them: with a hardness. Where surfaces vary, or on rollers,
   /// it first finds the equivalent rail of each state, which takes some 10 ms and allocates. Without contact, too,
-  /// where a rail is interrupted. `progress` is called often at the level `exact`, without a fraction; where it returns
-  /// false Stopped is thrown, and the solver is as good as before.
+  /// where a rail is interrupted. `progress` is called often with the theory `exact`, without a fraction; where it
+  /// returns false Stopped is thrown, and the solver is as good as before.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
              const Progress& progress = {});
   WheelRailSolution solve(const WheelState<double>& state, std::optional<double> vertical_force = {},
                           const Progress& progress = {});
-  /// Forgets the last state, from which the next solve at the levels `fastsim2` and `table` starts where it is near.
-  /// That changes results by about the tolerance, and halves the time; after reset() they are those of a new solver
-  /// to the last bit.
+  /// Forgets the last state, from which the next solve with the theories `fastsim2` and `table` starts where it is
+  /// near. That changes results by about the tolerance, and halves the time; after reset() they are those of a new
+  /// solver to the last bit.
   void reset();
 
   /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are

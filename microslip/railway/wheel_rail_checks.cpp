@@ -3,7 +3,7 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
-#include "microslip/railway/wheel_levels.hpp"
+#include "microslip/railway/wheel_theories.hpp"
 
 #include <string>
 
@@ -49,13 +49,13 @@ void require_strength(const SurfaceStrength& strength) {
 } // namespace
 
 void require_valid(const WheelRailBodies& bodies, const WheelRailMethod& method) {
-  const WheelLevel& level = level_of(method);
+  const WheelTheory& theory = theory_of(method);
   require_profiles(bodies);
   require_material(bodies.material);
   require_roller(bodies.track.roller_radius, bodies.wheelset.nominal_radius);
-  require_friction(bodies.friction, !level.by_elements);
+  require_friction(bodies.friction, !theory.by_elements);
   require_shape(method);
-  level.require(method);
+  theory.require(method);
   require_count("elements", method.elements, 6, 1000);
   require_between("tolerance", method.tolerance, "-", smallest_load_tolerance, largest_load_tolerance);
   require_strength(bodies.strength);

@@ -3,7 +3,7 @@
 #include "microslip/exact/classical/contact_step.hpp"
 #include "microslip/rolling/incompatibility.hpp"
 #include "microslip/rolling/rolling_problem.hpp"
-#include "microslip/rolling/theory.hpp"
+#include "microslip/rolling/simplified_defaults.hpp"
 
 #include <memory>
 #include <optional>

@@ -10,6 +10,7 @@
 #include "binding/wheel_rail_fields.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/rolling/incompatibility.hpp"
@@ -68,7 +69,7 @@ StateArrays::StateArrays(const py::kwargs& given, double nominal_radius) : nomin
 void PythonWheelRail::for_batch(
     const StateArrays& states, int threads,
     const std::function<void(WheelRail& solver, std::size_t index, const Progress& progress)>& solve) const {
-  const std::size_t chunk = method.level == WheelRailLevel::exact ? 1 : 16;
+  const std::size_t chunk = method.theory == Theory::exact ? 1 : 16;
   run_batch(states.count(), chunk, thread_count(threads), [&]() -> BatchWorker {
     return [&, solver = std::make_shared<WheelRail>(bodies, method)](std::size_t first, std::size_t n,
                                                                      const Progress& progress) {
@@ -113,14 +114,15 @@ WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const 
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio) {
-  const auto level = io::from_word<WheelRailLevel>("theory", theory);
-  if (table && level != WheelRailLevel::table) throw Incompatible(table_without_theory);
-  return {.level = level,
+  io::require_word("theory", theory, description::wheel_theories);
+  const auto chosen = io::from_word<Theory>("theory", theory);
+  if (table && chosen != Theory::table) throw Incompatible(table_without_theory);
+  return {.theory = chosen,
           .shape = shape ? std::optional(io::from_word<PatchShape>("shape", *shape)) : std::nullopt,
           .elements = grid,
           .tolerance = tolerance,
           .fields = fields,
-          .table = level == WheelRailLevel::table
+          .table = chosen == Theory::table
                        ? std::make_shared<const CreepForceTable>(table ? *table : own_creep_table(poisson_ratio))
                        : nullptr};
 }

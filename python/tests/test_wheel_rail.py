@@ -1,4 +1,4 @@
-"""A wheel on a rail from Python: numbers and arrays, both sides, both levels, refusals."""
+"""A wheel on a rail from Python: numbers and arrays, both sides, both theories, refusals."""
 
 import copy
 import pickle

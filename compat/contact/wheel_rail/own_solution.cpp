@@ -144,7 +144,7 @@ class LibraryWheel {
 public:
   LibraryWheel(const Case& c, const WheelOutcome& wheel)
       : case_(c), data_(*c.wheel_rail),
-        solver_(own_bodies(c, wheel.placement), {.level = WheelRailLevel::exact, .shape = own_shape(c)}),
+        solver_(own_bodies(c, wheel.placement), {.theory = Theory::exact, .shape = own_shape(c)}),
         state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
     if (c.digits.norm == Normal::force)
       vertical_force_ = data_.position.z;

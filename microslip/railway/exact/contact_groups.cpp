@@ -50,7 +50,7 @@ double greatest_overlap(std::span<const ContactGroup> groups) {
 
 namespace {
 
-/// Elements of the coarse level's contact; where that is small within the overlap they are not smaller than a third of
+/// Elements of the fast theory's contact; where that is small within the overlap they are not smaller than a third of
 /// those across the overlap.
 Vec2 element_of(const RowSums& rows, const PatchOutline& outline, int elements) {
   const Vec2 extent = rows.extent();
@@ -78,7 +78,7 @@ PatchOutline limited_to(const PatchOutline& whole, std::span<const ContactExtent
   return limited;
 }
 
-/// The rows of the coarse level as loads.
+/// The rows of the fast theory as loads.
 void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
   for (std::size_t j = 0; j < patch.loaded.size(); ++j) {
     const LoadedRow& row = patch.loaded[j];
@@ -120,14 +120,14 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
         add_rows(patches[k], loads);
       }
     const Vec2 element = element_of(*rows, group.outline, method.elements);
-    if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the coarse level failed
+    if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the fast theory failed
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = limited_to(group.outline, extents);
     const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
     ExactPatch exact(bodies.material, surface, covered, shape, element, motion, progress);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
-    // Rows of the coarse level have separate planes.
+    // Rows of the fast theory have separate planes.
     if (force > 0 && method.surface() == PatchShape::flat)
       for (const PointLoad& row : loads)
         share += row.force / force * (std::cos(group.outline.frame.angle) - std::cos(row.angle));

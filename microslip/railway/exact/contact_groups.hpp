@@ -11,7 +11,7 @@
 
 namespace microslip {
 
-/// Sums over the rows of patches at the coarse level, and what else differs from patch to patch.
+/// Sums over the rows of patches at the fast theory, and what else differs from patch to patch.
 struct RowSums {
   double load = 0;      ///< q
   double squares = 0;   ///< q^2 over the row's width
@@ -36,11 +36,11 @@ struct ContactExtent {
   double s_low = 0, s_high = 0; ///< of the rail's profile [m]
 };
 
-/// A group of patches of the coarse level and its elements for the exact theory.
+/// A group of patches of the fast theory and its elements for the exact theory.
 struct ContactGroup {
   PatchGroup group;
   RowSums rows;
-  std::vector<PointLoad> start; ///< loads of the coarse level's rows
+  std::vector<PointLoad> start; ///< loads of the fast theory's rows
   PatchOutline covered;         ///< with elements
   ExactPatch exact;
   double force;                            ///< normal, with which it lifts the others [N]
@@ -57,7 +57,7 @@ struct ContactGroup {
   std::optional<ContactExtent> extent(double depth) const;
 };
 
-/// The groups of the patches that the coarse level has, with elements over what is given of the overlap, or over all of
+/// The groups of the patches that the fast theory has, with elements over what is given of the overlap, or over all of
 /// it where that is nothing.
 std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
                                          const WheelRailMethod& method, std::span<const ContactExtent> extents,

@@ -88,7 +88,7 @@ bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
   return true;
 }
 
-/// The patches that the coarse level has in its height, pressed together. Elements cover what is given of the overlap,
+/// The patches that the fast theory has in its height, pressed together. Elements cover what is given of the overlap,
 /// or all of it where they do not hold the contact. Returns by how much the wheel is lowered [m]; nothing where no load
 /// of the patches bears the vertical force.
 std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
@@ -107,7 +107,7 @@ std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& b
 
 /// What few elements over all of the overlap tell.
 struct Forecast {
-  std::vector<ContactExtent> extents; ///< of the contact, also where the coarse level's rows bear nothing
+  std::vector<ContactExtent> extents; ///< of the contact, also where the fast theory's rows bear nothing
   std::optional<double> lowering;     ///< of the wheel until the patches bear the vertical force [m]
   double share_to_go = 0;             ///< of a further lowering of that size
 };
@@ -145,7 +145,7 @@ Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelR
   return found;
 }
 
-/// Solves with the patches that the coarse level has in its height. False if `others` may be found and these do not
+/// Solves with the patches that the fast theory has in its height. False if `others` may be found and these do not
 /// hold in the height that bears the vertical force, towards which the wheel has gone then.
 bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                         std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
@@ -199,11 +199,11 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
   return true;
 }
 
-/// In a state, from the patches of the coarse level there.
+/// In a state, from the patches of the fast theory there.
 void solve_from_coarse(RowContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                        const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                        const Progress& progress) {
-  constexpr int most_heights = 4; // the coarse level may have missed the height, or found it with other patches
+  constexpr int most_heights = 4; // the fast theory may have missed the height, or found it with other patches
   for (int k = 1; k <= most_heights; ++k) {
     const Forecast found = k == 1 && vertical_force
                                ? go_to_height(coarse, state, bodies, method, *vertical_force, out, progress)

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// The exact theory on the patches that the coarse level has found in a state, whose forces are so near that few steps
+/// The exact theory on the patches that the fast theory has found in a state, whose forces are so near that few steps
 /// remain: fills in forces, patches, fields, height and status. Patches that are about to become one are one
 /// (group_patches); others lift each other by the far fields of their pressures. The forces of a state solved for a
 /// vertical force [N] have it; without one the wheel stays where it is. `progress` may end it by Stopped only.

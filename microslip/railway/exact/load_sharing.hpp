@@ -7,8 +7,8 @@
 
 namespace microslip {
 
-/// Presses all patches with the forces of the coarse level, which tells how stiff they are, and what they would bear in
-/// the coarse level's height.
+/// Presses all patches with the forces of the fast theory, which tells how stiff they are, and what they would bear in
+/// the fast theory's height.
 void press_first(std::vector<ContactGroup>& groups);
 
 /// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:

@@ -26,7 +26,7 @@ struct PatchFrame {
 enum class PatchShape {
   flat,   ///< the plane of its frame: gaps are measured along one direction
   curved, ///< the rail's surface: the normal differs from row to row; s is the length along the rail
-  /// the same, and rows act on each other as their angles want it (RowInclination, (W5)); for the level exact
+  /// the same, and rows act on each other as their angles want it (RowInclination, (W5)); for the theory exact
   conformal
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/theory.hpp"
 #include "microslip/contact/warnings.hpp"
 #include "microslip/damage/surface_strength.hpp"
 #include "microslip/elasticity/material.hpp"
@@ -43,18 +44,13 @@ struct WheelRailBodies {
 };
 
 /// Method of solution.
-enum class WheelRailLevel {
-  fastsim2, ///< normal problem on few elements, FASTSIM2 on the rows of the patch
-  exact,    ///< the exact theory at second order on each patch
-  table,    ///< the normal problem of fastsim2, forces of the patches' equivalent ellipses from a creep-force table
-};
 struct WheelRailMethod {
-  WheelRailLevel level = WheelRailLevel::fastsim2;
+  Theory theory = Theory::fastsim2; ///< or exact or table; the others are for one patch alone
   /// exact: unless given curved, and conformal where the rail's surface turns (conformity()); the rows of fastsim2 and
   /// table always follow the surface.
   std::optional<PatchShape> shape = {};
   int elements = 24;       ///< exact: across each contact
-  double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that at the level exact
+  double tolerance = 1e-6; ///< of the vertical force, relative; less than 1e-6 counts as that with the theory exact
   bool fields = false;     ///< fastsim2: the fields of each patch, too, for which it allocates; exact always has them
   std::shared_ptr<const CreepForceTable> table = {}; ///< table: rolling forward; one for nu alone is the smallest
 

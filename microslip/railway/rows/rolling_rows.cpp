@@ -67,7 +67,7 @@ double rolling_speed(const WheelPlacement<double>& p, const Vec3<double>& place)
 RollingRows::RollingRows(const WheelRailBodies& bodies, const WheelRailMethod& method)
     : bodies_(bodies), forward_(cells, most_wheel_rows), backward_(cells, most_wheel_rows, RollingDirection::backward),
       loaded_(most_wheel_rows), forces_(most_wheel_rows), forces_with_(most_wheel_rows), speed_(most_wheel_rows) {
-  if (method.level == WheelRailLevel::table) look_up_.emplace(method.table, most_wheel_rows);
+  if (method.theory == Theory::table) look_up_.emplace(method.table, most_wheel_rows);
 }
 
 /// Rows as FASTSIM2 takes them, with their creepages about x = 0 of the track axes.

@@ -43,7 +43,7 @@ private:
 
   const WheelRailBodies& bodies_;
   LoadedRowSolver forward_, backward_;
-  std::optional<RowLookUp> look_up_; ///< at the level `table`
+  std::optional<RowLookUp> look_up_; ///< with the theory `table`
   std::size_t count_ = 0;
   std::vector<LoadedRow> loaded_;
   std::vector<RowForces> forces_, forces_with_;

@@ -6,8 +6,8 @@
 #include "microslip/railway/geometry/wheelset_contact.hpp"
 #include "microslip/railway/problem/wheel_status.hpp"
 #include "microslip/railway/vehicle/wheelset_equations.hpp"
-#include "microslip/railway/wheel_levels.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "microslip/railway/wheel_theories.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ struct WheelsetOnTrack::Workspace {
   Workspace(const WheelRailBodies& l, const WheelRailBodies& r, const WheelRailMethod& method)
       : tolerance(method.tolerance), rigid(l.track, l.wheelset, {l.rail, l.wheel}, {r.rail, r.wheel}),
         wheels(l, r, method) {
-    if (!level_of(method).by_elements) return;
+    if (!theory_of(method).by_elements) return;
     tolerance = std::max(tolerance, 1e-5);
     fast.emplace(l, r, fast_method(method));
   }

@@ -1,11 +1,9 @@
 #pragma once
 
+#include "microslip/contact/theory.hpp"
 #include "microslip/simplified/row_solver.hpp"
 
 namespace microslip {
-
-/// Theories for a contact.
-enum class Theory { fastsim, fastsim_half_step, fastsim2, exact, fastrip, table };
 
 /// The scheme of the simplified theory, except FaStrip, which is a separate solver; beside the exact theory and a
 /// creep-force table FASTSIM2.

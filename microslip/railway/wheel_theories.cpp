@@ -1,4 +1,4 @@
-#include "microslip/railway/wheel_levels.hpp"
+#include "microslip/railway/wheel_theories.hpp"
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/fade.hpp"
@@ -17,7 +17,7 @@ void require_table(const WheelRailMethod& method) {
   if (!method.table) throw Error("table: the level \"table\" needs a creep-force table, and none is given");
   if (method.table->direction() != RollingDirection::forward)
     throw Error("table: must be one for rolling forward; the other direction is its mirror image");
-  if (method.fields) throw Error("fields: a creep-force table has none; the levels fastsim2 and exact do");
+  if (method.fields) throw Error("fields: a creep-force table has none; the theories fastsim2 and exact do");
 }
 
 void keep_rows(EquivalentContact&, const WheelState<double>&, const WheelRailMethod&, std::optional<double>,
@@ -35,34 +35,35 @@ void solve_by_elements(EquivalentContact& contact, const WheelState<double>& sta
   solve_exact(contact.rows(), state, contact.bodies(), method, vertical_force, out, progress);
 }
 
-/// In the order of WheelRailLevel.
-constexpr WheelLevel levels[] = {
-    {"fastsim2", false, 0, require_nothing, add_fields},
-    {"exact", true, 1e-6, require_nothing, solve_by_elements},
-    {"table", false, 0, require_table, keep_rows},
+constexpr WheelTheory theories[] = {
+    {Theory::fastsim2, "fastsim2", false, 0, require_nothing, add_fields},
+    {Theory::exact, "exact", true, 1e-6, require_nothing, solve_by_elements},
+    {Theory::table, "table", false, 0, require_table, keep_rows},
 };
 
 } // namespace
 
-const WheelLevel& level_of(const WheelRailMethod& method) {
-  return levels[static_cast<std::size_t>(method.level)];
+const WheelTheory& theory_of(const WheelRailMethod& method) {
+  for (const WheelTheory& theory : theories)
+    if (theory.theory == method.theory) return theory;
+  throw Error("theory: of a wheel on a rail it is fastsim2, exact or table");
 }
 
 double WheelRailMethod::solved_tolerance() const {
-  return std::max(tolerance, level_of(*this).least_tolerance);
+  return std::max(tolerance, theory_of(*this).least_tolerance);
 }
 
 double WheelRailMethod::conformity(double turn) const {
   constexpr double curved = 10 * std::numbers::pi / 180, conformal = 18 * std::numbers::pi / 180; // [rad]
-  if (!level_of(*this).by_elements) return 0;
+  if (!theory_of(*this).by_elements) return 0;
   if (shape) return *shape == PatchShape::conformal ? 1 : 0;
   return 1 - fade(turn, curved, conformal);
 }
 
 void require_shape(const WheelRailMethod& method, const std::string& name) {
-  const WheelLevel& level = level_of(method);
-  if (level.by_elements || method.surface() == PatchShape::curved) return;
-  throw Error(name + ": the rows of " + level.name + " follow the surface: curved, or left out");
+  const WheelTheory& theory = theory_of(method);
+  if (theory.by_elements || method.surface() == PatchShape::curved) return;
+  throw Error(name + ": the rows of " + theory.name + " follow the surface: curved, or left out");
 }
 
 } // namespace microslip
