@@ -71,6 +71,7 @@ bool run(const Study& study, const ValidateArguments& arguments, std::ostream& o
   };
   const bool met = study.run({.output = arguments.output,
                               .threads = arguments.threads,
+                              .cases = arguments.cases,
                               .thorough = arguments.thorough,
                               .progress = progress,
                               .figures = &figures},
@@ -146,6 +147,10 @@ bool run_for_programs(const Study& study, const ValidateArguments& arguments, io
 int run_studies(const ValidateArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
   const std::vector<const Study*> studies = chosen(arguments.names);
+  if (!arguments.cases.empty() && std::ranges::none_of(studies, [](const Study* s) { return s->name == "contact"; }))
+    throw Error("--cases: is for the study contact");
+  if (!arguments.cases.empty() && !std::filesystem::is_directory(arguments.cases))
+    throw Error("--cases: " + arguments.cases.string() + " is no folder");
   if (arguments.list) {
     list_studies();
     return ExitCode::done;

@@ -35,6 +35,8 @@ void add_validate_command(Command& program, int& exit_code, int (*run)(const Val
   command.add_flag("--list", arguments.list, "print the names of the studies and what they show");
   command.add_option("-o,--output FOLDER", arguments.output, "folder for the result files and the pictures")
       .capture_default_str();
+  command.add_option("--cases FOLDER", arguments.cases,
+                     "contact: folder of CONTACT's input files, with its output FILE.ref_out beside each FILE.inp");
   command.add_option("--threads COUNT", arguments.threads, "threads, 1 to 1024; default: one for each processor");
   command.add_flag(
       "--thorough", arguments.thorough,

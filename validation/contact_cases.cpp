@@ -82,10 +82,11 @@ std::map<std::string, std::map<int, Printed>> read_printed() {
 /// What is in the program's output and not among the columns.
 std::map<int, Printed> read_output(const std::string& name) {
   std::map<int, Printed> cases;
-  for (const auto& [number, output] : read_contact_output(fs::path(input_folder) / (name + ".ref_out")))
+  std::ifstream in(fs::path(input_folder) / (name + ".ref_out"));
+  for (const PrintedCase& printed : read_contact_output(in))
     for (const auto& [column, printed_name] : columns) {
-      const auto found = output.totals.find(printed_name);
-      if (found != output.totals.end()) cases[number][column] = found->second;
+      const auto found = printed.totals.find(printed_name);
+      if (found != printed.totals.end()) cases[printed.number][column] = found->second;
     }
   return cases;
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -13,8 +12,25 @@ namespace {
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream text(line);
   std::vector<std::string> words;
-  for (std::string word; text >> word;) words.push_back(word);
+  for (std::string word; text >> word;) {
+    const bool goes_on = !words.empty() && (words.back() == "CREEP" || words.back() == "SHIFT");
+    goes_on ? (words.back() += ' ' + word) : words.emplace_back(word);
+  }
   return words;
+}
+
+/// The words with one space in between.
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/// Returns true for "Case 3" and "Case 3, result element 2", which begin a case.
+bool begins_case(const std::vector<std::string>& words) {
+  if (words.size() < 2 || words[0] != "Case") return false;
+  if (words.size() == 2) return printed_number(words[1]).has_value();
+  return words.size() == 5 && words[2] == "result" && words[3] == "element";
 }
 
 /// Names of quantities that a line consists of; nothing for any other line.
@@ -27,7 +43,8 @@ std::vector<std::string> names_in(const std::string& line) {
       "CPHI",   "FN",          "FX",          "FS",        "MN",      "ELAST.EN.",  "FRIC.POWER", "FRIC.WORK",
       "FN/G",   "FX/FSTAT/FN", "FS/FSTAT/FN", "APPROACH",  "PMAX",    "MAX(T1,T2)", "NPOT",       "NCON",
       "NADH",   "NSLIP",       "NPLAST",      "INORM",     "ITANG",   "SPINXO",     "SPINYO",     "BAR_FN",
-      "BAR_FX", "BAR_FS",      "TILDE_FN",    "FX/FN",     "FS/FN",   "FY",         "MZ",         "FY/FSTAT/FN"};
+      "BAR_FX", "BAR_FS",      "TILDE_FN",    "FX/FN",     "FS/FN",   "FY",         "MZ",         "FY/FSTAT/FN",
+      "FY/FN",  "CREEP X",     "CREEP Y",     "CREEP S",   "SHIFT X", "SHIFT Y",    "SHIFT S"};
   auto words = words_of(line);
   for (const auto& word : words)
     if (!known.contains(word)) return {};
@@ -55,19 +72,18 @@ std::optional<PrintedNumber> printed_number(const std::string& text) {
   return PrintedNumber{value, 0.5 * std::pow(10.0, power - decimals)};
 }
 
-std::map<int, PrintedCase> read_contact_output(const std::filesystem::path& path) {
-  std::map<int, PrintedCase> cases;
-  std::ifstream in(path);
-  PrintedCase* now = nullptr;
+std::vector<PrintedCase> read_contact_output(std::istream& in) {
+  std::vector<PrintedCase> cases;
   std::vector<std::string> names;
   for (std::string line; std::getline(in, line);) {
     const auto words = words_of(line);
-    if (words.size() >= 2 && words[0] == "Case" && printed_number(words[1]) && line.size() < 20) {
-      now = &cases[std::atoi(words[1].c_str())];
-    } else if (now && line.find("DATA FOR CONTACT PATCH") != std::string::npos) {
-      now->patches.emplace_back();
-    } else if (now && !names.empty()) {
-      add_numbers(now->patches.empty() ? now->totals : now->patches.back(), names, line);
+    if (begins_case(words)) {
+      cases.push_back({.label = joined(words), .number = std::atoi(words[1].c_str())});
+    } else if (!cases.empty() && line.find("DATA FOR CONTACT PATCH") != std::string::npos) {
+      cases.back().patches.emplace_back();
+    } else if (!cases.empty() && !names.empty()) {
+      PrintedCase& now = cases.back();
+      add_numbers(now.patches.empty() ? now.totals : now.patches.back(), names, line);
     }
     names = names_in(line);
   }

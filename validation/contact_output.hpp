@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include <istream>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,11 +22,13 @@ using PrintedNumbers = std::map<std::string, PrintedNumber>;
 
 /// Contents of CONTACT's output file for a case.
 struct PrintedCase {
-  PrintedNumbers totals; ///< of module 3, or of all of a wheel's patches
-  std::vector<PrintedNumbers> patches;
+  std::string label; ///< "Case 3", with result elements "Case 3, result element 2"
+  int number = 0;
+  PrintedNumbers totals = {}; ///< of module 3, or of all of a wheel's patches
+  std::vector<PrintedNumbers> patches = {};
 };
 
-/// By number of the case. Empty if the file cannot be read.
-std::map<int, PrintedCase> read_contact_output(const std::filesystem::path& path);
+/// All cases of an output file, in its order.
+std::vector<PrintedCase> read_contact_output(std::istream& in);
 
 } // namespace microslip::validation

@@ -25,14 +25,15 @@ bool run_cattaneo_to_carter(const StudyOptions& options, std::ostream& out);
 /// Rolling radius difference and equivalent conicity beside closed forms and the tables of EN 15302.
 bool run_conicity(const StudyOptions& options, std::ostream& out);
 
+/// Runs the input files of CONTACT in a folder, and puts every quantity that it printed beside ours, digit by digit;
+/// groups what differs by its explanation. Throws Error for a folder without such files; without a folder, and where
+/// the published results are not there, it says so.
+bool run_contact_folder(const StudyOptions& options, std::ostream& out);
+
 /// Runs CONTACT's input files of module 3 on the same elements, and puts every quantity that CONTACT printed beside
 /// ours. What is not supported is named and not judged. Needs the folders of published results; without them it says
 /// so.
 bool run_contact_cases(const StudyOptions& options, std::ostream& out);
-
-/// Runs CONTACT's input files of module 1, and puts every quantity that CONTACT printed beside ours. What is not
-/// supported is named and not judged. Needs the folders of published results; without them it says so.
-bool run_contact_wheel_rail(const StudyOptions& options, std::ostream& out);
 
 /// The study `creep-curve`: longitudinal forces of a locomotive's wheel (Polach 2005) beside CONTACT's on the same
 /// grid, and their limit.

@@ -14,8 +14,9 @@ namespace microslip::validation {
 struct StudyOptions {
   std::filesystem::path output = "results"; ///< folder for HDF5 files and pictures; created if it is not there
   int threads = 1;
-  bool thorough = false;                  ///< minutes longer where a study samples what it could do in full
-  Progress progress = {};                 ///< when it asks to stop, the study writes nothing more and returns false
+  std::filesystem::path cases = {}; ///< of `contact`: folder of CONTACT's input files; empty: those beside the data
+  bool thorough = false;            ///< minutes longer where a study samples what it could do in full
+  Progress progress = {};           ///< when it asks to stop, the study writes nothing more and returns false
   std::vector<Figure>* figures = nullptr; ///< gets the figures that are printed, unless it is nullptr
 };
 

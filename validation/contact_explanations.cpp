@@ -1,0 +1,107 @@
+#include "validation/contact_comparison.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace microslip::validation {
+namespace {
+
+using contact_program::Case;
+using contact_program::Outcome;
+
+// Each condition names the paragraph of docs/contact-differences.md that gives the evidence.
+
+bool is_wheel_with_force(const Case& c) {
+  return c.wheel_rail && c.digits.norm == contact_program::Normal::force;
+}
+
+bool has_slices(const contact_program::ProfileRecord& profile) {
+  const std::string_view file = profile.file;
+  return file.ends_with(".slcs") || file.ends_with(".slcw");
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  for (const std::string_view one : names)
+    if (name == one) return true;
+  return false;
+}
+
+bool is_force_or_power(std::string_view name) {
+  return name.starts_with("FRIC.") || name.starts_with("FX") || name.starts_with("FY") || name.starts_with("FS") ||
+         name.starts_with("MZ") || name.starts_with("MN");
+}
+
+/// What the input's EPS is relative to: of forces the normal force, of moments that at 1 mm, of forces over the friction
+/// limit 1, of creepages a thousandth, of the frictional power the friction limit at that creepage.
+double solved_to(const Difference& d, const Case& c, const Outcome&) {
+  constexpr double creepage = 1e-3, friction = 0.3;
+  if (is_one_of(d.name, {"CKSI", "CETA", "CPHI"})) return creepage;
+  if (d.name.starts_with("FRIC.")) {
+    const double speed = c.rolling && c.rolling->veloc > 0 ? c.rolling->veloc * 1e-3 : 1; // [m/s]
+    return friction * d.load * creepage * speed;
+  }
+  if (d.name.ends_with("/FN")) return 1;
+  return is_force_or_power(d.name) || d.name.starts_with("BAR_") ? d.load : std::abs(d.theirs.value);
+}
+
+bool is_last_digit(const Difference& d, const Case&, const Outcome&) {
+  return d.agreement == Agreement::last_digit;
+}
+
+bool is_below_eps(const Difference& d, const Case& c, const Outcome& o) {
+  const double apart = std::abs(d.ours.value - d.theirs.value) - d.theirs.rounding;
+  return apart <= c.solver.eps * solved_to(d, c, o);
+}
+
+bool is_temperature(const Difference& d, const Case& c, const Outcome&) {
+  return d.name == "MAX(T1,T2)" || (c.friction.law == contact_program::Law::thermal && is_force_or_power(d.name));
+}
+
+bool is_falling_friction(const Difference& d, const Case& c, const Outcome&) {
+  constexpr double most = 0.005;
+  return c.friction.law != contact_program::Law::coulomb && is_force_or_power(d.name) && d.relative < most;
+}
+
+bool is_approximate_pressure(const Difference&, const Case& c, const Outcome& o) {
+  return is_wheel_with_force(c) && !o.misses_force && c.digits.bound >= contact_program::PressureModel::half_ellipses;
+}
+
+bool is_height_of_force(const Difference& d, const Case& c, const Outcome&) {
+  constexpr double most = 1e-3;
+  return is_wheel_with_force(c) && d.relative < most;
+}
+
+bool is_angle_on_slices(const Difference& d, const Case& c, const Outcome& o) {
+  constexpr double most = 0.05; // [rad], by which forces turn
+  const double apart = std::abs(d.ours.value - d.theirs.value), load = is_force_or_power(d.name) ? d.load : 0;
+  return c.wheel_rail && has_slices(c.wheel_rail->rail) && !o.misses_force &&
+         (d.name == "DELTCP(TR)" ? apart < most : d.relative < most || apart < most * load);
+}
+
+bool is_grid_of_slices(const Difference& d, const Case& c, const Outcome&) {
+  constexpr double most = 0.005;
+  return c.wheel_rail && (has_slices(c.wheel_rail->wheel) || has_slices(c.wheel_rail->rail)) &&
+         (d.relative < most || d.name == "NPOT");
+}
+
+/// In this order: the first one that holds counts.
+constexpr Explanation explanations[] = {
+    {"One unit of the last digit", is_last_digit},
+    {"The tolerance of the input", is_below_eps},
+    {"Surface temperatures", is_temperature},
+    {"Friction that falls with the slip", is_falling_friction},
+    {"Approximate pressures with a prescribed force", is_approximate_pressure},
+    {"Search along slices", is_grid_of_slices},
+    {"Contact angle on slices", is_angle_on_slices},
+    {"Height of a prescribed force", is_height_of_force},
+};
+
+} // namespace
+
+const Explanation* explanation_of(const Difference& difference, const Case& c, const Outcome& outcome) {
+  for (const Explanation& one : explanations)
+    if (one.holds(difference, c, outcome)) return &one;
+  return nullptr;
+}
+
+} // namespace microslip::validation
