@@ -32,7 +32,7 @@ ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::
   p.most_omitted = value(2, default_of("MAXOMIT", of));
   p.zigzag = value(3, default_of("ZIGTHRS", of));
   p.kink_high = value(4, default_of("KINKHIGH", of));
-  p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / 5 : default_of("KINKLOW", of));
+  p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / ProfileThresholds::kink_ratio : default_of("KINKLOW", of));
   p.kink_width = numbers.size() > 6 ? numbers[6] * u.length : default_of("KINKWID", of);
   return p;
 }

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 
+#include "compat/contact/wheel_rail/profile_thresholds.hpp"
 #include "io/profile_formats.hpp"
 #include "io/slices_file.hpp"
 #include "microslip/error.hpp"
@@ -26,9 +27,8 @@ io::ProfileFormat format_of(const std::string& file) {
 }
 
 void drop_close_points(std::vector<ProfilePoint>& points) {
-  constexpr double least = 1e-4; // in the file's unit
   const auto close = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return std::hypot(b.y - a.y, b.z - a.z) < least;
+    return std::hypot(b.y - a.y, b.z - a.z) < ProfileThresholds::spacing;
   };
   points.erase(std::unique(points.begin(), points.end(), close), points.end());
 }
@@ -48,7 +48,9 @@ bool has_less_z(const ProfilePoint& a, const ProfilePoint& b) {
 bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
   const auto low = std::min_element(points.begin(), points.end(), has_less_z),
              high = std::max_element(points.begin(), points.end(), has_less_z);
-  const auto is_outer = [](double share) { return share < 0.05 || share > 0.95; };
+  const auto is_outer = [](double share) {
+    return share < ProfileThresholds::ends_of_wheel || share > 1 - ProfileThresholds::ends_of_wheel;
+  };
   const double at_low = share_of(points, low), at_high = share_of(points, high);
   if (is_outer(at_low)) return false;
   if (is_outer(at_high)) return true;
@@ -62,7 +64,8 @@ bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
 bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
   const auto low = std::min_element(points.begin(), points.end(), has_less_z),
              high = std::max_element(points.begin(), points.end(), has_less_z);
-  const double least = 0.001 * std::max(1e-5, high->z - low->z);
+  constexpr double ends = ProfileThresholds::ends_of_rail;
+  const double least = ProfileThresholds::change_of_rail * std::max(ProfileThresholds::least_height, high->z - low->z);
   const auto n = static_cast<long>(points.size());
   const auto first_change = [&](long reach, bool from_end) { // inwards: +1, -1, or 0 where there is none
     const auto z = [&](long k) { return points[static_cast<std::size_t>(from_end ? n - 1 - k : k)].z; };
@@ -71,12 +74,12 @@ bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
     return 0;
   };
   const double count = static_cast<double>(n);
-  const int start = first_change(std::lround(0.1 * count) - 1, false),
-            end = first_change(n - std::lround(0.9 * count), true);
+  const int start = first_change(std::lround(ends * count) - 1, false),
+            end = first_change(n - std::lround((1 - ends) * count), true);
   if (start != 0 && end != 0) return start > 0 && end > 0;
   if (start != 0 || end != 0) return start + end > 0;
   const double at_low = share_of(points, low);
-  return at_low < 0.1 || at_low > 0.9;
+  return at_low < ends || at_low > 1 - ends;
 }
 
 class CurveReading {
@@ -133,11 +136,10 @@ private:
   }
 
   void check_length() const {
-    constexpr double shortest = 5, longest = 500; // mm
     double length = 0;
     for (std::size_t k = 1; k < points_.size(); ++k)
       length += std::hypot(points_[k].y - points_[k - 1].y, points_[k].z - points_[k - 1].z);
-    if (!(length >= shortest && length <= longest))
+    if (!(length >= ProfileThresholds::shortest && length <= ProfileThresholds::longest))
       fail("the profile is " + std::to_string(length) + " mm long: must be in 5 to 500 mm");
   }
 
@@ -178,7 +180,6 @@ std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoi
 
 ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
   if (!is_variable(record)) return {read_profile_curve(record, role)};
-  constexpr double spacing = 0.5; // mm
   const io::SlicesFile file = io::read_slices(record.file);
   if (file.role != role) throw Error(record.file + ": holds slices of a " + std::string(to_string(file.role)));
   ProfileShape shape;
@@ -191,8 +192,8 @@ ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
     slices.push_back({entry.u, curve->profile(), entry.features});
   }
   try {
-    shape.surface =
-        std::make_shared<ProfileSurface>(join_slices(slices, {file.method, file.kinks, file.waves, spacing}));
+    shape.surface = std::make_shared<ProfileSurface>(
+        join_slices(slices, {file.method, file.kinks, file.waves, ProfileThresholds::slice_spacing}));
   } catch (const Error& error) {
     throw Error(record.file + ": " + error.what());
   }

@@ -28,7 +28,7 @@ namespace {
 void read_profile_options(Words& words, int options, ProfileRecord& p) {
   if (options < 1) return;
   p.smoothing = words.integer("ISMOOTH", 0, 2);
-  p.zigzag = std::max(std::numbers::pi / 4, words.angle("ZIGTHRS"));
+  p.zigzag = std::max(ProfileThresholds::least_zigzag, words.angle("ZIGTHRS"));
   p.kink_high = words.angle("KINKHIGH");
   p.kink_low = words.angle("KINKLOW");
   p.kink_width = words.real("KINKWID");
