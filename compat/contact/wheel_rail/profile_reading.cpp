@@ -4,6 +4,7 @@
 #include "io/profile_formats.hpp"
 #include "io/slices_file.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/profile/profile_crossing.hpp"
 #include "microslip/railway/profile/profile_kinks.hpp"
 #include "microslip/railway/profile/profile_preparation.hpp"
 #include "microslip/railway/profile/profile_slices.hpp"
@@ -26,9 +27,9 @@ io::ProfileFormat format_of(const std::string& file) {
   return ending == ".ban" || ending == ".whl" ? io::ProfileFormat::miniprof : io::ProfileFormat::columns;
 }
 
-void drop_close_points(std::vector<ProfilePoint>& points) {
-  const auto close = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return std::hypot(b.y - a.y, b.z - a.z) < ProfileThresholds::spacing;
+void drop_close_points(std::vector<ProfilePoint>& points, double spacing) {
+  const auto close = [spacing](const ProfilePoint& a, const ProfilePoint& b) {
+    return std::hypot(b.y - a.y, b.z - a.z) < spacing;
   };
   points.erase(std::unique(points.begin(), points.end(), close), points.end());
 }
@@ -82,33 +83,66 @@ bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
   return at_low < ends || at_low > 1 - ends;
 }
 
+/// The kinks, and where two of them, or the first one and the profile's beginning, have just one point between them
+/// that one as well.
+std::vector<std::size_t> with_points_between(const std::vector<std::size_t>& kinks) {
+  std::vector<std::size_t> breaks;
+  std::size_t last = 0;
+  for (const std::size_t kink : kinks) {
+    if (kink - last == 2) breaks.push_back(kink - 1);
+    breaks.push_back(kink);
+    last = kink;
+  }
+  return breaks;
+}
+
+/// Of ISMOOTH = 0 or 1.
+std::vector<double> smoothing_weights(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks,
+                                      bool by_length) {
+  std::vector<double> weights(points.size(), 1);
+  if (by_length) {
+    weights = shares_of_length(points);
+    for (double* end : {&weights.front(), &weights.back()}) *end *= 2 * ProfileThresholds::weight_of_ends;
+  }
+  for (const std::size_t kink : kinks) weights[kink] *= ProfileThresholds::weight_of_kinks;
+  return weights;
+}
+
 class CurveReading {
 public:
   CurveReading(const ProfileRecord& record, ProfileRole role) : record_(record), role_(role) {}
 
   std::shared_ptr<const ProfileCurve> curve_of_file() {
     read();
+    points_ = without_zigzags(points_, record_.zigzag);
     return curve();
   }
 
   std::shared_ptr<const ProfileCurve> curve_through(std::vector<ProfilePoint> points) {
     points_ = std::move(points);
+    drop_close_points(points_, ProfileThresholds::spacing);
     return curve();
   }
 
 private:
   [[noreturn]] void fail(const std::string& text) const { throw Error(record_.file + ": " + text); }
 
+  /// In CONTACT's order, in which rails ascend and wheels descend, until the spline is laid.
   std::shared_ptr<const ProfileCurve> curve() {
-    drop_close_points(points_);
-    points_ = without_zigzags(points_, record_.zigzag);
     if (points_.size() < 2) fail("there are fewer than two points");
     mirror();
     scale();
-    if (points_.front().y > points_.back().y) std::reverse(points_.begin(), points_.end());
+    const bool is_wheel = role_ == ProfileRole::wheel, descends = points_.front().y > points_.back().y;
+    if (descends != is_wheel) std::reverse(points_.begin(), points_.end());
     check_length();
-    const auto kinks = find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width});
+    check_crossing();
+    auto kinks = with_points_between(find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width}));
     smooth(kinks);
+    if (is_wheel) {
+      std::reverse(points_.begin(), points_.end());
+      std::reverse(kinks.begin(), kinks.end());
+      for (std::size_t& kink : kinks) kink = points_.size() - 1 - kink;
+    }
     return std::make_shared<ProfileCurve>(role_, points_, kinks);
   }
 
@@ -117,13 +151,18 @@ private:
     io::ProfileFile file = io::parse_profile_file(format_, io::read_profile_text(record_.file), record_.file);
     if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
     if (format_ == io::ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
+    mirrored_y_ = file.mirrored_y;
+    mirrored_z_ = file.mirrored_z;
     points_ = std::move(file.points);
+    drop_close_points(points_, file.least_distance ? std::max(ProfileThresholds::least_spacing, *file.least_distance)
+                                                   : ProfileThresholds::spacing);
   }
 
+  /// -1 undoes what the file itself asks for.
   void mirror() {
-    if (record_.mirror_y == 1)
+    if (record_.mirror_y == 1 || (record_.mirror_y == -1 && mirrored_y_))
       for (auto& p : points_) p.y = -p.y;
-    bool turns = record_.mirror_z == 1;
+    bool turns = record_.mirror_z == 1 || (record_.mirror_z == -1 && mirrored_z_);
     if (record_.mirror_z == 0 && format_ != io::ProfileFormat::simpack)
       turns = role_ == ProfileRole::wheel ? is_upside_down_wheel(points_) : is_upside_down_rail(points_);
     if (turns)
@@ -143,23 +182,28 @@ private:
       fail("the profile is " + std::to_string(length) + " mm long: must be in 5 to 500 mm");
   }
 
+  void check_crossing() const {
+    const auto found = find_crossing(points_);
+    if (!found) return;
+    const auto text = [this](std::size_t k) {
+      return "(" + std::to_string(points_[k].y) + ", " + std::to_string(points_[k].z) + ") mm";
+    };
+    fail("the profile crosses itself behind " + text(found->first) + " and " + text(found->second));
+  }
+
   void smooth(const std::vector<std::size_t>& kinks) {
     if (record_.smooth == 0) return;
     if (record_.smoothing == 2) fail("ISMOOTH = 2 (smoothing by B-splines) is not supported");
-    if (record_.smoothing == 0) {
-      points_ = smoothed_without_weights(points_, kinks, record_.smooth);
-      return;
-    }
-    constexpr double mm = 1e-3;
-    for (auto& p : points_) p = {mm * p.y, mm * p.z};
-    points_ = smoothed(points_, kinks, mm * record_.smooth);
-    for (auto& p : points_) p = {p.y / mm, p.z / mm};
+    const bool by_length = record_.smoothing == 1;
+    const double lambda = by_length ? smoothing_factor(record_.smooth) : record_.smooth;
+    points_ = smoothed_with_weights(points_, kinks, lambda, smoothing_weights(points_, kinks, by_length));
   }
 
   const ProfileRecord& record_;
   ProfileRole role_;
   io::ProfileFormat format_ = io::ProfileFormat::columns;
   double unit_ = 1; ///< mm
+  bool mirrored_y_ = false, mirrored_z_ = false;
   std::vector<ProfilePoint> points_;
 };
 

@@ -46,7 +46,8 @@ ProfileRecord read_profile_record(Words& words, const std::string& folder) {
   p.name = words.text("FNAME");
   p.file = io::file_beside(folder, p.name).string();
   p.mirror_y = words.integer("MIRRORY", -1, 1);
-  p.scale = std::max(1e-6, words.real("SCALE"));
+  const double scale = words.real("SCALE");
+  p.scale = scale > ProfileThresholds::no_scale ? scale : 1;
   p.smooth = std::max(0.0, words.real("SMOOTH"));
   p.mirror_z = words.optional_integer("MIRRORZ", 0, -1, 1);
   const int options = words.optional_integer("PRFOPT", 0, 0, 2);
