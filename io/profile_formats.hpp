@@ -18,6 +18,9 @@ struct ProfileFile {
   std::optional<VerticalSense> z_axis = {};
   std::vector<ProfilePoint> points = {};
   std::size_t points_read = 0; ///< those listed
+  /// What a Simpack file says, which has been done: point.dist.min in the file's unit, mirror.y and mirror.z.
+  std::optional<double> least_distance = {};
+  bool mirrored_y = false, mirrored_z = false;
   std::vector<std::string> steps = {}, assumptions = {}, warnings = {};
 };
 

@@ -127,7 +127,8 @@ private:
   /// In the order that the comments of the files number: 1 distances, 2 shift, 3 rotation, 4 bounds, 5 mirrors, 6
   /// inversion; 7, the unit, is the caller's.
   void process() {
-    drop_close(number("point.dist.min", 0));
+    if (numbers_.contains("point.dist.min")) file_.least_distance = number("point.dist.min", 0);
+    drop_close(file_.least_distance.value_or(0));
     shift(number("shift.y", 0), number("shift.z", 0));
     rotate(number("rotate", 0));
     apply_bounds();
@@ -188,7 +189,7 @@ private:
   }
 
   void mirror() {
-    const bool y = number("mirror.y", 0) == 1, z = number("mirror.z", 0) == 1;
+    const bool y = file_.mirrored_y = number("mirror.y", 0) == 1, z = file_.mirrored_z = number("mirror.z", 0) == 1;
     for (auto& p : file_.points) p = {y ? -p.y : p.y, z ? -p.z : p.z};
     if (y) file_.steps.emplace_back("mirror.y: sign of y changed");
     if (z) file_.steps.emplace_back("mirror.z: sign of z changed");

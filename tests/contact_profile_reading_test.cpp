@@ -118,5 +118,91 @@ TEST_F(ContactProfileReading, RemarksBehindTheNumbersOfMiniProfAreRead) {
             record.file + ":4: a coordinate: \"about\" is not a finite number");
 }
 
+/// The least distance of points is in the file's unit: 1e-4, or what a Simpack file says.
+TEST_F(ContactProfileReading, SimpackFilesSayWhichPointsAreOne) {
+  const auto points_of = [this](const std::string& keys) {
+    std::ofstream file(folder_ / "rail.prr");
+    file.precision(15);
+    file << "header.begin\n type = 0\nheader.end\nspline.begin\n units.len.f = 1\n" << keys << " point.begin\n";
+    for (int k = 0; k <= 400; ++k) file << 5e-5 * (k - 200) << " " << 5e-6 * std::abs(k - 200) << "\n"; // m
+    file << " point.end\nspline.end\n";
+    file.close();
+    ProfileRecord record;
+    record.file = (folder_ / "rail.prr").string();
+    return read_profile_curve(record, ProfileRole::rail)->points().size();
+  };
+  EXPECT_EQ(points_of(""), 201u);
+  EXPECT_EQ(points_of(" point.dist.min = 0\n"), 401u);
+  EXPECT_EQ(points_of(" point.dist.min = 1.2e-4\n"), 134u);
+}
+
+/// -1 undoes a Simpack file's mirror, 1 does so, too, and 0 leaves it.
+TEST_F(ContactProfileReading, MirrorsOfFileAndRecordAddUp) {
+  std::ofstream(folder_ / "wheel.prw") << "header.begin\n type = 1\nheader.end\nspline.begin\n mirror.y = 1\n"
+                                          " mirror.z = 1\n units.len.f = 1000\n point.begin\n"
+                                          "-20 -5\n0 0\n30 1\n point.end\nspline.end\n";
+  ProfileRecord record;
+  record.file = (folder_ / "wheel.prw").string();
+  for (const int mirror : {-1, 0, 1}) {
+    record.mirror_y = record.mirror_z = mirror;
+    const auto least = read_profile_curve(record, ProfileRole::wheel)->points().front();
+    EXPECT_NEAR(least.y, mirror == 0 ? -30 : -20, 1e-12) << mirror;
+    EXPECT_NEAR(least.z, mirror == 0 ? -1 : -5, 1e-12) << mirror;
+  }
+}
+
+/// A break between two kinks that have one point between them, or between the profile's beginning in CONTACT's order
+/// and the first one: a wheel begins at the field side.
+TEST_F(ContactProfileReading, NearKinksHaveABreakBetweenThem) {
+  const std::vector<ProfilePoint> roof = {{-40, 20}, {-30, 10}, {-20, 0}, {-17, 0},
+                                          {-14, 0},  {-11, 3},  {-1, 13}, {9, 23}};
+  const auto kinks = read(roof, ProfileRole::rail, -1)->kinks();
+  EXPECT_EQ(kinks, (std::vector<std::size_t>{1, 2, 3, 4}));
+  std::vector<ProfilePoint> turned;
+  for (const auto& p : roof) turned.insert(turned.begin(), {-p.y, -p.z});
+  EXPECT_EQ(read(turned, ProfileRole::wheel, -1)->kinks(), (std::vector<std::size_t>{3, 4, 5, 6}));
+}
+
+TEST_F(ContactProfileReading, GivenPointsKeepTheirZigzags) {
+  const std::vector<ProfilePoint> zigzag = {{-20, 0}, {1, 0}, {-1, 0.01}, {20, 0.02}};
+  EXPECT_EQ(profile_curve_through(zigzag, {}, ProfileRole::rail)->points().size(), 4u);
+  EXPECT_EQ(read(zigzag, ProfileRole::rail, -1)->points().size(), 3u);
+}
+
+TEST_F(ContactProfileReading, ProfilesThatCrossThemselvesAreRefused) {
+  const std::string text = error_of([&] {
+    read({{-20, 0}, {10, 0}, {10, 5}, {0, -5}, {20, 0}}, ProfileRole::rail, -1);
+  });
+  EXPECT_NE(text.find("the profile crosses itself"), std::string::npos) << text;
+}
+
+/// What smoothing leaves of the points, with CONTACT's weights, has no mean and no moment over s: straight lines are
+/// smooth, so they fit the rest best.
+TEST_F(ContactProfileReading, EndsOfASmoothedProfileWeighMore) {
+  const auto rough = over_y([](double y) { return 0.1 * std::cos(1.7 * y * y); });
+  ProfileRecord record;
+  record.mirror_z = -1;
+  record.smooth = 5;
+  for (const int method : {0, 1}) {
+    record.smoothing = method;
+    const auto smooth = profile_curve_through(rough, record, ProfileRole::rail)->points();
+    std::vector<double> s = {0};
+    for (std::size_t k = 1; k < rough.size(); ++k)
+      s.push_back(s.back() + std::hypot(rough[k].y - rough[k - 1].y, rough[k].z - rough[k - 1].z));
+    double mean = 0, moment = 0, scatter = 0;
+    for (std::size_t k = 0; k < rough.size(); ++k) {
+      const bool first = k == 0, last = k + 1 == rough.size();
+      const double side = first ? s[1] : last ? s[k] - s[k - 1] : (s[k + 1] - s[k - 1]) / 2;
+      const double weight = method == 0 ? 1 : first || last ? 20 * side : side;
+      mean += weight * (rough[k].z - smooth[k].z);
+      moment += weight * s[k] * (rough[k].z - smooth[k].z);
+      scatter += weight * std::abs(rough[k].z - smooth[k].z);
+    }
+    EXPECT_GT(scatter, 0.1) << method;
+    EXPECT_NEAR(mean, 0, 1e-9) << method;
+    EXPECT_NEAR(moment, 0, 1e-7) << method;
+  }
+}
+
 } // namespace
 } // namespace microslip::contact_program

@@ -72,6 +72,18 @@ TEST(ContactWheelInput, ReadsWhatIsOptional) {
   EXPECT_EQ(d.wheelset.tape_circle, -3);
 }
 
+/// As in CONTACT: what is no factor of length counts as none.
+TEST(ContactWheelInput, SmallScalesCountAsOne) {
+  const auto scale = [](const std::string& text) {
+    return read(with(first_wheel, {{"'rail.prr' 0 1. 0.", "'rail.prr' 0 " + text + " 0."}}))
+        .at(0)
+        .wheel_rail->rail.scale;
+  };
+  EXPECT_EQ(scale("0"), 1);
+  EXPECT_EQ(scale("5e-4"), 1);
+  EXPECT_EQ(scale("6e-4"), 6e-4);
+}
+
 TEST(ContactWheelInput, FrictionHasStationsByInclination) {
   const auto text =
       with(first_wheel, {{" 0022033", " 1322033"}, {" .3 .3  ", " 2\n -20d .2 0 1 0 1\n -10d .3 0 1 0 1\n .001 2."}});

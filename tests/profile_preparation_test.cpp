@@ -176,6 +176,20 @@ TEST(ProfileKinks, AreCornersAndNotArcs) {
   EXPECT_EQ(find_kinks(arc, {.angle = 0.1, .around = 3, .width = 1e-6}).size(), 4u);
 }
 
+/// Points count that are nearer than the width, whatever the polygon's length up to them.
+TEST(ProfileKinks, AreFarFromOtherTurns) {
+  const auto along = [](const ProfilePoint& from, double length, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return ProfilePoint{from.y + length * std::cos(angle), from.z + length * std::sin(angle)};
+  };
+  std::vector<ProfilePoint> points = {{0, 0}, {5e-3, 0}}; // then a kink, and 2.001 mm of polygon up to the next turn
+  points.push_back(along(points.back(), 1e-3, 40));
+  points.push_back(along(points.back(), 1.001e-3, 45.5));
+  points.push_back(along(points.back(), 5e-3, 55.5));
+  EXPECT_TRUE(find_kinks(points).empty());
+  EXPECT_EQ(find_kinks(points, {.width = 1.998e-3}).size(), 1u);
+}
+
 TEST(ProfilePreparation, CutsTheSplineAtKinks) {
   std::vector<ProfilePoint> points;
   for (int k = -40; k <= 40; ++k) points.push_back({1e-3 * k, -1e-3 * std::abs(k)});

@@ -58,6 +58,16 @@ TEST(ProfileSmoothing, LeavesStraightLinesAndKinksWhereTheyAre) {
   EXPECT_LT(rounded[50].z, -2e-4);
 }
 
+TEST(ProfileSmoothing, HeavyPointsStay) {
+  std::vector<ProfilePoint> points;
+  for (int k = 0; k <= 20; ++k) points.push_back({double(k), k == 10 ? 1.0 : 0.0});
+  std::vector<double> weights(points.size(), 1);
+  EXPECT_LT(smoothed_with_weights(points, {}, 100, weights)[10].z, 0.2);
+  weights[10] = 1e6;
+  EXPECT_NEAR(smoothed_with_weights(points, {}, 100, weights)[10].z, 1, 1e-4);
+  EXPECT_EQ(smoothed_with_weights(points, {}, 0, weights)[10].z, 1);
+}
+
 TEST(ProfileSmoothing, TendsToThePointsAndToALine) {
   const auto points = wave(5e-3, 1e-5);
   EXPECT_NEAR(smoothed(points, {}, 1e-5)[700].z, points[700].z, 1e-12);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/contact/wheel_rail/profile_thresholds.hpp"
 #include "compat/libcontact/include/contact_addon.h"
 
 #include <numbers>
@@ -9,6 +10,8 @@ namespace microslip::libcontact {
 
 /// Whose default it is: of all problems, of wheels (module 1), or of contact problems (module 3).
 enum class DefaultOf { both, wheel, contact };
+
+using contact_program::ProfileThresholds;
 
 /// Value of a digit or a number of CONTACT until it is set.
 struct Default {
@@ -127,11 +130,11 @@ inline constexpr Default defaults[] = {
     {"ERRHND", DefaultOf::wheel, 0},
     {"ISMOOTH", DefaultOf::wheel, 0},
     {"SMOOTH", DefaultOf::wheel, 0},
-    {"MAXOMIT", DefaultOf::wheel, 0.5},
-    {"ZIGTHRS", DefaultOf::wheel, 5 * std::numbers::pi / 6, "rad"},
-    {"KINKHIGH", DefaultOf::wheel, std::numbers::pi / 6, "rad"},
-    {"KINKLOW", DefaultOf::wheel, std::numbers::pi / 30, "rad"},
-    {"KINKWID", DefaultOf::wheel, 2, "mm"},
+    {"MAXOMIT", DefaultOf::wheel, ProfileThresholds::most_omitted},
+    {"ZIGTHRS", DefaultOf::wheel, ProfileThresholds::zigzag, "rad"},
+    {"KINKHIGH", DefaultOf::wheel, ProfileThresholds::kink_high, "rad"},
+    {"KINKLOW", DefaultOf::wheel, ProfileThresholds::kink_high / ProfileThresholds::kink_ratio, "rad"},
+    {"KINKWID", DefaultOf::wheel, ProfileThresholds::kink_width, "mm"},
 };
 
 /// The default of a name, for all problems or one module's. A name that the table does not have does not compile.

@@ -27,12 +27,12 @@ ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::
   for (const int mirror : {p.mirror_y, p.mirror_z})
     if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
   if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
-  p.scale = value(0, 0) > 0 ? numbers[0] : u.length;
+  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length;
   p.smooth = std::max(0.0, value(1, default_of("SMOOTH", of)));
   p.most_omitted = value(2, default_of("MAXOMIT", of));
-  p.zigzag = value(3, default_of("ZIGTHRS", of));
+  p.zigzag = std::max(ProfileThresholds::least_zigzag, value(3, default_of("ZIGTHRS", of)));
   p.kink_high = value(4, default_of("KINKHIGH", of));
-  p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / 5 : default_of("KINKLOW", of));
+  p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / ProfileThresholds::kink_ratio : default_of("KINKLOW", of));
   p.kink_width = numbers.size() > 6 ? numbers[6] * u.length : default_of("KINKWID", of);
   return p;
 }

@@ -1,12 +1,12 @@
 #include "compat/contact/wheel_rail/contact_locus.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/space_curve.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/railway/profile/profile_kinks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -56,13 +56,12 @@ Vec3<double> lowest_on_circle(const Placement& p, const ProfilePoint& at, double
 
 /// Where the locus jumps: its polygon over y, with x shortened to a tenth, turns by 18 degrees or has a long side.
 std::vector<std::size_t> jumps(const std::vector<Vec3<double>>& locus, const std::vector<double>& s) {
-  constexpr double longest = 100, shortened = 0.1;
+  using Limit = SearchThresholds;
   std::vector<ProfilePoint> flat;
-  for (const auto& p : locus) flat.push_back({p.y, shortened * p.x});
-  constexpr double turn = std::numbers::pi / 10;
-  auto cuts = find_kinks(flat, {turn, turn, 0.01});
+  for (const auto& p : locus) flat.push_back({p.y, Limit::jump_x * p.x});
+  auto cuts = find_kinks(flat, {Limit::jump_turn, Limit::jump_turn, Limit::jump_window});
   for (std::size_t k = 1; k + 1 < s.size(); ++k)
-    if (s[k + 1] - s[k] > longest || s[k] - s[k - 1] > longest) cuts.push_back(k);
+    if (s[k + 1] - s[k] > Limit::jump_length || s[k] - s[k - 1] > Limit::jump_length) cuts.push_back(k);
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
@@ -302,10 +301,9 @@ GapLine GapLine::lowered(double depth) const {
 }
 
 GapLine find_gap_line(const Placement& p, const ProfileCurve& rail, double ds) {
-  constexpr double share_of_ds = 0.3;
   const Locus locus = contact_locus(p, rail);
   GapLine line;
-  const double dy = share_of_ds * ds;
+  const double dy = SearchThresholds::locus_step * ds;
   const auto [least_y, greatest_y] =
       p.rail_profile.varies() ? whole_extent(p, rail) : std::pair(rail.least_y(), rail.greatest_y());
   const auto count = static_cast<std::size_t>(std::floor((greatest_y - least_y) / dy + 1e-9)) + 1;

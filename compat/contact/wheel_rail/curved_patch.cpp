@@ -1,5 +1,7 @@
 #include "compat/contact/wheel_rail/curved_patch.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +19,7 @@ Vec normal_of(const ProfilePoint& tangent) {
 /// Of the first row that chosen ones may start from, and of the last: the overlap with a fifth more on either side, and
 /// three rows.
 int outermost_row(double s_edge, double s_reference, double s_origin, double ds, int spare) {
-  constexpr double more = 0.2;
+  constexpr double more = SearchThresholds::curved_share;
   return static_cast<int>(std::lround((s_edge + more * (s_edge - s_reference) - s_origin) / ds)) + spare;
 }
 
@@ -33,7 +35,6 @@ CurvedPatch::CurvedPatch(const PatchFrame& frame, const Placement& placement, co
 
 CurvedPatch::Middle CurvedPatch::middle(double s) const {
   constexpr int most_turns = 2; // of the point where a yawed wheel's profile has the reference's x
-  constexpr double faces = 0.9; // of the mean normal's length: the surfaces are within 52 degrees of one another
   const auto within = [](const ProfileCurve& curve, double at) { return std::clamp(at, curve.start(), curve.end()); };
   const double along = s + s_origin_;
   const CurvePoint on_rail = rail_.at(within(rail_, along));
@@ -52,15 +53,15 @@ CurvedPatch::Middle CurvedPatch::middle(double s) const {
   Middle m;
   m.row.point = {reference_.x, (on_rail.value.y + wheel.y) / 2, (on_rail.value.z + wheel.z) / 2};
   m.row.angle = std::atan2(normal.y, -normal.z);
-  m.faces = std::sqrt(dot(normal, normal)) > faces;
+  m.faces = std::sqrt(dot(normal, normal)) > SearchThresholds::facing;
   return m;
 }
 
 void CurvedPatch::choose_rows(PatchFrame& frame) const {
-  constexpr int spare = 2;
+  constexpr int spare = SearchThresholds::curved_spare, beyond = SearchThresholds::curved_beyond;
   const double ends[] = {rail_.nearest_s_at_y(frame.y0), rail_.nearest_s_at_y(frame.y1)};
-  const int first = outermost_row(std::min({ends[0], ends[1], s_rail_}), s_rail_, s_origin_, frame.ds, -3);
-  const int last = outermost_row(std::max({ends[0], ends[1], s_rail_}), s_rail_, s_origin_, frame.ds, 3);
+  const int first = outermost_row(std::min({ends[0], ends[1], s_rail_}), s_rail_, s_origin_, frame.ds, -spare);
+  const int last = outermost_row(std::max({ends[0], ends[1], s_rail_}), s_rail_, s_origin_, frame.ds, spare);
   const int at_reference = static_cast<int>(std::lround((s_rail_ - s_origin_) / frame.ds));
   int low = at_reference - 1, high = at_reference + 1;
   for (int k = first; k <= last; ++k) {
@@ -69,8 +70,8 @@ void CurvedPatch::choose_rows(PatchFrame& frame) const {
     low = std::min(low, k);
     high = std::max(high, k);
   }
-  low = std::max(low - spare, first);
-  high = std::min(high + spare, last);
+  low = std::max(low - beyond, first);
+  high = std::min(high + beyond, last);
   frame.s0 = (low - 0.5) * frame.ds;
   frame.my = high - low + 1;
 }

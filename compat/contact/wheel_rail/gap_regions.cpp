@@ -1,5 +1,7 @@
 #include "compat/contact/wheel_rail/gap_regions.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +12,12 @@ constexpr double missing = 777;
 
 /// Indices of local minima with overlap; points of a plateau count once.
 std::vector<std::size_t> local_minima(const std::vector<double>& gap) {
-  constexpr double plateau = 1e-6;
   std::vector<std::size_t> minima;
   std::vector<char> on_plateau(gap.size(), 0);
   for (std::size_t k = 0; k < gap.size(); ++k) {
     bool is_minimum = gap[k] < missing;
     if (is_minimum && k > 0) {
-      if (on_plateau[k - 1] && std::abs(gap[k - 1] - gap[k]) < plateau) {
+      if (on_plateau[k - 1] && std::abs(gap[k - 1] - gap[k]) < SearchThresholds::plateau) {
         on_plateau[k] = 1;
         is_minimum = false;
       } else if (gap[k - 1] <= gap[k]) {
@@ -51,7 +52,7 @@ double weight_of(double overlap, double curvature) {
   const double half = std::sqrt(overlap / curvature);
   const double sum = 2 * overlap * overlap * half - 4.0 / 3 * overlap * curvature * half * half * half +
                      2.0 / 5 * curvature * curvature * std::pow(half, 5);
-  return std::max(1e-10, sum);
+  return std::max(SearchThresholds::least_weight, sum);
 }
 
 /// Where the straight line between two points is zero, as a fraction of the distance; nothing if that is not between

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/gap_surface.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "compat/contact/wheel_rail/varied_wheel.hpp"
@@ -15,9 +16,9 @@ constexpr double missing = 999, beyond = 777;
 
 /// The lower side of a round wheel, in the track's axes, at the points of its profile.
 SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
-  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
-  const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);
-  int slices = static_cast<int>(std::lround(2 * half / (1.5 * dx) + 2));
+  using Limit = SearchThresholds;
+  const double half = p.radius * (p.radius < Limit::small_radius || steep ? Limit::reach_steep : Limit::reach);
+  int slices = static_cast<int>(std::lround(2 * half / (Limit::step_along * dx) + 2));
   slices += slices % 2 == 0;
   const auto& profile = p.wheel_profile.curve->points();
   std::vector<Vec3<double>> points;
@@ -47,7 +48,7 @@ GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Patch
   nx_ = wheel.columns();
   for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
   const auto [y0, y1] = extent_across(p, rail);
-  const double dy = (steep ? 0.3 : 0.75) * sizes.ds;
+  const double dy = (steep ? SearchThresholds::step_across_steep : SearchThresholds::step_across) * sizes.ds;
   const double steps = std::floor((y1 - y0) / dy + 1e-9);
   ny_ = static_cast<int>(steps) + 1;
   for (int j = 0; j < ny_; ++j) y_.push_back(0.5 * (y0 + y1 - steps * dy) + j * dy); // in the middle of the range
@@ -121,7 +122,6 @@ LeastGap GapSurface::least() const {
 
 /// Points below their four neighbours, with overlap; those of a plateau count once.
 std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
-  constexpr double plateau = 1e-6;
   std::vector<std::pair<int, int>> found;
   std::vector<char> mask(gap_.size(), 0);
   for (int i = 0; i < nx_; ++i)
@@ -131,7 +131,8 @@ std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
       const auto compare = [&](int other_i, int other_j, bool before) {
         if (!is_minimum || other_i < 0 || other_i >= nx_ || other_j < 0 || other_j >= ny_) return;
         const double other = gap(other_i, other_j);
-        if (mask[static_cast<std::size_t>(other_j) * nx_ + other_i] && std::abs(other - here) < plateau) {
+        if (mask[static_cast<std::size_t>(other_j) * nx_ + other_i] &&
+            std::abs(other - here) < SearchThresholds::plateau) {
           mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
           is_minimum = false;
         } else if (before ? other <= here : other < here) {
@@ -190,7 +191,7 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
     for (int i = box.i0; i <= box.i1; ++i) {
       const double overlap = depth - gap(i, j);
       if (!(overlap > 0)) continue;
-      const double weight = dx_ * std::max(overlap * overlap, 1e-10);
+      const double weight = dx_ * std::max(overlap * overlap, SearchThresholds::least_weight);
       r.x += weight * x_[static_cast<std::size_t>(i)];
       r.y += weight * y_[static_cast<std::size_t>(j)];
       r.angle += weight * rail_at(i, j).angle;

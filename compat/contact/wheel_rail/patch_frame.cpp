@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/patch_frame.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 /// An angle that is not within a thousandth of a right one, where planes across the track would have no width.
 double off_vertical(double angle) {
-  constexpr double right = std::numbers::pi / 2, least = 1e-3;
+  constexpr double right = std::numbers::pi / 2, least = SearchThresholds::off_vertical;
   const double off = std::abs(angle) - right;
   if (std::abs(off) >= least) return angle;
   return std::copysign(right + std::copysign(least, off), angle);
@@ -72,8 +73,8 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   f.dx = sizes.dx;
   f.ds = sizes.ds;
   Range x(x_low, x_high, f.dx), s(std::min(s_low, s_high), std::max(s_low, s_high), f.ds);
-  constexpr int least_limit = 100, few = 10;
-  const bool limited = origin == GridOrigin::reference && most >= least_limit;
+  constexpr int few = SearchThresholds::few_elements;
+  const bool limited = origin == GridOrigin::reference && most >= SearchThresholds::least_limit;
   while (limited && double(x.count) * s.count >= most && (x.count > few || s.count > few)) {
     if (x.count > few) x = Range(x_low, x_high, f.dx *= 2);
     if (s.count > few) s = Range(std::min(s_low, s_high), std::max(s_low, s_high), f.ds *= 2);

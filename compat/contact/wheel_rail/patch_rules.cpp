@@ -1,5 +1,7 @@
 #include "compat/contact/wheel_rail/patch_rules.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +50,7 @@ void find_factors(PatchRegion& patch, const PatchRules& rules) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const double left = std::max(0.0, rules.d_sep - distance(patch.parts[i], patch.parts[j]));
       const double share = std::min(1.0, left / std::max(1e-12, rules.d_sep - rules.d_comb));
-      patch.factors[i * n + j] = patch.factors[j * n + i] = std::pow(share, 0.8);
+      patch.factors[i * n + j] = patch.factors[j * n + i] = std::pow(share, SearchThresholds::blending);
     }
 }
 

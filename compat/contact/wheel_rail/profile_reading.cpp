@@ -1,8 +1,10 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 
+#include "compat/contact/wheel_rail/profile_thresholds.hpp"
 #include "io/profile_formats.hpp"
 #include "io/slices_file.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/profile/profile_crossing.hpp"
 #include "microslip/railway/profile/profile_kinks.hpp"
 #include "microslip/railway/profile/profile_preparation.hpp"
 #include "microslip/railway/profile/profile_slices.hpp"
@@ -25,10 +27,9 @@ io::ProfileFormat format_of(const std::string& file) {
   return ending == ".ban" || ending == ".whl" ? io::ProfileFormat::miniprof : io::ProfileFormat::columns;
 }
 
-void drop_close_points(std::vector<ProfilePoint>& points) {
-  constexpr double least = 1e-4; // in the file's unit
-  const auto close = [](const ProfilePoint& a, const ProfilePoint& b) {
-    return std::hypot(b.y - a.y, b.z - a.z) < least;
+void drop_close_points(std::vector<ProfilePoint>& points, double spacing) {
+  const auto close = [spacing](const ProfilePoint& a, const ProfilePoint& b) {
+    return std::hypot(b.y - a.y, b.z - a.z) < spacing;
   };
   points.erase(std::unique(points.begin(), points.end(), close), points.end());
 }
@@ -48,7 +49,9 @@ bool has_less_z(const ProfilePoint& a, const ProfilePoint& b) {
 bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
   const auto low = std::min_element(points.begin(), points.end(), has_less_z),
              high = std::max_element(points.begin(), points.end(), has_less_z);
-  const auto is_outer = [](double share) { return share < 0.05 || share > 0.95; };
+  const auto is_outer = [](double share) {
+    return share < ProfileThresholds::ends_of_wheel || share > 1 - ProfileThresholds::ends_of_wheel;
+  };
   const double at_low = share_of(points, low), at_high = share_of(points, high);
   if (is_outer(at_low)) return false;
   if (is_outer(at_high)) return true;
@@ -62,7 +65,8 @@ bool is_upside_down_wheel(const std::vector<ProfilePoint>& points) {
 bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
   const auto low = std::min_element(points.begin(), points.end(), has_less_z),
              high = std::max_element(points.begin(), points.end(), has_less_z);
-  const double least = 0.001 * std::max(1e-5, high->z - low->z);
+  constexpr double ends = ProfileThresholds::ends_of_rail;
+  const double least = ProfileThresholds::change_of_rail * std::max(ProfileThresholds::least_height, high->z - low->z);
   const auto n = static_cast<long>(points.size());
   const auto first_change = [&](long reach, bool from_end) { // inwards: +1, -1, or 0 where there is none
     const auto z = [&](long k) { return points[static_cast<std::size_t>(from_end ? n - 1 - k : k)].z; };
@@ -71,12 +75,37 @@ bool is_upside_down_rail(const std::vector<ProfilePoint>& points) {
     return 0;
   };
   const double count = static_cast<double>(n);
-  const int start = first_change(std::lround(0.1 * count) - 1, false),
-            end = first_change(n - std::lround(0.9 * count), true);
+  const int start = first_change(std::lround(ends * count) - 1, false),
+            end = first_change(n - std::lround((1 - ends) * count), true);
   if (start != 0 && end != 0) return start > 0 && end > 0;
   if (start != 0 || end != 0) return start + end > 0;
   const double at_low = share_of(points, low);
-  return at_low < 0.1 || at_low > 0.9;
+  return at_low < ends || at_low > 1 - ends;
+}
+
+/// The kinks, and where two of them, or the first one and the profile's beginning, have just one point between them
+/// that one as well.
+std::vector<std::size_t> with_points_between(const std::vector<std::size_t>& kinks) {
+  std::vector<std::size_t> breaks;
+  std::size_t last = 0;
+  for (const std::size_t kink : kinks) {
+    if (kink - last == 2) breaks.push_back(kink - 1);
+    breaks.push_back(kink);
+    last = kink;
+  }
+  return breaks;
+}
+
+/// Of ISMOOTH = 0 or 1.
+std::vector<double> smoothing_weights(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks,
+                                      bool by_length) {
+  std::vector<double> weights(points.size(), 1);
+  if (by_length) {
+    weights = shares_of_length(points);
+    for (double* end : {&weights.front(), &weights.back()}) *end *= 2 * ProfileThresholds::weight_of_ends;
+  }
+  for (const std::size_t kink : kinks) weights[kink] *= ProfileThresholds::weight_of_kinks;
+  return weights;
 }
 
 class CurveReading {
@@ -85,27 +114,35 @@ public:
 
   std::shared_ptr<const ProfileCurve> curve_of_file() {
     read();
+    points_ = without_zigzags(points_, record_.zigzag);
     return curve();
   }
 
   std::shared_ptr<const ProfileCurve> curve_through(std::vector<ProfilePoint> points) {
     points_ = std::move(points);
+    drop_close_points(points_, ProfileThresholds::spacing);
     return curve();
   }
 
 private:
   [[noreturn]] void fail(const std::string& text) const { throw Error(record_.file + ": " + text); }
 
+  /// In CONTACT's order, in which rails ascend and wheels descend, until the spline is laid.
   std::shared_ptr<const ProfileCurve> curve() {
-    drop_close_points(points_);
-    points_ = without_zigzags(points_, record_.zigzag);
     if (points_.size() < 2) fail("there are fewer than two points");
     mirror();
     scale();
-    if (points_.front().y > points_.back().y) std::reverse(points_.begin(), points_.end());
+    const bool is_wheel = role_ == ProfileRole::wheel, descends = points_.front().y > points_.back().y;
+    if (descends != is_wheel) std::reverse(points_.begin(), points_.end());
     check_length();
-    const auto kinks = find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width});
+    check_crossing();
+    auto kinks = with_points_between(find_kinks(points_, {record_.kink_high, record_.kink_low, record_.kink_width}));
     smooth(kinks);
+    if (is_wheel) {
+      std::reverse(points_.begin(), points_.end());
+      std::reverse(kinks.begin(), kinks.end());
+      for (std::size_t& kink : kinks) kink = points_.size() - 1 - kink;
+    }
     return std::make_shared<ProfileCurve>(role_, points_, kinks);
   }
 
@@ -114,13 +151,18 @@ private:
     io::ProfileFile file = io::parse_profile_file(format_, io::read_profile_text(record_.file), record_.file);
     if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
     if (format_ == io::ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
+    mirrored_y_ = file.mirrored_y;
+    mirrored_z_ = file.mirrored_z;
     points_ = std::move(file.points);
+    drop_close_points(points_, file.least_distance ? std::max(ProfileThresholds::least_spacing, *file.least_distance)
+                                                   : ProfileThresholds::spacing);
   }
 
+  /// -1 undoes what the file itself asks for.
   void mirror() {
-    if (record_.mirror_y == 1)
+    if (record_.mirror_y == 1 || (record_.mirror_y == -1 && mirrored_y_))
       for (auto& p : points_) p.y = -p.y;
-    bool turns = record_.mirror_z == 1;
+    bool turns = record_.mirror_z == 1 || (record_.mirror_z == -1 && mirrored_z_);
     if (record_.mirror_z == 0 && format_ != io::ProfileFormat::simpack)
       turns = role_ == ProfileRole::wheel ? is_upside_down_wheel(points_) : is_upside_down_rail(points_);
     if (turns)
@@ -133,31 +175,35 @@ private:
   }
 
   void check_length() const {
-    constexpr double shortest = 5, longest = 500; // mm
     double length = 0;
     for (std::size_t k = 1; k < points_.size(); ++k)
       length += std::hypot(points_[k].y - points_[k - 1].y, points_[k].z - points_[k - 1].z);
-    if (!(length >= shortest && length <= longest))
+    if (!(length >= ProfileThresholds::shortest && length <= ProfileThresholds::longest))
       fail("the profile is " + std::to_string(length) + " mm long: must be in 5 to 500 mm");
+  }
+
+  void check_crossing() const {
+    const auto found = find_crossing(points_);
+    if (!found) return;
+    const auto text = [this](std::size_t k) {
+      return "(" + std::to_string(points_[k].y) + ", " + std::to_string(points_[k].z) + ") mm";
+    };
+    fail("the profile crosses itself behind " + text(found->first) + " and " + text(found->second));
   }
 
   void smooth(const std::vector<std::size_t>& kinks) {
     if (record_.smooth == 0) return;
     if (record_.smoothing == 2) fail("ISMOOTH = 2 (smoothing by B-splines) is not supported");
-    if (record_.smoothing == 0) {
-      points_ = smoothed_without_weights(points_, kinks, record_.smooth);
-      return;
-    }
-    constexpr double mm = 1e-3;
-    for (auto& p : points_) p = {mm * p.y, mm * p.z};
-    points_ = smoothed(points_, kinks, mm * record_.smooth);
-    for (auto& p : points_) p = {p.y / mm, p.z / mm};
+    const bool by_length = record_.smoothing == 1;
+    const double lambda = by_length ? smoothing_factor(record_.smooth) : record_.smooth;
+    points_ = smoothed_with_weights(points_, kinks, lambda, smoothing_weights(points_, kinks, by_length));
   }
 
   const ProfileRecord& record_;
   ProfileRole role_;
   io::ProfileFormat format_ = io::ProfileFormat::columns;
   double unit_ = 1; ///< mm
+  bool mirrored_y_ = false, mirrored_z_ = false;
   std::vector<ProfilePoint> points_;
 };
 
@@ -178,7 +224,6 @@ std::shared_ptr<const ProfileCurve> profile_curve_through(std::vector<ProfilePoi
 
 ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
   if (!is_variable(record)) return {read_profile_curve(record, role)};
-  constexpr double spacing = 0.5; // mm
   const io::SlicesFile file = io::read_slices(record.file);
   if (file.role != role) throw Error(record.file + ": holds slices of a " + std::string(to_string(file.role)));
   ProfileShape shape;
@@ -191,8 +236,8 @@ ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
     slices.push_back({entry.u, curve->profile(), entry.features});
   }
   try {
-    shape.surface =
-        std::make_shared<ProfileSurface>(join_slices(slices, {file.method, file.kinks, file.waves, spacing}));
+    shape.surface = std::make_shared<ProfileSurface>(
+        join_slices(slices, {file.method, file.kinks, file.waves, ProfileThresholds::slice_spacing}));
   } catch (const Error& error) {
     throw Error(record.file + ": " + error.what());
   }

@@ -28,7 +28,7 @@ namespace {
 void read_profile_options(Words& words, int options, ProfileRecord& p) {
   if (options < 1) return;
   p.smoothing = words.integer("ISMOOTH", 0, 2);
-  p.zigzag = std::max(std::numbers::pi / 4, words.angle("ZIGTHRS"));
+  p.zigzag = std::max(ProfileThresholds::least_zigzag, words.angle("ZIGTHRS"));
   p.kink_high = words.angle("KINKHIGH");
   p.kink_low = words.angle("KINKLOW");
   p.kink_width = words.real("KINKWID");
@@ -46,7 +46,8 @@ ProfileRecord read_profile_record(Words& words, const std::string& folder) {
   p.name = words.text("FNAME");
   p.file = io::file_beside(folder, p.name).string();
   p.mirror_y = words.integer("MIRRORY", -1, 1);
-  p.scale = std::max(1e-6, words.real("SCALE"));
+  const double scale = words.real("SCALE");
+  p.scale = scale > ProfileThresholds::no_scale ? scale : 1;
   p.smooth = std::max(0.0, words.real("SMOOTH"));
   p.mirror_z = words.optional_integer("MIRRORZ", 0, -1, 1);
   const int options = words.optional_integer("PRFOPT", 0, 0, 2);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "compat/contact/wheel_rail/digits.hpp"
+#include "compat/contact/wheel_rail/profile_thresholds.hpp"
 
 #include <memory>
-#include <numbers>
 #include <string>
 
 namespace microslip::contact_program {
@@ -30,15 +30,15 @@ struct ProfileRecord {
   std::string name = {};                          ///< as the input file has it
   int mirror_y = 0;
   double scale = 1;
-  double smooth = 0;                        ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
-  int mirror_z = 0;                         ///< -1 no, 0 by the shape, 1 yes
-  int smoothing = 0;                        ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
-  double zigzag = 5 * std::numbers::pi / 6; ///< ZIGTHRS
-  double kink_high = std::numbers::pi / 6;  ///< KINKHIGH
-  double kink_low = std::numbers::pi / 30;  ///< KINKLOW
-  double kink_width = 2;                    ///< KINKWID
-  int error_handling = 0;                   ///< ERRHND
-  double most_omitted = 0.5;                ///< MAXOMIT
+  double smooth = 0;                               ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
+  int mirror_z = 0;                                ///< -1 no, 0 by the shape, 1 yes
+  int smoothing = 0;                               ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
+  double zigzag = ProfileThresholds::zigzag;       ///< ZIGTHRS
+  double kink_high = ProfileThresholds::kink_high; ///< KINKHIGH
+  double kink_low = ProfileThresholds::kink_high / ProfileThresholds::kink_ratio; ///< KINKLOW
+  double kink_width = ProfileThresholds::kink_width;                              ///< KINKWID
+  int error_handling = 0;                                                         ///< ERRHND
+  double most_omitted = ProfileThresholds::most_omitted;                          ///< MAXOMIT
 
   friend bool operator==(const ProfileRecord&, const ProfileRecord&) = default;
 };

@@ -1,13 +1,10 @@
 #include "compat/contact/wheel_rail/varied_wheel.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
+
 #include <cmath>
 
 namespace microslip::contact_program {
-namespace {
-
-constexpr double reach = 0.2; // rad to either side of the lowest point
-
-} // namespace
 
 std::optional<WheelPoint> wheel_point(const Placement& p, double theta, double v) {
   const auto at = p.wheel_profile.surface->at(theta, v);
@@ -19,7 +16,8 @@ std::optional<WheelPoint> wheel_point(const Placement& p, double theta, double v
 }
 
 SurfaceMesh varied_lower_side(const Placement& p, double dx) {
-  int count = static_cast<int>(std::lround(2 * reach * p.radius / (4 * dx) + 2));
+  constexpr double reach = SearchThresholds::reach_varied;
+  int count = static_cast<int>(std::lround(2 * reach * p.radius / (SearchThresholds::step_along_varied * dx) + 2));
   count += count % 2 == 0;
   const std::size_t last = p.wheel_profile.surface->last_v();
   std::vector<Vec3<double>> points;

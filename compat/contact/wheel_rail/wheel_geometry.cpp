@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/wheel_geometry.hpp"
 
 #include "compat/contact/wheel_rail/curved_patch.hpp"
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/error.hpp"
 
@@ -57,9 +58,8 @@ bool WheelGeometry::overlaps() const {
 }
 
 std::vector<GapRegion> WheelGeometry::regions(double z) const {
-  constexpr double deepest = 0.1; // of the wheel's radius
   const double depth = z - least_gap_at_zero().gap;
-  if (depth > deepest * data_.wheelset.nominal_radius)
+  if (depth > SearchThresholds::deepest * data_.wheelset.nominal_radius)
     throw Error("wheel and rail overlap by " + std::to_string(depth) + " mm; is the wheel's height right?");
   if (!brute_force_) return find_regions(line(z), curvature());
   return brute_force_->regions(z);

@@ -7,6 +7,7 @@
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
@@ -110,9 +111,9 @@ Vec moments(const Outcome& o) {
 
 /// How deep a wheel sinks in under a force by Hertz's solution [mm].
 double hertzian_depth(const Case& c, const LeastGap& gap, double force) {
-  constexpr double per_mm = 1e3, least_curvature = 1e-4;
+  constexpr double per_mm = 1e3;
   const double a = 0.5 / c.wheel_rail->wheelset.nominal_radius;
-  const double b = gap.curvature > least_curvature ? gap.curvature : least_curvature;
+  const double b = std::max(gap.curvature, SearchThresholds::least_curvature);
   const double depth = hertz_from_load({a * per_mm, b * per_mm}, combined_material(c), force).approach * per_mm;
   return depth / std::max(0.5, std::cos(gap.angle));
 }
@@ -144,12 +145,11 @@ PatchMotion motion_of(const Case& right, const Placement& placement, const Patch
   return surface_motion(data, placement, frame, distance, rail / (rail + wheel), RollingData().facphi, is_shift);
 }
 
-constexpr int most_steps = 60;
 constexpr double least_step = 1e-12;
 
 /// Returns whether a search ends: what it looks for is there, or cannot be brought any nearer.
 bool ends(const PrescribedForce& force, int step, std::optional<double> width, double least_width) {
-  return force.is_reached() || step == most_steps || (width && *width < least_width);
+  return force.is_reached() || step == SearchThresholds::most_solutions || (width && *width < least_width);
 }
 
 void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
@@ -263,7 +263,7 @@ Outcome WheelRailSolver::find_settlement(const Case& right, double dy, std::opti
     if (force.is_reached()) return outcome;
     search.add(z, force.found + support.kz * (z - gap.gap));
     const auto next = search.next();
-    if (!next || k == most_steps) return outcome;
+    if (!next || k == SearchThresholds::most_solutions) return outcome;
     z = *next;
   }
 }
@@ -514,7 +514,7 @@ Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry,
     if (force.is_reached()) return outcome;
     search.add(z, force.found);
     const auto next = search.next();
-    if (!next || k == most_steps) return outcome;
+    if (!next || k == SearchThresholds::most_solutions) return outcome;
     z = *next;
   }
 }

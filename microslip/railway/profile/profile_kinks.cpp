@@ -5,19 +5,16 @@
 namespace microslip {
 namespace {
 
-double step(std::span<const ProfilePoint> points, std::size_t k) {
-  return std::hypot(points[k + 1].y - points[k].y, points[k + 1].z - points[k].z);
-}
-
 /// Returns whether the polygon is nearly straight around point k, which itself does not count.
 bool stands_alone(std::span<const ProfilePoint> points, std::span<const double> turns, std::size_t k,
                   const KinkRule& rule) {
-  double s = 0;
-  for (std::size_t i = k; i > 0 && (s += step(points, i - 1)) <= rule.width; --i)
-    if (std::abs(turns[i - 1]) >= rule.around) return false;
-  s = 0;
-  for (std::size_t i = k; i + 1 < points.size() && (s += step(points, i)) <= rule.width; ++i)
-    if (std::abs(turns[i + 1]) >= rule.around) return false;
+  const auto is_near = [&](std::size_t i) {
+    return std::hypot(points[i].y - points[k].y, points[i].z - points[k].z) < rule.width;
+  };
+  for (std::size_t i = k; i-- > 0 && is_near(i);)
+    if (std::abs(turns[i]) > rule.around) return false;
+  for (std::size_t i = k + 1; i < points.size() && is_near(i); ++i)
+    if (std::abs(turns[i]) > rule.around) return false;
   return true;
 }
 

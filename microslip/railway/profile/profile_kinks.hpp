@@ -12,8 +12,8 @@ namespace microslip {
 /// Criterion by which a turn of the polygon through a profile's points is a corner of the shape, not part of an arc.
 struct KinkRule {
   double angle = std::numbers::pi / 6;   ///< a kink turns by more than this [rad]
-  double around = std::numbers::pi / 30; ///< and every other point near it by less than this [rad]
-  double width = 2e-3;                   ///< near: within this length [m] of polygon on either side
+  double around = std::numbers::pi / 30; ///< and every other point near it by no more than this [rad]
+  double width = 2e-3;                   ///< near: less than this [m] away, as are all in between
 
   friend bool operator==(const KinkRule&, const KinkRule&) = default;
 };

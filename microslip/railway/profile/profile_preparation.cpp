@@ -1,6 +1,7 @@
 #include "microslip/railway/profile/profile_preparation.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/profile/profile_crossing.hpp"
 #include "microslip/railway/profile/profile_smoothing.hpp"
 #include "microslip/railway/profile/report_text.hpp"
 
@@ -151,45 +152,15 @@ private:
     require_no_crossing();
   }
 
-  /// Compares segments whose ranges of y overlap.
+  /// Nor may a side lie on the one before.
   void require_no_crossing() const {
-    struct Segment {
-      double low, high;
-      std::size_t k;
-    };
-    std::vector<Segment> segments;
-    for (std::size_t k = 0; k + 1 < points_.size(); ++k)
-      segments.push_back({std::min(points_[k].y, points_[k + 1].y), std::max(points_[k].y, points_[k + 1].y), k});
-    std::sort(segments.begin(), segments.end(), [](const Segment& a, const Segment& b) { return a.low < b.low; });
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      for (std::size_t j = i + 1; j < segments.size() && segments[j].low <= segments[i].high; ++j)
-        if (cross(segments[i].k, segments[j].k))
-          fail("the profile crosses itself between " + in_mm(points_[segments[i].k]) + " and " +
-               in_mm(points_[segments[j].k]));
-  }
-
-  bool cross(std::size_t a, std::size_t b) const {
-    if (a > b) std::swap(a, b);
-    if (b == a + 1) return std::abs(turn_at(points_, b)) > 0.9999 * std::numbers::pi; // back on itself
-    const auto side = [this](std::size_t k, const ProfilePoint& p) {
-      const ProfilePoint &from = points_[k], &to = points_[k + 1];
-      const double area = (to.y - from.y) * (p.z - from.z) - (to.z - from.z) * (p.y - from.y);
-      return area > 0 ? 1 : area < 0 ? -1 : 0;
-    };
-    const int a1 = side(b, points_[a]), a2 = side(b, points_[a + 1]), b1 = side(a, points_[b]),
-              b2 = side(a, points_[b + 1]);
-    if (a1 == 0 && a2 == 0) return overlap(a, b);
-    return a1 * a2 <= 0 && b1 * b2 <= 0;
-  }
-
-  /// Of two segments on one line.
-  bool overlap(std::size_t a, std::size_t b) const {
-    const auto along = [&](const ProfilePoint& p) {
-      return (p.y - points_[a].y) * (points_[a + 1].y - points_[a].y) +
-             (p.z - points_[a].z) * (points_[a + 1].z - points_[a].z);
-    };
-    const auto [low, high] = std::minmax({along(points_[b]), along(points_[b + 1])});
-    return high >= 0 && low <= along(points_[a + 1]);
+    constexpr double back = 0.9999 * std::numbers::pi;
+    auto found = find_crossing(points_);
+    for (std::size_t k = 1; k + 1 < points_.size() && !found; ++k)
+      if (std::abs(turn_at(points_, k)) > back) found = {k - 1, k};
+    if (found)
+      fail("the profile crosses itself between " + in_mm(points_[found->first]) + " and " +
+           in_mm(points_[found->second]));
   }
 
   void smooth(const std::vector<std::size_t>& kinks) {

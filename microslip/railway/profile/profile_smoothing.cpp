@@ -83,35 +83,33 @@ private:
   std::vector<double> pivots_, first_, second_;
 };
 
-enum class Weights { lengths, equal };
-
-/// Smooths the points of a section; those at its ends that are kinks stay.
-void smooth_section(std::span<ProfilePoint> points, bool holds_first, bool holds_last, double lambda, Weights weights) {
+std::vector<ProfilePoint> smoothed_section(std::span<const ProfilePoint> points,
+                                           std::span<const double> inverse_weights, double lambda) {
   const std::size_t n = points.size();
-  if (n < 3) return;
-  std::vector<double> steps(n - 1), inverse_weights(n), y(n), z(n);
+  if (n < 3) return {points.begin(), points.end()};
+  std::vector<double> steps(n - 1), y(n), z(n);
   for (std::size_t k = 0; k + 1 < n; ++k) steps[k] = distance(points[k], points[k + 1]);
   for (std::size_t k = 0; k < n; ++k) {
-    const double length = ((k > 0 ? steps[k - 1] : 0) + (k + 1 < n ? steps[k] : 0)) / 2;
-    inverse_weights[k] = weights == Weights::lengths ? 1 / length : 1;
     y[k] = points[k].y;
     z[k] = points[k].z;
   }
-  if (holds_first) inverse_weights.front() = 0;
-  if (holds_last) inverse_weights.back() = 0;
   const SmoothingSection section(steps, inverse_weights, lambda);
   section.smooth(y);
   section.smooth(z);
-  for (std::size_t k = 0; k < n; ++k) points[k] = {y[k], z[k]};
+  std::vector<ProfilePoint> result;
+  for (std::size_t k = 0; k < n; ++k) result.push_back({y[k], z[k]});
+  return result;
 }
 
-std::vector<ProfilePoint> smooth_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
-                                          double lambda, Weights weights) {
+/// A kink has the place that the section behind it gives it.
+std::vector<ProfilePoint> smoothed_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                            double lambda, std::span<const double> inverse_weights) {
   std::vector<ProfilePoint> result(points.begin(), points.end());
   std::size_t first = 0;
   for (std::size_t k = 0; k <= kinks.size(); ++k) {
-    const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1;
-    smooth_section(std::span(result).subspan(first, last - first + 1), k > 0, k < kinks.size(), lambda, weights);
+    const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1, count = last - first + 1;
+    const auto section = smoothed_section(points.subspan(first, count), inverse_weights.subspan(first, count), lambda);
+    std::copy(section.begin(), section.end(), result.begin() + static_cast<std::ptrdiff_t>(first));
     first = last;
   }
   return result;
@@ -144,15 +142,35 @@ double residual(std::span<const ProfilePoint, 5> points) {
 
 } // namespace
 
+std::vector<double> shares_of_length(std::span<const ProfilePoint> points) {
+  std::vector<double> shares(points.size());
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const double half = distance(points[k], points[k + 1]) / 2;
+    shares[k] += half;
+    shares[k + 1] += half;
+  }
+  return shares;
+}
+
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length) {
   if (!(length > 0 && length <= 1)) throw Error("smoothing_length", length, "m", "in (0, 1]");
-  return smooth_sections(points, kinks, std::pow(length / (2 * std::numbers::pi), 4), Weights::lengths);
+  std::vector<double> inverse_weights;
+  for (const double share : shares_of_length(points)) inverse_weights.push_back(1 / share);
+  for (const std::size_t kink : kinks) inverse_weights[kink] = 0;
+  return smoothed_sections(points, kinks, smoothing_factor(length), inverse_weights);
 }
 
-std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
-                                                   std::span<const std::size_t> kinks, double lambda) {
-  return smooth_sections(points, kinks, lambda, Weights::equal);
+std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> points,
+                                                std::span<const std::size_t> kinks, double lambda,
+                                                std::span<const double> weights) {
+  std::vector<double> inverse_weights;
+  for (const double weight : weights) inverse_weights.push_back(1 / weight);
+  return smoothed_sections(points, kinks, lambda, inverse_weights);
+}
+
+double smoothing_factor(double length) {
+  return std::pow(length / (2 * std::numbers::pi), 4);
 }
 
 ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {

@@ -17,9 +17,17 @@ namespace microslip {
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length);
 
-/// The same with w_i = 1 and lambda >= 0 given, in any unit of length.
-std::vector<ProfilePoint> smoothed_without_weights(std::span<const ProfilePoint> points,
-                                                   std::span<const std::size_t> kinks, double lambda);
+/// The same with weights > 0 of all points and lambda >= 0 given, in any unit of length. Kinks move, too.
+std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> points,
+                                                std::span<const std::size_t> kinks, double lambda,
+                                                std::span<const double> weights);
+
+/// The weights of `smoothed`, but for kinks: half of the sides that meet at each point, which all together are the
+/// polygon's length.
+std::vector<double> shares_of_length(std::span<const ProfilePoint> points);
+
+/// The lambda of a wavelength, (L/2 pi)^4.
+double smoothing_factor(double length);
 
 /// Scatter of points: the median distance of each, across the curve, from the cubic in s through its two neighbours on
 /// either side, over what that is for independent errors of deviation 1. Corners and outliers do not count. Zero for
