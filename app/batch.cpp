@@ -531,7 +531,7 @@ void add_batch_command(Command& program, int& exit_code) {
   command.add_option("--table FILE", arguments.table,
                      "a creep-force table made by `microslip table make`; default: the one that microslip has");
   command.add_option("--grid MXxMY", arguments.grid,
-                     "cells or elements across the ellipse along x and y, or M of both; default: 10x10");
+                     solution.text("grid") + ", or M of both; default: " + grid_of(arguments));
   solution.add(command, "bound", arguments.bound, "", true);
   solution.add(command, "flexibility", arguments.flexibility, "", true);
   solution.add(command, "coefficients", arguments.coefficients, "", true);

@@ -58,7 +58,7 @@ CommandOption InputOptions::add(Command& command, std::string_view key, Value& v
   const Input& input = *table_->find(section_, key);
   if (!is_given_only) set_default(input, value);
   checks_.emplace_back([&input, &value, option = name(key)] { app::require(input, option, value); });
-  std::string what = of_ + std::string(input.text);
+  std::string what = text(key);
   if (!input.unit.empty()) what += fmt::format(" [{}]", input.unit);
   if (const std::string range = input.bounds.text(); !range.empty()) what += ", " + range;
   if (!input.words.empty()) type = fmt::format("{}", fmt::join(input.words, "|"));

@@ -3,6 +3,7 @@
 #include "io/csv_line.hpp"
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 
@@ -15,19 +16,18 @@
 namespace microslip::io {
 namespace {
 
+using description::Input;
+
 constexpr std::size_t chunk_size = std::size_t{32} * 1024;
 
 constexpr std::string_view label_start = "column ";
 
 struct Column {
-  std::string_view label; ///< "column " and its name, as messages have it
-  std::string_view unit;
-  void (*set)(EllipticContact& contact, const Column& column, double value);
+  std::string_view label;        ///< "column " and its name, as messages have it
+  std::string_view section, key; ///< of the input of case files that has its unit and bounds
+  void (*set)(EllipticContact& contact, double value);
 
   constexpr std::string_view name() const { return label.substr(label_start.size()); }
-  double finite(double value) const { return require_finite(label, value, unit); }
-  double positive(double value) const { return require_positive(label, value, unit); }
-  double between(double value, double low, double high) const { return require_between(label, value, unit, low, high); }
 };
 
 /// The name of a column that was called otherwise before version 0.2.
@@ -37,32 +37,30 @@ constexpr std::string_view present_name(std::string_view name) {
   return name;
 }
 
-constexpr std::string_view dissimilarity_label = "column dissimilarity";
+constexpr std::string_view modulus_label = "column shear_modulus", dissimilarity_label = "column dissimilarity";
+
+/// What case files do not have: a modulus that is not infinite, and K.
+constexpr Input finite_modulus = {.unit = "Pa", .bounds = description::positive};
+constexpr Input dissimilarity = {.unit = "-", .bounds = description::between(-0.5, 0.5)};
 
 /// First those that every table has.
 constexpr std::array<Column, 11> known_columns = {{
-    {"column a", "m", [](EllipticContact& c, auto& column, double value) { c.a = column.positive(value); }},
-    {"column b", "m", [](EllipticContact& c, auto& column, double value) { c.b = column.positive(value); }},
-    {"column shear_modulus", "Pa",
-     [](EllipticContact& c, auto& column, double value) { c.shear_modulus = column.positive(value); }},
-    {"column poisson_ratio", "-",
-     [](EllipticContact& c, auto& column, double value) { c.poisson_ratio = column.between(value, 0, 0.5); }},
-    {"column friction", "-",
-     [](EllipticContact& c, auto& column, double value) {
-       c.friction = FrictionLaw::coulomb(column.between(value, 0, FrictionLaw::largest_coefficient));
-     }},
-    {"column normal_force", "N",
-     [](EllipticContact& c, auto& column, double value) { c.normal_force = column.positive(value); }},
-    {"column creepage_longitudinal", "-",
-     [](EllipticContact& c, auto& column, double value) { c.creepage.longitudinal = column.finite(value); }},
-    {"column creepage_lateral", "-",
-     [](EllipticContact& c, auto& column, double value) { c.creepage.lateral = column.finite(value); }},
-    {"column spin", "1/m",
-     [](EllipticContact& c, auto& column, double value) { c.creepage.spin = column.finite(value); }},
-    {dissimilarity_label, "-",
-     [](EllipticContact& c, auto& column, double value) { c.dissimilarity = column.between(value, -0.5, 0.5); }},
-    {"column rolling_speed", "m/s",
-     [](EllipticContact& c, auto& column, double value) { c.rolling_speed = column.positive(value); }},
+    {"column a", "ellipse", "a", [](EllipticContact& c, double value) { c.a = value; }},
+    {"column b", "ellipse", "b", [](EllipticContact& c, double value) { c.b = value; }},
+    {modulus_label, "", "", [](EllipticContact& c, double value) { c.shear_modulus = value; }},
+    {"column poisson_ratio", "body1", "poisson_ratio",
+     [](EllipticContact& c, double value) { c.poisson_ratio = value; }},
+    {"column friction", "friction", "coefficient",
+     [](EllipticContact& c, double value) { c.friction = FrictionLaw::coulomb(value); }},
+    {"column normal_force", "load", "normal_force", [](EllipticContact& c, double value) { c.normal_force = value; }},
+    {"column creepage_longitudinal", "motion", "creepage_longitudinal",
+     [](EllipticContact& c, double value) { c.creepage.longitudinal = value; }},
+    {"column creepage_lateral", "motion", "creepage_lateral",
+     [](EllipticContact& c, double value) { c.creepage.lateral = value; }},
+    {"column spin", "motion", "spin", [](EllipticContact& c, double value) { c.creepage.spin = value; }},
+    {dissimilarity_label, "", "", [](EllipticContact& c, double value) { c.dissimilarity = value; }},
+    {"column rolling_speed", "motion", "rolling_speed",
+     [](EllipticContact& c, double value) { c.rolling_speed = value; }},
 }};
 constexpr std::size_t required_columns = 9;
 
@@ -75,12 +73,28 @@ constexpr auto required_names = std::span(known_names).first<required_columns>()
 constexpr std::array<std::string_view, 8> result_names = {"fx",        "fy",     "mz",       "adhesion_area",
                                                           "slip_area", "status", "residual", "iterations"};
 
+const Input& input_of(const Column& column) {
+  if (column.label == modulus_label) return finite_modulus;
+  if (column.label == dissimilarity_label) return dissimilarity;
+  return *description::rolling_inputs().find(column.section, column.key);
+}
+
+/// The same of all columns.
+const std::array<const Input*, known_columns.size()>& column_inputs() {
+  static const auto all = [] {
+    std::array<const Input*, known_columns.size()> inputs{};
+    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = &input_of(known_columns[i]);
+    return inputs;
+  }();
+  return all;
+}
+
 /// K of two bodies is largest when one is rigid: |K| <= 1/2 - nu. A little more is rounding of the table's numbers.
-void require_possible(double dissimilarity, double poisson_ratio) {
+void require_possible(double combined, double poisson_ratio) {
   constexpr double rounding = 1e-4;
   const double largest = 0.5 - poisson_ratio;
-  if (std::abs(dissimilarity) > largest + rounding)
-    require_between(dissimilarity_label, dissimilarity, "-", -largest, largest);
+  if (std::abs(combined) > largest + rounding)
+    require_between(dissimilarity_label, combined, dissimilarity.unit, -largest, largest);
 }
 
 bool is_blank(std::string_view line) {
@@ -152,7 +166,7 @@ ContactTableReader::Use ContactTableReader::use_of(std::string_view field,
   const Column& column = known_columns[known];
   if (std::any_of(uses_.begin(), uses_.end(), [&](const Use& use) { return use.known == known; }))
     throw Error(std::string(column.label) + ": is there twice");
-  return {known, true, unit.empty() ? UnitScale() : scale_to_unit(column.label, unit, column.unit)};
+  return {known, true, unit.empty() ? UnitScale() : scale_to_unit(column.label, unit, column_inputs()[known]->unit)};
 }
 
 /// A column that resembles one that is not there is that one, misspelt.
@@ -220,6 +234,7 @@ TableRows ContactTableReader::parse(const TextChunk& chunk) const {
 /// Adds a row, or part of it with an Error.
 void ContactTableReader::parse_row(const std::vector<std::string_view>& fields, TableRows& rows) const {
   auto& contact = rows.contacts.emplace_back();
+  const auto& inputs = column_inputs();
   bool is_first = true;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const Use& use = uses_[i];
@@ -230,14 +245,16 @@ void ContactTableReader::parse_row(const std::vector<std::string_view>& fields, 
       continue;
     }
     const Column& column = known_columns[use.known];
-    column.set(contact, column, use.to_si(csv_number(column.label, fields[i], separator_ != ',')));
+    const double value = use.to_si(csv_number(column.label, fields[i], separator_ != ','));
+    inputs[use.known]->bounds.require(column.label, value, inputs[use.known]->unit);
+    column.set(contact, value);
     const auto begin = rows.text.size();
     rows.text += fields[i];
     std::replace(rows.text.begin() + static_cast<std::ptrdiff_t>(begin), rows.text.end(), ',', '.');
   }
   require_possible(contact.dissimilarity, contact.poisson_ratio);
   if (contact.dissimilarity != 0 && !similar_only_.empty())
-    throw Error(dissimilarity_label, contact.dissimilarity, "-", "0 " + similar_only_);
+    throw Error(dissimilarity_label, contact.dissimilarity, dissimilarity.unit, "0 " + similar_only_);
   rows.ends.push_back(rows.text.size());
 }
 

@@ -255,4 +255,13 @@ UnitScale scale_to_unit(std::string_view field, std::string_view from, std::stri
   }
 }
 
+std::vector<OfferedUnit> offered_units(std::string_view unit) {
+  const Choice& choice = choice_of(unit);
+  std::vector<OfferedUnit> offered;
+  for (const std::string_view name : choice.known())
+    if (const auto converted = conversion(name, choice); converted(0) == 0)
+      offered.push_back({name, scale_of(converted(1))});
+  return offered;
+}
+
 } // namespace microslip::io

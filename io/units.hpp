@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace microslip::io {
 
@@ -22,5 +23,13 @@ struct UnitScale {
 double number_in_unit(std::string_view field, std::string_view text, std::string_view unit);
 /// From a unit to another without an offset. Error as above.
 UnitScale scale_to_unit(std::string_view field, std::string_view from, std::string_view unit);
+
+/// A unit that messages offer for numbers of a kind, and what makes numbers in it those in SI.
+struct OfferedUnit {
+  std::string_view name;
+  UnitScale to_si;
+};
+/// Those for numbers in `unit`, an SI unit; none with another zero.
+std::vector<OfferedUnit> offered_units(std::string_view unit);
 
 } // namespace microslip::io

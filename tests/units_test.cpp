@@ -157,6 +157,15 @@ TEST(Units, PowersOfPrefixesAreExact) {
   EXPECT_EQ(io::number_in_unit("field", "7 g/cm^3", "kg/m^3"), 7e3);
 }
 
+TEST(Units, OffersThoseThatNumbersMayBeGivenIn) {
+  for (const char* unit : {"m", "N", "Pa", "1/m", "rad", "m/s", "K", "-"})
+    for (const auto& [name, to_si] : io::offered_units(unit))
+      EXPECT_EQ(to_si(1435), io::number_in_unit("field", "1435 " + std::string(name), unit)) << name;
+  const auto temperatures = io::offered_units("deg C");
+  ASSERT_EQ(temperatures.size(), 1u); // the others have another zero
+  EXPECT_EQ(temperatures.front().name, "degC");
+}
+
 TEST(Units, ThreadsDoNotDisturbOneAnother) {
   std::vector<int> wrong(4);
   {

@@ -4,12 +4,15 @@
 #include "cases/conicity_result.hpp"
 #include "cases/profile_result.hpp"
 #include "cases/wheel_rail_result.hpp"
+#include "explorer/core/description.hpp"
 #include "explorer/core/rolling_start.hpp"
 #include "io/length_unit.hpp"
 #include "io/nearest_word.hpp"
 #include "io/option_words.hpp"
 #include "io/profile_file.hpp"
 #include "io/toml_section.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/version.hpp"
 
@@ -111,20 +114,16 @@ template <class Item> io::Json json_of(const std::vector<Item>& items) {
   return list;
 }
 
-struct CreepVariable {
-  std::string_view name, unit;
-  double Creepage::*of;
-};
-constexpr CreepVariable creep_variables[] = {{"creepage_longitudinal", "-", &Creepage::longitudinal},
-                                             {"creepage_lateral", "-", &Creepage::lateral},
-                                             {"spin", "1/m", &Creepage::spin}};
+constexpr std::array<std::string_view, 3> creep_variables = {"creepage_longitudinal", "creepage_lateral", "spin"};
 
-const CreepVariable& creep_variable(const Request& request) {
-  constexpr std::array<std::string_view, 3> names = {creep_variables[0].name, creep_variables[1].name,
-                                                     creep_variables[2].name};
-  const auto name = request.word("variable", names);
-  return *std::find_if(std::begin(creep_variables), std::end(creep_variables),
-                       [&](const CreepVariable& variable) { return variable.name == name; });
+double& creepage_of(Creepage& creepage, std::string_view variable) {
+  if (variable == "spin") return creepage.spin;
+  return variable == "creepage_lateral" ? creepage.lateral : creepage.longitudinal;
+}
+
+/// What case files may have under a key of a profile.
+const description::Input& profile_input(std::string_view key) {
+  return *description::wheel_inputs().find(io::profile_sections[0], key);
 }
 
 io::ProfileFileOptions profile_options(const Request& request) {
@@ -137,10 +136,9 @@ io::ProfileFileOptions profile_options(const Request& request) {
   option("y_axis", options.y_axis);
   option("z_axis", options.z_axis);
   if (request.has("unit")) options.unit = io::length_of_unit("request.unit", request.text("unit"));
-  if (request.has("section")) options.section = request.count("section", 1, 10000);
+  if (request.has("section")) options.section = request.count("section", profile_input("section").bounds);
   if (request.has("smoothing_length"))
-    options.treatment.smoothing_length =
-        require_between("request.smoothing_length", request.number("smoothing_length"), "m", 0, 1);
+    options.treatment.smoothing_length = request.number("smoothing_length", profile_input("smoothing_length"));
   return options;
 }
 
@@ -177,7 +175,8 @@ io::Json Explorer::call(const Request& request) {
       {"solve", &Explorer::solve},         {"inputs", &Explorer::inputs},
       {"radii", &Explorer::radii},         {"creep_curve", &Explorer::creep_curve},
       {"transient", &Explorer::transient}, {"profile", &Explorer::profile},
-      {"conicity", &Explorer::conicity},   {"version", &Explorer::version}};
+      {"conicity", &Explorer::conicity},   {"description", &Explorer::description},
+      {"version", &Explorer::version}};
   std::vector<std::string_view> names;
   for (const auto& [name, member] : calls) names.push_back(name);
   const std::string name = request.text("call");
@@ -258,16 +257,17 @@ io::Json Explorer::creep_curve(const Request& request) {
   request.allow({"case", "variable", "from", "to", "count"});
   const CaseText given(request, case_name_, files_);
   const io::RollingCase input = given.rolling_case(tables_);
-  const CreepVariable& variable = creep_variable(request);
+  const std::string_view variable = request.word("variable", creep_variables);
   const double from = request.number("from"), to = request.number("to");
-  const int count = request.count("count", 2, most_points);
+  const int count = request.count("count", description::between(2, most_points));
   RollingProblem problem = input.problem;
   Solver solver(input.method);
-  io::Json curve = {{"theory", io::to_word(input.method.theory)}, {"variable", variable.name}, {"unit", variable.unit}};
+  const std::string_view unit = quantity(variable).unit;
+  io::Json curve = {{"theory", io::to_word(input.method.theory)}, {"variable", variable}, {"unit", unit}};
   for (const char* member : {"value", "fx", "fy", "mz", "status"}) curve[member] = io::Json::array();
   for (int k = 0; k < count; ++k) {
     const double value = from + (to - from) * k / (count - 1);
-    problem.motion.creepage.*variable.of = value;
+    creepage_of(problem.motion.creepage, variable) = value;
     const ContactForces forces = solver.solve(problem).forces();
     curve["value"].push_back(io::json_number(value));
     curve["fx"].push_back(io::json_number(forces.fx));
@@ -275,7 +275,8 @@ io::Json Explorer::creep_curve(const Request& request) {
     curve["mz"].push_back(io::json_number(forces.mz));
     curve["status"].push_back(to_string(forces.status));
   }
-  curve["units"] = {{"value", variable.unit}, {"fx", "N"}, {"fy", "N"}, {"mz", "N m"}};
+  curve["units"] = {{"value", unit}};
+  for (const char* force : {"fx", "fy", "mz"}) curve["units"][force] = quantity(force).unit;
   return curve;
 }
 
@@ -310,6 +311,11 @@ io::Json Explorer::conicity(const Request& request) {
   io::Json all = cases::conicity_document(input, cases::find_conicity(input, side, side, true), side, side);
   all["units"] = cases::conicity_units();
   return all;
+}
+
+io::Json Explorer::description(const Request& request) {
+  request.allow({});
+  return explorer::description();
 }
 
 io::Json Explorer::version(const Request& request) {

@@ -32,6 +32,7 @@ private:
   io::Json transient(const Request& request);
   io::Json profile(const Request& request);
   io::Json conicity(const Request& request);
+  io::Json description(const Request& request);
   io::Json version(const Request& request);
 
   void take_files(const Request& request);

@@ -62,9 +62,16 @@ double Request::number(const std::string& member) const {
   return number_of(required(member), member);
 }
 
-int Request::count(const std::string& member, int low, int high) const {
+double Request::number(const std::string& member, const description::Input& input) const {
   const double value = number(member);
-  const int whole = static_cast<int>(require_between(field(member), value, "-", low, high));
+  input.bounds.require(field(member), value, input.unit);
+  return value;
+}
+
+int Request::count(const std::string& member, const description::Bounds& bounds) const {
+  const double value = number(member);
+  bounds.require(field(member), value, "-");
+  const int whole = static_cast<int>(value);
   if (whole != value) wrong_type(member, "a whole number");
   return whole;
 }

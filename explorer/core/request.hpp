@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/json.hpp"
+#include "microslip/description/input.hpp"
 
 #include <optional>
 #include <span>
@@ -26,7 +27,9 @@ public:
   std::string text(const std::string& member, const std::string& missing) const;
   bool flag(const std::string& member) const; ///< false without it
   double number(const std::string& member) const;
-  int count(const std::string& member, int low, int high) const;
+  /// Within the bounds of an input of case files.
+  double number(const std::string& member, const description::Input& input) const;
+  int count(const std::string& member, const description::Bounds& bounds) const;
   /// A list of so many numbers; none without it.
   std::optional<std::vector<double>> numbers(const std::string& member, std::size_t count) const;
   /// One of some words; the first one without it.

@@ -3,6 +3,9 @@
 #include "cases/case_document.hpp"
 #include "cases/wheel_rail_result.hpp"
 #include "io/toml_section.hpp"
+#include "io/units.hpp"
+#include "microslip/contact/quantities.hpp"
+#include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 #include "tests/support/case_text.hpp"
@@ -83,8 +86,8 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   EXPECT_EQ(words("{}"), "request.call: is missing");
   EXPECT_EQ(words("{\"call\": 3}"), "request.call: must be a text");
   EXPECT_EQ(words("{\"call\": \"sovle\"}"), "request.call = \"sovle\": must be solve, inputs, radii, creep_curve, "
-                                            "transient, profile, conicity or version; did "
-                                            "you mean solve?");
+                                            "transient, profile, conicity, description or "
+                                            "version; did you mean solve?");
   EXPECT_EQ(words("{\"call\": \"solve\"}"), "request.case: is missing");
   EXPECT_EQ(words("{\"call\": \"solve\", \"kase\": \"\"}"), "request.kase: unknown member; did you mean case?");
   EXPECT_EQ(words("{\"call\": \"solve\", \"case\": \"\", \"fields\": 1}"), "request.fields: must be true or false");
@@ -349,6 +352,55 @@ TEST_F(ExplorerTest, ReadsProfiles) {
             "a.prw:1: \"x y z\" is neither KEY = VALUE nor a block's begin or end");
   EXPECT_EQ(refusal({{"call", "profile"}, {"name", "a.txt"}, {"text", "1 2"}, {"role", "weel"}}),
             "request.role = \"weel\": must be rail or wheel; did you mean wheel?");
+}
+
+TEST_F(ExplorerTest, ReadsHowAProfileIsReadWithinTheBoundsOfCaseFiles) {
+  const auto words = [&](const char* member, double value) {
+    return refusal({{"call", "profile"}, {"name", "a.prw"}, {"text", ""}, {member, value}});
+  };
+  EXPECT_EQ(words("section", 0), "request.section = 0 [-]: must be in [1, 10000]");
+  EXPECT_EQ(words("section", 1.5), "request.section: must be a whole number");
+  EXPECT_EQ(words("smoothing_length", 2), "request.smoothing_length = 2 [m]: must be in [0, 1]");
+}
+
+TEST_F(ExplorerTest, DescribesEveryInputAsTheTablesDo) {
+  const io::Json all = result({{"call", "description"}})["inputs"];
+  ASSERT_EQ(all.size(), description::case_kinds.size());
+  for (const std::string_view kind : description::case_kinds) {
+    const auto named = description::inputs_of(kind).named();
+    EXPECT_EQ(all[std::string(kind)].size(), named.size());
+    for (const auto& [path, input, range] : named) {
+      const io::Json found = all[std::string(kind)][path];
+      EXPECT_EQ(found["section"], input->section) << path;
+      EXPECT_EQ(found.value("unit", ""), input->unit) << path;
+      EXPECT_EQ(found.value("range", ""), input->bounds.text()) << path;
+      EXPECT_EQ(found.contains("words"), !input->words.empty()) << path;
+      EXPECT_EQ(found["text"], input->text) << path;
+    }
+  }
+  EXPECT_EQ(all["bodies"]["friction.law"]["default"], "coulomb");
+  EXPECT_EQ(all["bodies"]["friction.law"]["words"].size(), 5);
+  EXPECT_EQ(all["bodies"]["body2.poisson_ratio"]["largest"], 0.5);
+  EXPECT_FALSE(all["bodies"]["body2.rolling_radius"].contains("least"));
+  EXPECT_EQ(all["wheel"]["rail.smoothing_length"]["default"], 0);
+  EXPECT_EQ(all["wheel"]["rail.smoothing_length"]["section"], "profile");
+  EXPECT_EQ(all["wheel"]["wheel.yaw"]["state"], true);
+}
+
+TEST_F(ExplorerTest, DescribesOutputsAndUnits) {
+  const io::Json all = result({{"call", "description"}});
+  EXPECT_EQ(all["outputs"]["bodies"].size(), quantities().size());
+  EXPECT_EQ(all["outputs"]["fields"]["px"]["unit"], "Pa");
+  EXPECT_EQ(all["outputs"]["bodies"]["fx"]["label"], quantity("fx").label);
+  EXPECT_EQ(all["outputs"]["wheel"]["t_gamma"]["unit"], "N");
+  EXPECT_EQ(all["outputs"]["patch"]["peak_pressure"]["unit"], "Pa");
+  for (const auto& [unit, offered] : all["units"].items()) {
+    EXPECT_FALSE(offered.empty()) << unit;
+    for (const auto& [name, scale] : offered.items()) {
+      const double si = 1435 * scale[0].get<double>() / scale[1].get<double>();
+      EXPECT_EQ(si, io::number_in_unit("a", "1435 " + name, unit)) << name;
+    }
+  }
 }
 
 TEST_F(ExplorerTest, FindsConicity) {

@@ -29,6 +29,7 @@ const wheel = replaced(read("wheel_on_rail.toml"), ["profiles/60e1.prr", "60e1.p
 const quickWheel = replaced(wheel, ['theory = "exact"', 'theory = "fastsim2"'], ['shape = "flat"', 'shape = "curved"']);
 const files = { "60e1.prr": read("profiles/60e1.prr"), "s1002.prw": read("profiles/s1002.prw") };
 const requests = [
+  { call: "description" },
   { call: "inputs", case: quick },
   { call: "solve", case: quick, fields: true },
   { call: "solve", case: ellipse, fields: true },

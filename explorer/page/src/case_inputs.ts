@@ -4,7 +4,7 @@
 import { contactCase, ofExact, ofFastsim, railCase, startCase } from "./case_text.ts";
 import type { Core } from "./core.ts";
 import { withoutPlace } from "./fields.ts";
-import { initialState, laws, limits, requireLimits, shapes, type ContactState, type Law, type More, type RailState, type Shape, type StartState, type State, type Value, type Values } from "./state.ts";
+import { initialState, laws, limits, requireLimits, shapes, type ContactState, type More, type RailState, type StartState, type State, type Value, type Values } from "./state.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
 
@@ -52,7 +52,7 @@ function toContact(state: ContactState, wanted: Inputs): string {
   fill(state.values, inputs);
   state.more = moreOf(wanted, (key) => ofExact.test(key) || ofFastsim.test(key));
   const law = String(inputs["friction.law"]), theory = inputs["solution.theory"];
-  if (law in laws) state.law = law as Law;
+  if (law in laws()) state.law = law;
   state.theory = theory === "exact" ? "exact" : "fastsim2";
   state.elements = pair(inputs["solution.grid"]);
   return contactCase(state, state.theory);
@@ -70,7 +70,7 @@ function toRail(state: RailState, wanted: Inputs, files: Record<string, string>)
   const { inputs } = wanted;
   fill(state.values, inputs);
   const shape = String(inputs["solution.shape"] ?? "true");
-  if (shape in shapes) state.shape = shape as Shape;
+  if (shape in shapes()) state.shape = shape;
   state.more = moreOf(wanted, (key) => carried.test(key) && !notCarried.test(key) && !(key in state.values));
   state.profiles = { rail: String(inputs["rail.profile"]), wheel: String(inputs["wheelset.profile"]) };
   state.files = Object.fromEntries(Object.values(state.profiles).filter((name) => files[name] !== BUILT_IN_PROFILES[name]).map((name) => [name, files[name]!]));

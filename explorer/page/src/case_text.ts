@@ -1,6 +1,8 @@
 // States as case files for the program, and as Python.
 
-import { initialState, type ContactState, type More, type RailState, type StartState, type Value, type Values } from "./state.ts";
+import { input } from "./description.ts";
+import { initialState, keysOf, type ContactState, type More, type RailState, type StartState, type Value, type Values } from "./state.ts";
+import { toSi } from "./units.ts";
 
 type Entries = Record<string, Value>;
 
@@ -31,9 +33,9 @@ function without(values: Values, left: RegExp): Values {
   return Object.fromEntries(Object.entries(values).filter(([key]) => !left.test(key)));
 }
 
-function friction(state: ContactState): Entries {
-  const keys = state.law === "coulomb" ? ["coefficient"] : ["kinetic_coefficient", "drop", "half_velocity"];
-  return { "friction.law": state.law, ...Object.fromEntries(keys.map((key) => [`friction.${key}`, state.values[`friction.${key}`]!])) };
+function friction({ law, values }: ContactState): Entries {
+  const keys = keysOf(law).filter((key) => !key.includes("second_") || values["friction.second_drop"] !== 0);
+  return { "friction.law": law, ...Object.fromEntries(keys.map((key) => [key, values[key]!])) };
 }
 
 /** Options of the theories that have no field; with the exact theory FASTSIM2 is solved beside it. */
@@ -87,18 +89,18 @@ export function toPython(toml: string): string {
 
 /** Whether a key says how the profile of its section is to be read. */
 export function isHowRead(key: string, section: "rail" | "wheelset"): boolean {
-  return new RegExp(`^${section}\\.(format|unit|scale|y_axis|z_axis|section|trim|smoothing_length)$`).test(key);
+  return key.startsWith(`${section}.`) && input("rail", key).section === "profile" && !key.endsWith(".profile");
 }
 
 /** The same wheel on the same rail in Python, whose arguments have the names of the keys. */
 export function railPython(state: RailState): string {
   const { profiles, shape } = state, all: Entries = { ...state.values, ...state.more };
   const literal = (value: Value): string => (Array.isArray(value) ? `(${value.map(literal).join(", ")})` : typeof value === "string" ? JSON.stringify(value) : String(value));
-  const ofState = /^(wheel\.|track\.curvature$|rail\.deviation_)/, isOfFile = (key: string) => isHowRead(key, "rail") || isHowRead(key, "wheelset");
+  const isState = (key: string) => input("rail", key).state, isOfFile = (key: string) => isHowRead(key, "rail") || isHowRead(key, "wheelset");
   const ofStrength = /^material\.(hardness|shear_yield_strength)$/;
   const named = (wanted: (key: string) => boolean) => Object.entries(all).filter(([key]) => wanted(key))
-    .map(([key, value]) => `, ${key.replace(/^.*\./, "")}=${key.endsWith(".unit") ? String({ mm: 1e-3, m: 1, in: 0.0254 }[String(value)]) : literal(value)}`).join("");
-  const of = (section: string) => named((key) => key.startsWith(`${section}.`) && !ofState.test(key) && !isOfFile(key)).slice(2);
+    .map(([key, value]) => `, ${key.replace(/^.*\./, "")}=${key.endsWith(".unit") ? String(toSi(1, "m", String(value))) : literal(value)}`).join("");
+  const of = (section: string) => named((key) => key.startsWith(`${section}.`) && !isState(key) && !isOfFile(key)).slice(2);
   const file = (section: "rail" | "wheelset") => named((key) => isHowRead(key, section));
   const strength = named((key) => ofStrength.test(key)).slice(2), { "wheelset.nominal_radius": radius, "wheel.forward_velocity": velocity } = state.values;
   const pitch = "wheel.pitch_velocity" in all ? "" : `, pitch_velocity=${String(velocity)} / ${String(radius)}`;
@@ -113,7 +115,7 @@ wheel_rail = microslip.WheelRail(
     material=microslip.Material.from_young(${literal(all["material.young_modulus"]!)}, ${literal(all["material.poisson_ratio"]!)}),${strength && `
     strength=microslip.SurfaceStrength(${strength}),`}
     friction=${literal(all["friction.coefficient"]!)}, theory="exact"${named((key) => key.startsWith("solution."))}${shape === "true" ? "" : `, shape="${shape}"`})
-solution = wheel_rail.solve(${named((key) => ofState.test(key)).slice(2)}${pitch})
+solution = wheel_rail.solve(${named(isState).slice(2)}${pitch})
 print(solution)
 `;
 }

@@ -5,11 +5,12 @@ import { Chart, type Curve } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
+import { help, input, output } from "./description.ts";
 import { button, element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
 import { clearMap, drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
-import { laws, type ContactState, type Law, type Values } from "./state.ts";
-import { digits } from "./units.ts";
+import { keysOf, laws, type ContactState, type Values } from "./state.ts";
+import { digits, shownUnit, show } from "./units.ts";
 
 interface SurfaceFields {
   x: number[]; y: number[]; width: number[]; pressure?: number[]; bound: number[];
@@ -36,26 +37,34 @@ const theories: Record<Theory, { name: string; colour: string }> = {
 };
 
 const groups: Record<string, FieldSpec[]> = {
-  Load: [{ key: "load.normal_force", label: "normal force", kind: "force", unit: "kN", from: 5, to: 200, step: 1 }],
+  Load: [{ key: "load.normal_force", label: "normal force", from: 5, to: 200, step: 1 }],
   Creepages: [
-    { key: "motion.creepage_longitudinal", label: "longitudinal", kind: "number", unit: "%", from: -1, to: 1, step: 0.005 },
-    { key: "motion.creepage_lateral", label: "lateral", kind: "number", unit: "%", from: -1, to: 1, step: 0.005 },
-    { key: "motion.spin", label: "spin", kind: "spin", unit: "1/m", from: -3, to: 3, step: 0.02 },
-    { key: "motion.rolling_speed", label: "rolling speed", kind: "speed", unit: "km/h", from: 1, to: 400, step: 1 },
+    { key: "motion.creepage_longitudinal", label: "longitudinal", unit: "%", from: -1, to: 1, step: 0.005 },
+    { key: "motion.creepage_lateral", label: "lateral", unit: "%", from: -1, to: 1, step: 0.005 },
+    { key: "motion.spin", label: "spin", from: -3, to: 3, step: 0.02 },
+    { key: "motion.rolling_speed", label: "rolling speed", from: 1, to: 400, step: 1 },
   ],
   Bodies: [
-    { key: "ellipse.a", label: "half length a, in rolling", kind: "length", unit: "mm", from: 0.5, to: 15, step: 0.05 },
-    { key: "ellipse.b", label: "half width b, across", kind: "length", unit: "mm", from: 0.5, to: 15, step: 0.05 },
-    { key: "body1.rolling_radius", label: "upper body, in rolling", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
-    { key: "body1.transverse_radius", label: "upper body, across", kind: "length", unit: "mm" },
-    { key: "body2.rolling_radius", label: "lower body, in rolling", kind: "length", unit: "mm" },
-    { key: "body2.transverse_radius", label: "lower body, across", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
+    { key: "ellipse.a", label: "half length a, in rolling", from: 0.5, to: 15, step: 0.05 },
+    { key: "ellipse.b", label: "half width b, across", from: 0.5, to: 15, step: 0.05 },
+    { key: "body1.rolling_radius", label: "upper body, in rolling", from: 20, to: 1000, step: 5 },
+    { key: "body1.transverse_radius", label: "upper body, across" },
+    { key: "body2.rolling_radius", label: "lower body, in rolling" },
+    { key: "body2.transverse_radius", label: "lower body, across", from: 20, to: 1000, step: 5 },
   ],
   Material: [
-    { key: "body1.young_modulus", label: "Young's modulus", kind: "stress", unit: "GPa", from: 1, to: 400, step: 1 },
-    { key: "body1.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "", from: 0, to: 0.5, step: 0.01 },
+    { key: "body1.young_modulus", label: "Young's modulus", from: 1, to: 400, step: 1 },
+    { key: "body1.poisson_ratio", label: "Poisson's ratio", step: 0.01 },
   ],
 };
+const variables = ["creepage_longitudinal", "creepage_lateral", "spin"] as const;
+type Variable = (typeof variables)[number];
+
+/** Of a number of a solution, as printed tables have it. */
+function labelOf(name: string): string {
+  return output("bodies", name).label!;
+}
+
 /** An upper body on a flat one. */
 function onFlat({ rolling_radius, transverse_radius }: Radii): Values {
   return {
@@ -64,10 +73,15 @@ function onFlat({ rolling_radius, transverse_radius }: Radii): Values {
   };
 }
 const frictionFields: FieldSpec[] = [
-  { key: "friction.coefficient", label: "coefficient", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
-  { key: "friction.kinetic_coefficient", label: "at large slip", kind: "number", unit: "", from: 0.02, to: 0.6, step: 0.01 },
-  { key: "friction.drop", label: "drop", kind: "number", unit: "", from: 0, to: 0.4, step: 0.01 },
-  { key: "friction.half_velocity", label: "half of it at", kind: "speed", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
+  { key: "friction.coefficient", label: "coefficient", from: 0.05, to: 0.8, step: 0.01 },
+  { key: "friction.kinetic_coefficient", label: "at large slip", from: 0.02, to: 0.6, step: 0.01 },
+  { key: "friction.drop", label: "drop", to: 0.4, step: 0.01 },
+  { key: "friction.half_velocity", label: "half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
+  { key: "friction.second_drop", label: "second drop", to: 0.4, step: 0.01 },
+  { key: "friction.second_half_velocity", label: "half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
+  { key: "friction.static_coefficient", label: "at rest", from: 0.05, to: 0.8, step: 0.01 },
+  { key: "friction.ratio", label: "share at large slip", step: 0.01 },
+  { key: "friction.decay", label: "decay", to: 2, step: 0.01 },
 ];
 
 export class ContactView {
@@ -159,12 +173,12 @@ export class ContactView {
       this.changed();
     }).root;
     const group = (name: string, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
-    const law = new Choice("law", laws, this.state.law, (value) => {
-      this.state.law = value as Law;
+    const law = new Choice("law", laws(), this.state.law, (value) => {
+      this.state.law = value;
       this.#showFields();
       this.solve();
       this.changed();
-    });
+    }, help(input("contact", "friction.law")));
     this.#choices.push({ set: (state) => { law.set(state.law); } });
     const given = new Choice("given by", { radii: "radii", ellipse: "its ellipse" }, this.state.given, (way) => { this.#give(way as ContactState["given"]); });
     this.#choices.push({ set: (state) => { given.set(state.given); } });
@@ -177,7 +191,7 @@ export class ContactView {
 
   #showFields(): void {
     for (const field of this.#form.fields.filter(({ spec }) => spec.key.startsWith("friction.")))
-      field.root.hidden = (field.spec.key === "friction.coefficient") !== (this.state.law === "coulomb");
+      field.root.hidden = !keysOf(this.state.law).includes(field.spec.key);
     const ofEllipse = this.state.given === "ellipse";
     for (const field of this.#form.fields.filter(({ spec }) => /^ellipse|_radius$/.test(spec.key)))
       field.root.hidden = field.spec.key.startsWith("ellipse.") !== ofEllipse;
@@ -207,7 +221,7 @@ export class ContactView {
   }
 
   #variableChoice(): HTMLElement {
-    const words = { creepage_longitudinal: "longitudinal creepage", creepage_lateral: "lateral creepage", spin: "spin" };
+    const words = Object.fromEntries(variables.map((name) => [name, labelOf(name)])) as Record<Variable, string>;
     return this.#choice("over", "variable", words, () => { this.#solveRest(); });
   }
 
@@ -317,9 +331,9 @@ export class ContactView {
     }
     const first = Object.values(this.#curves)[0];
     if (!first) { this.#curveChart.refuse(this.#curveRemarks.join(" ")); return; }
-    const unit = variable === "spin" ? "1/m" : "%", name = { creepage_longitudinal: "longitudinal creepage", creepage_lateral: "lateral creepage", spin: "spin" }[variable];
+    const unit = variable === "spin" ? "1/m" : "%";
     this.#curveChart.draw({
-      x: first.value.map((value) => value * scale), xLabel: `${name} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [kN]`,
+      x: first.value.map((value) => value * scale), xLabel: `${labelOf(variable)} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [kN]`,
       curves, present: present * scale,
     }, this.#curveRemarks.join(" "));
   }
@@ -399,21 +413,22 @@ export class ContactView {
     if (!solved) return;
     const columns = [solved.exact, solved.fastsim2, this.#hasTable ? this.#ofTable : undefined];
     const heads = ["exact", "FASTSIM2", ...(this.#hasTable ? ["table"] : [])];
-    const row = (name: string, unit: string, value: (of: TheoryResult) => number): Row => ({
-      name, unit, values: columns.slice(0, heads.length).map((of, i) => (of ? digits(value(of)) : i === 2 && this.#remarksOf.table ? "–" : "…")),
-    });
+    const column = (shown: (of: TheoryResult) => string) =>
+      columns.slice(0, heads.length).map((of, i) => (of ? shown(of) : i === 2 && this.#remarksOf.table ? "–" : "…"));
+    const row = (name: "fx" | "fy" | "mz" | "frictional_power"): Row => {
+      const { unit, text } = output("bodies", name), shown = shownUnit(unit);
+      return { name: labelOf(name), unit: shown, what: text, values: column((of) => show(of[name], unit, shown)) };
+    };
     fillRemarks(this.#remarks, Object.values(this.#remarksOf).flat());
     const { a, b, peak_pressure } = solved.hertz;
     const all = (value: number) => heads.map((_, i) => (i === 0 ? digits(value) : ""));
     fillTable(this.#numbers, heads, [
-      row("longitudinal force Fx", "kN", ({ fx }) => fx / 1e3),
-      row("lateral force Fy", "kN", ({ fy }) => fy / 1e3),
-      row("spin moment Mz", "N m", ({ mz }) => mz),
-      row("share in adhesion", "%", (of) => (100 * of.adhesion_area) / (of.adhesion_area + of.slip_area)),
-      row("frictional power", "W", ({ frictional_power }) => frictional_power),
+      row("fx"), row("fy"), row("mz"),
+      { name: "share in adhesion", unit: "%", values: column((of) => digits((100 * of.adhesion_area) / (of.adhesion_area + of.slip_area))) },
+      row("frictional_power"),
       { name: "ellipse, half length a", unit: "mm", values: all(a * 1e3) },
       { name: "ellipse, half width b", unit: "mm", values: all(b * 1e3) },
-      { name: "peak pressure", unit: "MPa", values: all(peak_pressure / 1e6) },
+      { name: labelOf("peak_pressure"), unit: "MPa", values: all(peak_pressure / 1e6) },
     ]);
     const spoken = solved.exact ?? solved.fastsim2;
     if (spoken) {
@@ -427,7 +442,8 @@ export class ContactView {
     const f = this.#solved?.[this.state.theory]?.fields;
     if (!f) return "";
     const lines = f.x.flatMap((x, k) => (f.state[k] === 0 ? [] : [[x, f.y[k], f.bound[k], f.px[k], f.py[k], f.sx[k], f.sy[k], f.state[k]].join(",")]));
-    return ["x [m],y [m],bound [Pa],px [Pa],py [Pa],sx [-],sy [-],state", ...lines].join("\n") + "\n";
+    const heads = ["x", "y", "bound", "px", "py", "sx", "sy"].map((name) => `${name} [${output("fields", name).unit}]`);
+    return [[...heads, "state"].join(","), ...lines].join("\n") + "\n";
   }
 
   #moveCut(event: PointerEvent): void {

@@ -16,12 +16,12 @@ export function button(text: string, pressed: () => void, label = text): HTMLBut
 }
 
 /** A row of a table of numbers. */
-export interface Row { name: string; unit: string; values: string[] }
+export interface Row { name: string; unit: string; values: string[]; what?: string }
 
 export function fillTable(table: HTMLTableElement, heads: string[], rows: Row[]): void {
   const head = element("tr", {}, element("th", {}), ...heads.map((text) => element("th", { scope: "col" }, text)), element("th", {}, ""));
   const body = rows.map((row) =>
-    element("tr", {}, element("th", { scope: "row" }, row.name), ...row.values.map((value) => element("td", {}, value)),
+    element("tr", row.what ? { title: row.what } : {}, element("th", { scope: "row" }, row.name), ...row.values.map((value) => element("td", {}, value)),
             element("td", { class: "unit" }, row.unit)));
   table.replaceChildren(element("thead", {}, head), element("tbody", {}, ...body));
 }

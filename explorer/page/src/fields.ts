@@ -1,17 +1,17 @@
 // Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's message where it refuses.
 
+import { help, input } from "./description.ts";
 import { element, sentence } from "./elements.ts";
-import { limits, type Values } from "./state.ts";
-import { parse, show, type Kind } from "./units.ts";
+import { limits, type Values, type View } from "./state.ts";
+import { fromSi, parse, show, shownUnit } from "./units.ts";
 
 export interface FieldSpec {
   key: string; // section.key of the case file
   label: string;
-  kind: Kind;
-  unit: string;
-  from?: number; // range of the slider, in `unit`
+  unit?: string; // in which it is shown
+  step?: number; // of a slider, which there is with it, in this unit
+  from?: number; // where it ends before the range of the input does
   to?: number;
-  step?: number;
 }
 
 export class Field {
@@ -19,26 +19,32 @@ export class Field {
   readonly #text: HTMLInputElement;
   readonly #slider: HTMLInputElement | undefined;
   readonly #error: HTMLElement;
+  readonly #si: string;
+  readonly #unit: string;
   #value: number;
   #misread = ""; // why the text is no number to take, until it is one
 
-  constructor(place: string, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void, readonly reread: () => void) {
-    const { key, label, unit } = spec;
+  constructor(place: View, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void, readonly reread: () => void) {
+    const { key, label } = spec, described = input(place, key), what = help(described);
     const id = `${place}-${key.replaceAll(".", "-")}`;
+    this.#si = described.unit ?? "-";
+    this.#unit = spec.unit ?? shownUnit(this.#si);
     this.#value = value;
     this.#error = element("span", { class: "error", id: `${id}-error`, role: "alert" });
-    this.#text = element("input", { id, type: "text", "aria-describedby": `${id}-error`, autocomplete: "off", spellcheck: "false" });
+    this.#text = element("input", { id, type: "text", "aria-describedby": `${id}-help ${id}-error`, autocomplete: "off", spellcheck: "false" });
     this.#text.addEventListener("change", () => { this.#typed(); });
-    const parts: Node[] = [element("label", { for: id }, label), this.#text, element("span", { class: "unit" }, unit)];
-    if (spec.from !== undefined && spec.to !== undefined) {
+    const parts: Node[] = [element("label", { for: id }, label), this.#text, element("span", { class: "unit" }, this.#unit)];
+    if (spec.step !== undefined) {
+      const { least = -Infinity, largest = Infinity } = described, end = (bound: number) => fromSi(bound, this.#si, this.#unit);
       this.#slider = element("input", {
-        type: "range", "aria-label": unit ? `${label}, ${unit}` : label,
-        min: String(spec.from), max: String(spec.to), step: String(spec.step ?? (spec.to - spec.from) / 200),
+        type: "range", "aria-label": this.#unit ? `${label}, ${this.#unit}` : label, step: String(spec.step),
+        min: String(Math.max(spec.from ?? -Infinity, end(least))), max: String(Math.min(spec.to ?? Infinity, end(largest))),
       });
       this.#slider.addEventListener("input", () => { this.#moved(); });
       parts.push(this.#slider);
     }
-    this.root = element("div", { class: "field" }, ...parts, this.#error);
+    const told = element("span", { id: `${id}-help`, hidden: "" }, what);
+    this.root = element("div", { class: "field", title: what }, ...parts, this.#error, told);
     this.set(value);
   }
 
@@ -53,7 +59,7 @@ export class Field {
 
   set(value: number): void {
     this.#value = value;
-    this.#text.value = show(value, this.spec.kind, this.spec.unit);
+    this.#text.value = show(value, this.#si, this.#unit);
     if (this.#slider) this.#slider.value = this.#text.value;
     this.#misread = "";
     this.refuse("");
@@ -81,15 +87,16 @@ export class Field {
 
   /** The number in the text, or why it is none to take. */
   #read(): number | string {
-    const { key, kind, unit } = this.spec, read = parse(this.#text.value, kind, unit), limit = limits[key];
+    const text = this.#text.value, read = parse(text, this.#si, this.#unit), limit = limits[this.spec.key];
     if (typeof read === "string" || limit === undefined || Math.abs(read) <= limit) return read;
-    return `"${this.#text.value}" is not between ${show(-limit, kind, unit)} and ${show(limit, kind, unit)} ${unit}`;
+    const shown = (value: number) => show(value, this.#si, this.#unit);
+    return `"${text}" is not between ${shown(-limit)} and ${shown(limit)} ${this.#unit}`;
   }
 
   #moved(): void {
-    const read = parse(this.#slider!.value, this.spec.kind, this.spec.unit) as number;
+    const read = parse(this.#slider!.value, this.#si, this.#unit) as number;
     this.#value = read;
-    this.#text.value = show(read, this.spec.kind, this.spec.unit);
+    this.#text.value = show(read, this.#si, this.#unit);
     this.#misread = "";
     this.refuse("");
     this.reread();
@@ -102,12 +109,12 @@ export class Choice {
   readonly root: HTMLElement;
   readonly #select: HTMLSelectElement;
 
-  constructor(label: string, words: Record<string, string>, value: string, changed: (value: string) => void) {
+  constructor(label: string, words: Record<string, string>, value: string, changed: (value: string) => void, what = "") {
     const id = `choice-${label.toLowerCase().replaceAll(/\W+/g, "-")}`;
     this.#select = element("select", { id }, ...Object.entries(words).map(([word, name]) => element("option", { value: word }, name)));
     this.#select.value = value;
     this.#select.addEventListener("change", () => { changed(this.#select.value); });
-    this.root = element("div", { class: "field" }, element("label", { for: id }, label), this.#select);
+    this.root = element("div", { class: "field", ...(what && { title: what }) }, element("label", { for: id }, label), this.#select);
   }
 
   set(value: string): void { this.#select.value = value; }
@@ -128,7 +135,7 @@ export class Form {
   #isRefused = false;
 
   /** `root`: of the view, which is marked as `old`. */
-  constructor(readonly place: string, readonly root: HTMLElement) {}
+  constructor(readonly place: View, readonly root: HTMLElement) {}
 
   add(spec: FieldSpec, value: number, changed: (value: number) => void): Field {
     const field = new Field(this.place, spec, value, changed, () => { this.show(); });

@@ -4,6 +4,7 @@ import "./page.css";
 import { ContactView } from "./contact_view.ts";
 import { startOf, stateOfCase, type Start } from "./case_inputs.ts";
 import { Core, hasVectors } from "./core.ts";
+import { readDescription } from "./description.ts";
 import { button, element } from "./elements.ts";
 import { RailView } from "./rail_view.ts";
 import { StartView } from "./start_view.ts";
@@ -120,7 +121,9 @@ class Page {
 async function start(): Promise<void> {
   const root = document.getElementById("page")!;
   try {
-    const page = new Page(await Core.start(), initialState(), root);
+    const core = await Core.start();
+    await readDescription(core);
+    const page = new Page(core, initialState(), root);
     if (location.hash.length > 1) await page.follow(location.hash);
     else page.open("contact");
   } catch (error) {

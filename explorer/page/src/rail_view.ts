@@ -4,13 +4,14 @@ import { isHowRead, moreInWords, railCase, railPython, runningCase } from "./cas
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
+import { help, input, output } from "./description.ts";
 import { button, element, fillRemarks, fillTable, save, sentence, statusInWords } from "./elements.ts";
 import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { RailHead, type Patch } from "./rail_head.ts";
 import { cellsUpToTheEdge } from "./row_edge.ts";
-import { shapes, type RailState, type Shape } from "./state.ts";
-import { digits } from "./units.ts";
+import { shapes, type RailState } from "./state.ts";
+import { digits, show, shownUnit } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
 
@@ -33,25 +34,25 @@ type Level = "fastsim2" | "exact";
 
 const groups: Record<"Wheelset" | "Profiles" | "Track and wheelset" | "Material", FieldSpec[]> = {
   Wheelset: [
-    { key: "wheel.lateral", label: "lateral position, to the left", kind: "length", unit: "mm", from: -8, to: 8, step: 0.01 },
-    { key: "wheel.yaw", label: "yaw, to the left", kind: "angle", unit: "mrad", from: -20, to: 20, step: 0.1 },
-    { key: "wheel.vertical_force", label: "wheel load", kind: "force", unit: "kN", from: 5, to: 150, step: 1 },
-    { key: "wheel.forward_velocity", label: "speed", kind: "speed", unit: "km/h", from: 5, to: 350, step: 1 },
-    { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
+    { key: "wheel.lateral", label: "lateral position, to the left", from: -8, to: 8, step: 0.01 },
+    { key: "wheel.yaw", label: "yaw, to the left", from: -20, to: 20, step: 0.1 },
+    { key: "wheel.vertical_force", label: "wheel load", from: 5, to: 150, step: 1 },
+    { key: "wheel.forward_velocity", label: "speed", from: 5, to: 350, step: 1 },
+    { key: "friction.coefficient", label: "friction", from: 0.05, to: 0.8, step: 0.01 },
   ],
   Profiles: [
-    { key: "rail.smoothing_length", label: "rail smoothed with a wavelength of", kind: "length", unit: "mm" },
-    { key: "wheelset.smoothing_length", label: "wheel smoothed with a wavelength of", kind: "length", unit: "mm" },
+    { key: "rail.smoothing_length", label: "rail smoothed with a wavelength of" },
+    { key: "wheelset.smoothing_length", label: "wheel smoothed with a wavelength of" },
   ],
   "Track and wheelset": [
-    { key: "track.cant", label: "rail inclination", kind: "angle", unit: "rad" },
-    { key: "track.gauge", label: "gauge", kind: "length", unit: "mm" },
-    { key: "wheelset.nominal_radius", label: "wheel radius", kind: "length", unit: "mm" },
-    { key: "wheelset.flange_back_distance", label: "between flange backs", kind: "length", unit: "mm" },
+    { key: "track.cant", label: "rail inclination", unit: "rad" },
+    { key: "track.gauge", label: "gauge" },
+    { key: "wheelset.nominal_radius", label: "wheel radius" },
+    { key: "wheelset.flange_back_distance", label: "between flange backs" },
   ],
   Material: [
-    { key: "material.young_modulus", label: "Young's modulus", kind: "stress", unit: "GPa" },
-    { key: "material.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "" },
+    { key: "material.young_modulus", label: "Young's modulus" },
+    { key: "material.poisson_ratio", label: "Poisson's ratio" },
   ],
 };
 const largestFile = 20e6; // [bytes] beyond which a dropped file is no profile
@@ -84,11 +85,11 @@ export class RailView {
     this.#radii = new Chart(radii);
     this.#conicity = new Chart(conicity);
     this.#head = new RailHead(head);
-    this.#shape = new Choice("shape, of the exact theory", shapes, state.shape, (shape) => {
-      this.state.shape = shape as Shape;
+    this.#shape = new Choice("shape, of the exact theory", shapes(), state.shape, (shape) => {
+      this.state.shape = shape;
       this.solve();
       this.changed();
-    });
+    }, help(input("rail", "solution.shape")));
     this.root.append(
       element("div", { class: "controls" }, ...this.#controls()),
       element("div", { class: "pictures" },
@@ -353,13 +354,13 @@ export class RailView {
 
   #showNumbers(): void {
     const columns = [this.#solved.exact, this.#solved.fastsim2];
-    const row = (name: string, key: string, unit: string, scale: number) => ({
-      name, unit, values: columns.map((of) => (of ? digits(Number(of.wheel[key]?.[0]) * scale) : "…")),
-    });
+    const row = (label: string, name: string, shown?: string) => {
+      const { unit: si, text } = output("wheel", name), unit = shown ?? shownUnit(si);
+      return { name: label, unit, what: text, values: columns.map((of) => (of ? show(Number(of.wheel[name]?.[0]), si, unit) : "…")) };
+    };
     fillTable(this.#numbers, ["exact", "FASTSIM2"], [
-      row("longitudinal force", "force_x", "kN", 1e-3), row("lateral force, to the left", "force_y", "kN", 1e-3),
-      row("vertical force", "force_z", "kN", 1e-3), row("T-gamma", "t_gamma", "N", 1), row("Y/Q", "y_over_q", "", 1), row("Nadal's limit of Y/Q", "nadal_limit", "", 1),
-      row("frictional power", "frictional_power", "W", 1), row("patches", "patch_count", "", 1),
+      row("longitudinal force", "force_x"), row("lateral force, to the left", "force_y"), row("vertical force", "force_z"), row("T-gamma", "t_gamma", "N"),
+      row("Y/Q", "y_over_q"), row("Nadal's limit of Y/Q", "nadal_limit"), row("frictional power", "frictional_power"), row("patches", "patch_count"),
     ]);
     const shown = columns[0] ?? columns[1];
     if (shown) this.#spoken.textContent = `lateral force ${digits(Number(shown.wheel.force_y?.[0]) / 1e3)} kN, ${String(shown.wheel.patch_count?.[0])} patches`;

@@ -18,28 +18,28 @@ interface Transient {
   hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; reason?: string; warnings: string[];
 }
 
-const creepage = { kind: "number", unit: "%", from: -1, to: 1, step: 0.005 } as const, force = { kind: "force", unit: "kN", from: -40, to: 40, step: 0.5 } as const;
+const creepage = { unit: "%", from: -1, to: 1, step: 0.005 } as const, force = { from: -40, to: 40, step: 0.5 } as const;
 const groups: Record<"Contact" | "Motion" | "Bodies", FieldSpec[]> = {
   Contact: [
-    { key: "load.normal_force", label: "normal force", kind: "force", unit: "kN", from: 5, to: 200, step: 1 },
-    { key: "friction.coefficient", label: "friction", kind: "number", unit: "", from: 0.05, to: 0.8, step: 0.01 },
+    { key: "load.normal_force", label: "normal force", from: 5, to: 200, step: 1 },
+    { key: "friction.coefficient", label: "friction", from: 0.05, to: 0.8, step: 0.01 },
   ],
   Motion: [
     { key: "motion.force_longitudinal", label: "longitudinal force on the upper body", ...force },
     { key: "motion.creepage_longitudinal", label: "longitudinal creepage", ...creepage },
     { key: "motion.force_lateral", label: "lateral force on the upper body", ...force },
     { key: "motion.creepage_lateral", label: "lateral creepage", ...creepage },
-    { key: "motion.spin", label: "spin", kind: "spin", unit: "1/m", from: -3, to: 3, step: 0.02 },
-    { key: "motion.rolling_speed", label: "rolling speed", kind: "speed", unit: "km/h" },
-    { key: "motion.steps", label: "steps", kind: "number", unit: "", from: 10, to: 120, step: 1 },
+    { key: "motion.spin", label: "spin", from: -3, to: 3, step: 0.02 },
+    { key: "motion.rolling_speed", label: "rolling speed" },
+    { key: "motion.steps", label: "steps", from: 10, to: 120, step: 1 },
   ],
   Bodies: [
-    { key: "body1.rolling_radius", label: "upper body, in rolling", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
-    { key: "body1.transverse_radius", label: "upper body, across", kind: "length", unit: "mm" },
-    { key: "body2.rolling_radius", label: "lower body, in rolling", kind: "length", unit: "mm" },
-    { key: "body2.transverse_radius", label: "lower body, across", kind: "length", unit: "mm", from: 20, to: 1000, step: 5 },
-    { key: "body1.young_modulus", label: "Young's modulus", kind: "stress", unit: "GPa" },
-    { key: "body1.poisson_ratio", label: "Poisson's ratio", kind: "number", unit: "" },
+    { key: "body1.rolling_radius", label: "upper body, in rolling", from: 20, to: 1000, step: 5 },
+    { key: "body1.transverse_radius", label: "upper body, across" },
+    { key: "body2.rolling_radius", label: "lower body, in rolling" },
+    { key: "body2.transverse_radius", label: "lower body, across", from: 20, to: 1000, step: 5 },
+    { key: "body1.young_modulus", label: "Young's modulus" },
+    { key: "body1.poisson_ratio", label: "Poisson's ratio" },
   ],
 };
 

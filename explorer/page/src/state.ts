@@ -1,5 +1,7 @@
 // All that a view shows follows from its state; a link holds the states of all views.
 
+import { input } from "./description.ts";
+
 export type Values = Record<string, number>; // by section.key of the case file, SI
 /** What a key of a case file has, numbers in SI. */
 export type Value = number | string | (number | string)[];
@@ -7,7 +9,7 @@ export type Value = number | string | (number | string)[];
 export interface ContactState {
   values: Values;
   given: "radii" | "ellipse"; // of which the radii follow
-  law: Law;
+  law: string; // a word of the table, as all laws
   shown: "tractions" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
   theory: "exact" | "fastsim2";
   elements: [along: number, across: number];
@@ -20,7 +22,7 @@ export interface ContactState {
 export type More = Record<string, Value>;
 export interface RailState {
   values: Values;
-  shape: Shape;
+  shape: string;
   profiles: { rail: string; wheel: string }; // names of files
   files: Record<string, string>;             // those that were dropped on the page
   more: More;
@@ -31,11 +33,21 @@ export interface StartState { values: Values; given: { longitudinal: Given; late
 export type View = "contact" | "rail" | "start";
 export interface State { view: View; contact: ContactState; rail: RailState; start: StartState }
 
-export const laws = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially" };
-export type Law = keyof typeof laws;
+const lawNames: Record<string, string> = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially", polach: "Polach" };
+/** The library's laws of friction with their names on the page. */
+export function laws(): Record<string, string> {
+  return Object.fromEntries(input("contact", "friction.law").words!.map((law) => [law, lawNames[law] ?? law]));
+}
+/** The numbers of a law. */
+export function keysOf(law: string): string[] {
+  const falling = ["kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"];
+  const others: Record<string, string[]> = { coulomb: ["coefficient"], polach: ["static_coefficient", "ratio", "decay"] };
+  return (others[law] ?? falling).map((key) => `friction.${key}`);
+}
 /** Surfaces of wheels and rails for the exact theory. "true" is what the library takes where the case leaves it out. */
-export const shapes = { true: "true (left out)", flat: "flat", curved: "curved", conformal: "conformal" };
-export type Shape = keyof typeof shapes;
+export function shapes(): Record<string, string> {
+  return { true: "true (left out)", ...Object.fromEntries(input("rail", "solution.shape").words!.map((shape) => [shape, shape])) };
+}
 
 /** Creepages beyond these are mistaken: of bodies that roll in the same direction their speeds differ by twice the mean at most. */
 const largestCreepage = 2;
@@ -51,6 +63,11 @@ export function requireLimits(values: Values): void {
   }
 }
 
+/** What the library takes where a case leaves them out. */
+function defaults(view: View, ...keys: string[]): Values {
+  return Object.fromEntries(keys.map((key) => [key, input(view, key).default as number]));
+}
+
 const bodies: Values = {
   "body1.rolling_radius": 0.46, "body1.transverse_radius": Infinity, "body2.rolling_radius": Infinity,
   "body2.transverse_radius": 0.3, "body1.young_modulus": 210e9, "body1.poisson_ratio": 0.28, "load.normal_force": 80e3,
@@ -62,15 +79,16 @@ export function initialState(): State {
     contact: {
       values: {
         ...bodies, "ellipse.a": 0.006, "ellipse.b": 0.004, "friction.coefficient": 0.3, "friction.kinetic_coefficient": 0.2, "friction.drop": 0.1, "friction.half_velocity": 1,
+        "friction.second_drop": 0, "friction.second_half_velocity": 5, "friction.static_coefficient": 0.3, "friction.ratio": 0.4, "friction.decay": 0.6,
         "motion.creepage_longitudinal": 0.0012, "motion.creepage_lateral": 0.0006, "motion.spin": 0.4, "motion.rolling_speed": 30,
       },
-      given: "radii", law: "coulomb", shown: "tractions", theory: "exact", elements: [24, 24], variable: "creepage_longitudinal", cut: 0, stress: "von_mises", more: {},
+      given: "radii", law: input("contact", "friction.law").default as string, shown: "tractions", theory: "exact", elements: [24, 24], variable: "creepage_longitudinal", cut: 0, stress: "von_mises", more: {},
     },
     rail: {
       values: {
         "wheel.lateral": 0.003, "wheel.yaw": 0.002, "wheel.vertical_force": 80e3, "wheel.forward_velocity": 30,
         "friction.coefficient": 0.3, "track.cant": 0.05, "track.gauge": 1.435, "wheelset.nominal_radius": 0.46,
-        "wheelset.flange_back_distance": 1.36, "rail.smoothing_length": 0, "wheelset.smoothing_length": 0,
+        "wheelset.flange_back_distance": 1.36, ...defaults("rail", "rail.smoothing_length", "wheelset.smoothing_length"),
         "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
       },
       shape: "true", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {}, more: {},
@@ -78,7 +96,7 @@ export function initialState(): State {
     start: {
       values: {
         ...bodies, "friction.coefficient": 0.3, "motion.force_longitudinal": -12e3, "motion.force_lateral": 0,
-        "motion.creepage_longitudinal": 0.0015, "motion.creepage_lateral": 0, "motion.spin": 0, "motion.rolling_speed": 1, "motion.steps": 60,
+        "motion.creepage_longitudinal": 0.0015, ...defaults("start", "motion.creepage_lateral", "motion.spin"), "motion.rolling_speed": 1, "motion.steps": 60,
       },
       given: { longitudinal: "force", lateral: "force" }, elements: [24, 24], frame: 0,
     },
@@ -134,9 +152,10 @@ export async function decode(fragment: string): Promise<State> {
     const text = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
     merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>);
     requireWord("view", state.view, ["contact", "rail", "start"]);
-    requireWord("law", state.contact.law, Object.keys(laws));
-    requireWord("shape", state.rail.shape, Object.keys(shapes));
+    requireWord("law", state.contact.law, Object.keys(laws()));
+    requireWord("shape", state.rail.shape, Object.keys(shapes()));
     for (const given of Object.values(state.start.given)) requireWord("given", given, ["force", "creepage"]);
+    for (const view of ["contact", "rail"] as const) for (const key of Object.keys(state[view].more)) input(view, key);
     for (const { values } of [state.contact, state.start]) requireLimits(values);
   } catch (error) {
     throw new Error(`the link is damaged: ${error instanceof Error ? error.message : String(error)}`);

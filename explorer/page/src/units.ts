@@ -1,32 +1,36 @@
-// Numbers with units, as people type and read them. The core's numbers are SI.
+// Numbers with units, as people type and read them. The core's numbers are SI, "-" without a unit.
 
-/** Factor to SI of each unit, by the kind of quantity. */
-const units = {
-  length: { mm: 1e-3, m: 1, um: 1e-6, cm: 1e-2, in: 0.0254 },
-  force: { kN: 1e3, N: 1, MN: 1e6 },
-  stress: { GPa: 1e9, MPa: 1e6, Pa: 1 },
-  speed: { "km/h": 1 / 3.6, "m/s": 1 },
-  spin: { "1/m": 1, "1/mm": 1e3 },
-  angle: { mrad: 1e-3, rad: 1, deg: Math.PI / 180 },
-  number: { "": 1, "%": 1e-2 },
-} satisfies Record<string, Record<string, number>>;
+import { unitsFor, type Scale } from "./description.ts";
 
-export type Kind = keyof typeof units;
+/** In which unit fields show numbers, unless they name another one. */
+const shown: Record<string, string> = { m: "mm", N: "kN", Pa: "GPa", "m/s": "km/h", rad: "mrad", "-": "" };
 
-export function factor(kind: Kind, unit: string): number {
-  return (units[kind] as Record<string, number>)[unit] ?? NaN;
+export function shownUnit(si: string): string {
+  return shown[si] ?? si;
+}
+
+function scale(si: string, unit: string): Scale | undefined {
+  return unit === (si === "-" ? "" : si) ? [1, 1] : unitsFor(si)[unit];
+}
+
+/** A number in `unit` as one in SI. */
+export function toSi(value: number, si: string, unit: string): number {
+  const [times, over] = scale(si, unit) ?? [NaN, NaN];
+  return (value * times) / over;
+}
+export function fromSi(value: number, si: string, unit: string): number {
+  const [times, over] = scale(si, unit) ?? [NaN, NaN];
+  return (value * over) / times;
 }
 
 /** SI value of "80 kN", "80" (in `unit`), "inf"; or why it is none. */
-export function parse(text: string, kind: Kind, unit: string): number | string {
+export function parse(text: string, si: string, unit: string): number | string {
   const trimmed = text.trim().replace(/^([+-]?[\d.]+),(\d+)/, "$1.$2");
   if (trimmed === "") return "needs a number";
   const match = /^([+-]?(?:inf|(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?))\s*(\S*)$/i.exec(trimmed);
   if (!match) return `"${text}" is not a number`;
-  const number = match[1]!.toLowerCase().replace("inf", "Infinity");
-  const to = factor(kind, match[2] === "" ? unit : match[2]!);
-  if (Number.isNaN(to)) return `"${match[2]!}" is not one of its units: ${Object.keys(units[kind]).filter(Boolean).join(", ")}`;
-  return Number(number) * to;
+  const number = Number(match[1]!.toLowerCase().replace("inf", "Infinity")), value = toSi(number, si, match[2] === "" ? unit : match[2]!);
+  return Number.isNaN(value) ? `"${match[2]!}" is not one of its units: ${Object.keys(unitsFor(si)).join(", ")}` : value;
 }
 
 /** Four digits, no noise. */
@@ -36,6 +40,6 @@ export function digits(value: number): string {
   return Number.isFinite(value) ? String(Number(value.toPrecision(4))) : "–";
 }
 
-export function show(si: number, kind: Kind, unit: string): string {
-  return digits(si / factor(kind, unit));
+export function show(value: number, si: string, unit: string): string {
+  return digits(fromSi(value, si, unit));
 }

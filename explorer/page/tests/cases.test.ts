@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawn, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { createInterface } from "node:readline";
@@ -12,7 +12,8 @@ import { after, before, test } from "node:test";
 import { stateOfCase } from "../src/case_inputs.ts";
 import { contactCase, railCase, startCase } from "../src/case_text.ts";
 import type { Reply, Request } from "../src/core.ts";
-import { decode, encode, initialState, laws, shapes, type Given, type Law, type More, type Shape, type State, type Values } from "../src/state.ts";
+import { readDescription } from "../src/description.ts";
+import { decode, encode, initialState, keysOf, laws, shapes, type Given, type More, type State, type Values } from "../src/state.ts";
 
 const { MICROSLIP_ANSWERS: answers = "", MICROSLIP: named = "", EXAMPLES: examples = "" } = process.env;
 const program = path.resolve(named);
@@ -27,9 +28,10 @@ const core = {
   },
 };
 
-before(() => {
+before(async () => {
   native = spawn(path.resolve(answers), [], { cwd: scratch, stdio: ["pipe", "pipe", "inherit"] });
   replies = createInterface({ input: native.stdout! })[Symbol.asyncIterator]();
+  await readDescription(core);
 });
 after(async () => {
   native.stdin!.end();
@@ -76,6 +78,11 @@ async function forces(state: State, byProgram: Solved): Promise<[number[], numbe
   return [all(found), all(byProgram)];
 }
 
+/** A case file by the program. */
+function solved(file: string): Solved {
+  return JSON.parse(execFileSync(program, ["solve", file, "--json", "-o", path.join(scratch, "solved.h5")], { encoding: "utf8", maxBuffer: 1e9 })) as Solved;
+}
+
 test("every example is shown with the program's numbers, or refused with the names of keys", async () => {
   const refused: Record<string, RegExp> = {
     "creep_sweep.toml": /grid: unknown key/, "wheel_rail_sample.toml": /case: unknown key/,
@@ -89,12 +96,29 @@ test("every example is shown with the program's numbers, or refused with the nam
       continue;
     }
     const state = await stateOfCase(core, { case: example(name) });
-    const [found, wanted] = await forces(state, JSON.parse(execFileSync(program, ["solve", path.join(examples, name), "--json", "-o", path.join(scratch, "solved.h5")], { encoding: "utf8", maxBuffer: 1e9 })) as Solved);
+    const [found, wanted] = await forces(state, solved(path.join(examples, name)));
     const largest = Math.max(...wanted.map(Math.abs));
     found.forEach((value, k) => { assert.ok(Math.abs(value - wanted[k]!) <= 1e-9 * largest, `${name}: ${String(value)} on the page, ${String(wanted[k])} by the program`); });
     shown.push(name);
   }
   assert.deepEqual(shown.sort(), ["hertzian_contact.toml", "starting_to_roll.toml", "wheel_on_rail.toml"]);
+});
+
+test("laws of friction that fall with the slip are shown with all of their numbers", async () => {
+  const classical = replaced(example("hertzian_contact.toml"), '"second_order"', '"classical"');
+  for (const [law, numbers] of [
+    ["polach", { static_coefficient: 0.35, ratio: 0.45, decay: 0.7 }],
+    ["linear", { kinetic_coefficient: 0.2, drop: 0.1, half_velocity: 1, second_drop: 0.05, second_half_velocity: 3 }],
+    ["exponential", { kinetic_coefficient: 0.2, drop: 0.1, half_velocity: 1 }],
+  ] as const) {
+    const lines = Object.entries(numbers).map(([key, value]) => `${key} = ${String(value)}`).join("\n");
+    const text = replaced(replaced(classical, 'law = "coulomb"', `law = "${law}"`), "coefficient = 0.3 ", `${lines} #`), file = path.join(scratch, "falling.toml");
+    writeFileSync(file, text);
+    const state = await stateOfCase(core, { case: text });
+    for (const [key, value] of Object.entries(numbers)) assert.equal(state.contact.values[`friction.${key}`], value, `${law}: ${key}`);
+    const [found, wanted] = await forces(state, solved(file));
+    found.forEach((value, k) => { assert.ok(Math.abs(value - wanted[k]!) <= 1e-9 * Math.max(...wanted.map(Math.abs)), law); });
+  }
 });
 
 /** Another number for every key, with all digits. */
@@ -108,13 +132,13 @@ function changed(values: Values): Values {
 
 test("states come back from their case files with every number", async () => {
   const back = async (state: State) => stateOfCase(core, { case: textOf(state) });
-  for (const law of Object.keys(laws) as Law[]) {
+  for (const law of Object.keys(laws())) {
     for (const theory of ["exact", "fastsim2"] as const) {
       const state = initialState();
       state.contact = { ...state.contact, values: changed(state.contact.values), law, theory, elements: [20, 31] };
       const ofFalling: More = law === "coulomb" ? {} : { "solution.discretisation": "classical", "solution.slip_start": "above" };
       state.contact.more = { "solution.slope_reduction.initial": 0.9 / 7, "solution.slope_reduction.decay": 1 / 3, "solution.flexibility": "one", ...(theory === "exact" ? { "solution.tolerance": 1e-7 / 3, ...ofFalling } : {}) };
-      const found = (await back(state)).contact, has = (key: string) => !/^(ellipse|friction)\./.test(key) || (key === "friction.coefficient") === (law === "coulomb") && key.startsWith("friction.");
+      const found = (await back(state)).contact, has = (key: string) => !/^(ellipse|friction)\./.test(key) || keysOf(law).includes(key);
       const keys = Object.keys(state.contact.values).filter(has);
       assert.ok(keys.length >= 12);
       for (const key of keys) assert.equal(found.values[key], state.contact.values[key], key);
@@ -131,7 +155,7 @@ test("states come back from their case files with every number", async () => {
       assert.deepEqual([found.given, found.elements], [{ longitudinal, lateral }, [20, 31]]);
     }
   }
-  for (const shape of Object.keys(shapes) as Shape[]) {
+  for (const shape of Object.keys(shapes())) {
     const state: State = { ...initialState(), view: "rail" };
     const more = { "solution.grid": 30, "solution.tolerance": 1e-7 / 3, "track.curvature": 0.001 / 3, "track.gauge_height": 0.0091, "wheel.roll": 1e-3 / 3, "wheel.pitch_velocity": 0, "rail.trim": [-0.034, 0.036], "rail.unit": "mm", "rail.deviation_lateral": 1e-4 / 3, "wheelset.tape_circle": 1e-4, "material.hardness": 3e9 / 7 };
     state.rail = { ...state.rail, values: changed(state.rail.values), shape, more };
@@ -148,6 +172,9 @@ test("states come back from their links with every number", async () => {
   state.rail = { ...state.rail, values: changed(state.rail.values), shape: "conformal", profiles: { rail: "a.txt", wheel: "b.txt" }, files: { "a.txt": "1 2" }, more: { "rail.unit": "in", "rail.trim": [-0.034, 1 / 30], "wheel.roll": 1 / 3 } };
   state.start = { ...state.start, values: changed(state.start.values), given: { longitudinal: "creepage", lateral: "force" }, elements: [20, 31], frame: 7 };
   assert.deepEqual(await decode(await encode(state)), state);
+  state.rail.more["rail.weight"] = 60;
+  await assert.rejects(async () => decode(await encode(state)), /the core has no rail\.weight/);
+  delete state.rail.more["rail.weight"];
   state.contact.values["motion.creepage_lateral"] = 50;
   await assert.rejects(async () => decode(await encode(state)), /motion\.creepage_lateral = 50: must be in \[-2, 2\]/);
 });
@@ -158,7 +185,7 @@ test("what the page does not have is named", async () => {
   for (const [text, why] of [
     [replaced(classical, 'poisson_ratio = 0.28\n\n# [ellipse]', 'poisson_ratio = 0.3\n\n# [ellipse]'), `${lacking}body2.poisson_ratio`],
     [replaced(classical, 'spin = "0.4 1/m"', 'spin = "0.4 1/m"\nstep = "0.3 mm"'), `${lacking}motion.step`],
-    [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nsecond_drop = 0.1\nsecond_half_velocity = 2 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.second_drop, friction.second_half_velocity`],
+    [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nmemory_distance = 0.001 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.memory_distance`],
     [replaced(rolling, "creepage_longitudinal = 0.0018", "creepage_longitudinal = 50"), "motion.creepage_longitudinal = 50: must be in [-2, 2]"],
     [replaced(wheel, 'side = "left"', 'side = "right"'), `${lacking}wheel.side`],
     [replaced(wheel, 'coefficient = 0.3', 'coefficient = [0.3, 0.2]\nangle = [0.1, 0.2]'), `${lacking}friction.angle, friction.coefficient`],

@@ -106,7 +106,7 @@ test("cells are drawn up to the edge of their contact: of Hertz's pressure on ro
 
 test("opens from a file, asks nothing of a network, and its forces are the program's", async () => {
   const { page, errors, requests } = await opened();
-  const [fx, fast] = await row(page, "longitudinal force Fx"), [mz] = await row(page, "spin moment Mz");
+  const [fx, fast] = await row(page, "longitudinal force fx"), [mz] = await row(page, "spin moment mz");
   const result = solvedByProgram(await saved(page, "case as TOML"));
   near(fx! * 1e3, result.exact!.fx!);
   near(fast! * 1e3, result.fastsim2!.fx!);
@@ -143,14 +143,14 @@ test("a link restores the state; others are refused in words", async () => {
   await first.page.waitForFunction(() => location.hash.length > 10);
   await settled(first.page);
   const link = new URL(first.page.url()).hash;
-  const before = await row(first.page, "longitudinal force Fx");
+  const before = await row(first.page, "longitudinal force fx");
   const second = await opened(link);
+  assert.deepEqual(await row(second.page, "longitudinal force fx"), before);
   assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
-  assert.deepEqual(await row(second.page, "longitudinal force Fx"), before);
   for (const [other, why] of [["#7.abc", "version 7"], ["#2.AAAA", "damaged"], ["#1.AAAA", "version 1"], ["#nonsense", "not one of the explorer"]] as const) {
     const { page } = await opened(other);
     await page.getByText(why).waitFor();
-    await row(page, "longitudinal force Fx");
+    await row(page, "longitudinal force fx");
     await page.close();
   }
   await first.page.close();
@@ -170,11 +170,11 @@ test("case files that are dropped have the program's numbers, or are refused by 
   const { page, errors } = await opened(), folder = path.join(profiles, "..");
   const example = (name: string) => readFileSync(path.join(folder, name), "utf8");
   const solved = (name: string) => solvedByProgram(path.join(path.resolve(folder), name));
-  await row(page, "longitudinal force Fx");
+  await row(page, "longitudinal force fx");
   await dropped(page, [["hertzian_contact.toml", example("hertzian_contact.toml")]]);
   await page.getByText("ms on 40 × 40 elements").waitFor();
   await settled(page);
-  const contact = solved("hertzian_contact.toml"), [fx, fast] = await row(page, "longitudinal force Fx");
+  const contact = solved("hertzian_contact.toml"), [fx, fast] = await row(page, "longitudinal force fx");
   near(fx! * 1e3, contact.exact!.fx!);
   near(fast! * 1e3, contact.fastsim2!.fx!);
   await dropped(page, [["starting_to_roll.toml", example("starting_to_roll.toml")]]);
@@ -223,12 +223,12 @@ test("the program opens the page with a case, and what the page does not have is
 test("empty, absurd and misread fields are refused where they stand, and results are faint as long as they are", async () => {
   const { page, errors } = await opened();
   const faint = page.locator("section.old:not([hidden])"), inWords = page.locator("section:not([hidden]) .panel .message").first();
-  await row(page, "longitudinal force Fx");
+  await row(page, "longitudinal force fx");
   assert.equal(await faint.count(), 0);
   await field(page, "load.normal_force", "");
   await inWords.getByText("Load, normal force: needs a number. Faint pictures and numbers are those of the last case").waitFor();
   await field(page, "load.normal_force", "55 t");
-  await inWords.getByText('Load, normal force: "t" is not one of its units: kN, N, MN.').waitFor();
+  await inWords.getByText('Load, normal force: "t" is not one of its units: N, kN, MN, kgf, lbf, kip.').waitFor();
   await faint.waitFor();
   await field(page, "motion.spin", "0.5"); // solved with the last load that was read
   await settled(page);
@@ -263,7 +263,7 @@ test("empty, absurd and misread fields are refused where they stand, and results
 
 test("a contact by its ellipse: the program finds that ellipse under any load, links keep it, others are refused", async () => {
   const { page, errors } = await opened();
-  await row(page, "longitudinal force Fx");
+  await row(page, "longitudinal force fx");
   const [a] = await row(page, "half length a", 1);
   await page.getByLabel("given by").selectOption("ellipse");
   near(Number(await page.locator("#contact-ellipse-a").inputValue()), a!);
@@ -273,7 +273,7 @@ test("a contact by its ellipse: the program finds that ellipse under any load, l
   await field(page, "load.normal_force", "60");
   await page.waitForFunction(() => [...document.querySelectorAll("section:not([hidden]) .numbers tr")].some((tr) => tr.textContent === "ellipse, half length a7.5mm"));
   await settled(page);
-  const [fx] = await row(page, "longitudinal force Fx");
+  const [fx] = await row(page, "longitudinal force fx");
   const result = solvedByProgram(await saved(page, "case as TOML"));
   near(result.hertz!.a!, 7.5e-3);
   near(result.hertz!.b!, 3e-3);
@@ -281,9 +281,9 @@ test("a contact by its ellipse: the program finds that ellipse under any load, l
   near(fx! * 1e3, result.exact!.fx!);
   await settled(page);
   const second = await opened(new URL(page.url()).hash);
+  assert.equal((await row(second.page, "longitudinal force fx"))[0], fx);
   assert.equal(await second.page.getByLabel("given by").inputValue(), "ellipse");
   assert.equal(await second.page.locator("#contact-ellipse-b").inputValue(), "3");
-  assert.equal((await row(second.page, "longitudinal force Fx"))[0], fx);
   await second.page.close();
   await field(page, "ellipse.a", "-1");
   await page.getByText("ellipse.a = -0.001 [m]: must be positive and finite").waitFor();
@@ -296,7 +296,7 @@ test("a contact by its ellipse: the program finds that ellipse under any load, l
   await page.getByLabel("given by").selectOption("radii");
   assert.equal(await page.locator("#contact-body2-rolling_radius").inputValue(), "inf");
   await settled(page);
-  assert.equal((await row(page, "longitudinal force Fx"))[0], fx);
+  assert.equal((await row(page, "longitudinal force fx"))[0], fx);
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -304,7 +304,7 @@ test("a contact by its ellipse: the program finds that ellipse under any load, l
 test("warnings of results stand beside them, in all views, as long as they hold", async () => {
   const { page, errors } = await opened();
   const warned = page.locator("section:not([hidden]) .remarks");
-  await row(page, "longitudinal force Fx");
+  await row(page, "longitudinal force fx");
   assert.equal(await warned.textContent(), "");
   await field(page, "load.normal_force", "800 MN");
   await warned.getByText(/approach .* is too large for a half-space/).waitFor();
@@ -351,7 +351,7 @@ test("what is refused leaves no picture that looks like the answer", async () =>
   assert.equal(await old.count(), 0);
   assert.equal(await page.getByText("No stresses").count(), 0);
   await page.getByRole("button", { name: /add the creep-force table/ }).click();
-  await row(page, "longitudinal force Fx", 3);
+  await row(page, "longitudinal force fx", 3);
   await field(page, "body2.transverse_radius", "3"); // an ellipse longer than those of the table
   await page.locator("section:not([hidden]) .remarks").getByText(/^table: out of range: a\/b = .* is beyond the creep-force table's range/).waitFor();
   await panel("Creep curves").getByText("table: 41 of 41 points are left out, out of range").waitFor();
@@ -472,7 +472,7 @@ test("a hidden page computes nothing, and what was asked meanwhile once it is se
   const { page, errors } = await opened("", undefined, `${countRequests}
     window.hiddenNow = false;
     Object.defineProperty(document, "hidden", { get: () => window.hiddenNow });`);
-  const first = (await row(page, "longitudinal force Fx"))[0]!;
+  const first = (await row(page, "longitudinal force fx"))[0]!;
   await settled(page);
   const hide = (hidden: boolean) => page.evaluate((now) => {
     const counting = window as unknown as Counting;
@@ -499,7 +499,7 @@ test("without vector instructions and without WebGL all is there", async () => {
     const get = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : get.call(this, kind, ...more); };`);
   await page.getByText("no vector instructions").waitFor();
-  await row(page, "longitudinal force Fx");
+  await row(page, "longitudinal force fx");
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
   await row(page, "lateral force");
   await page.getByText("no WebGL").waitFor();
@@ -532,6 +532,27 @@ test("the wheel follows keys and the mouse; times are printed, not checked", asy
   assert.ok(Number(await page.locator("#rail-wheel-lateral").inputValue()) > 5);
   await row(page, "lateral force");
   for (const shown of await page.locator("section:not([hidden]) .time").allTextContents()) console.log(shown);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("every field says what the program says of its key: what it is, its unit and its range", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force fx");
+  const fields = await page.locator(".field:has(input[type=text])").evaluateAll((all) => all.map((at) => {
+    const text = at.querySelector<HTMLInputElement>("input[type=text]")!, told = text.getAttribute("aria-describedby")!.split(" ").map((id) => document.getElementById(id)!.textContent);
+    return { id: text.id, title: (at as HTMLElement).title, told: told.join(""), unit: at.querySelector(".unit")!.textContent };
+  }));
+  assert.equal(fields.length, 50);
+  for (const { id, title, told, unit } of fields) {
+    const listed = execFileSync(program, ["init", "--keys", id.startsWith("rail-") ? "wheel" : "bodies"], { encoding: "utf8" }).split(/\n(?! {4})/).map((lines) => lines.split("\n    "));
+    const [head, text] = listed.find(([line, what]) => line!.startsWith(`${id.split("-").at(-1)!} `) && title.startsWith(what!)) ?? [];
+    assert.ok(head && text, `${id}: ${title}`);
+    const [, si = "", range = ""] = /^(?: \[(.*?)\])?(?:, (.*))?$/.exec(title.slice(text.length))!;
+    assert.ok(head.includes(si) && head.endsWith(range), `${id}: ${title} and ${head}`);
+    assert.equal(unit === "", si === "" || (si === "-" && !id.includes("creepage")), id);
+    assert.equal(told, title);
+  }
   assert.deepEqual(errors, []);
   await page.close();
 });
