@@ -4,6 +4,7 @@
 #include "validation/contact_output.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct Explanation {
   bool (*holds)(const Difference& difference, const contact_program::Case& c, const contact_program::Outcome& outcome);
 };
 
+/// All of them; of those that hold the first one counts.
+std::span<const Explanation> explanations();
 /// The reason for a difference; nullptr if none is known.
 const Explanation* explanation_of(const Difference& difference, const contact_program::Case& c,
                                   const contact_program::Outcome& outcome);

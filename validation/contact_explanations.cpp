@@ -1,6 +1,8 @@
 #include "validation/contact_comparison.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string_view>
 
 namespace microslip::validation {
@@ -31,8 +33,14 @@ bool is_force_or_power(std::string_view name) {
          name.starts_with("MZ") || name.starts_with("MN");
 }
 
-/// What the input's EPS is relative to: of forces the normal force, of moments that at 1 mm, of forces over the friction
-/// limit 1, of creepages a thousandth, of the frictional power the friction limit at that creepage.
+/// FG of viscoelastic bodies: their retarded displacement over the instantaneous one; 0 of elastic ones.
+double largest_creep_ratio(const Case& c) {
+  if (!c.material || c.material->model != contact_program::Bulk::viscoelastic) return 0;
+  return std::max(c.material->model_data.at(0), c.material->model_data.at(1));
+}
+
+/// What the input's EPS is relative to: of forces the normal force, of moments that at 1 mm, of forces over the
+/// friction limit 1, of creepages a thousandth, of the frictional power the friction limit at that creepage.
 double solved_to(const Difference& d, const Case& c, const Outcome&) {
   constexpr double creepage = 1e-3, friction = 0.3;
   if (is_one_of(d.name, {"CKSI", "CETA", "CPHI"})) return creepage;
@@ -41,6 +49,7 @@ double solved_to(const Difference& d, const Case& c, const Outcome&) {
     return friction * d.load * creepage * speed;
   }
   if (d.name.ends_with("/FN")) return 1;
+  if (d.name == "APPROACH") return std::abs(d.theirs.value) * (1 + largest_creep_ratio(c));
   return is_force_or_power(d.name) || d.name.starts_with("BAR_") ? d.load : std::abs(d.theirs.value);
 }
 
@@ -84,8 +93,7 @@ bool is_grid_of_slices(const Difference& d, const Case& c, const Outcome&) {
          (d.relative < most || d.name == "NPOT");
 }
 
-/// In this order: the first one that holds counts.
-constexpr Explanation explanations[] = {
+constexpr Explanation known[] = {
     {"One unit of the last digit", is_last_digit},
     {"The tolerance of the input", is_below_eps},
     {"Surface temperatures", is_temperature},
@@ -98,8 +106,12 @@ constexpr Explanation explanations[] = {
 
 } // namespace
 
+std::span<const Explanation> explanations() {
+  return known;
+}
+
 const Explanation* explanation_of(const Difference& difference, const Case& c, const Outcome& outcome) {
-  for (const Explanation& one : explanations)
+  for (const Explanation& one : known)
     if (one.holds(difference, c, outcome)) return &one;
   return nullptr;
 }

@@ -35,13 +35,14 @@ struct Tally {
   std::array<int, agreements> counts = {};
   std::map<std::string, int> explained = {}; ///< differences by the text of their explanation
   int unexplained = 0;
-  int not_run = 0, other_patches = 0, missing = 0; ///< cases; cases; quantities
-  double seconds = 0;                              ///< of the processor
+  int without_file = 0, not_run = 0, other_patches = 0; ///< cases; of the first files that they name are not there
+  int missing = 0;                                      ///< quantities that are not printed
+  double seconds = 0;                                   ///< of the processor
 
   int quantities() const { return std::accumulate(counts.begin(), counts.end(), 0); }
-  bool all_is_explained() const { return unexplained + not_run + other_patches + missing == 0; }
   Tally& operator+=(const Tally& other) {
     cases += other.cases, patches += other.patches, unexplained += other.unexplained, not_run += other.not_run;
+    without_file += other.without_file;
     other_patches += other.other_patches, missing += other.missing, seconds += other.seconds;
     for (std::size_t k = 0; k < agreements; ++k) counts[k] += other.counts[k];
     for (const auto& [text, count] : other.explained) explained[text] += count;
@@ -53,6 +54,12 @@ std::string row(const std::string& name, const Tally& t) {
   std::string text = fmt::format("{:<24} {:>6} {:>7} {:>8}", name, t.cases, t.patches, t.quantities());
   for (const int count : t.counts) text += fmt::format(" {:>7}", count);
   return text + fmt::format(" {:>7} {:>8.2f}", t.unexplained, t.seconds);
+}
+
+/// Returns true for a case that is refused because a file that it names is not there.
+bool lacks_file(const Outcome& outcome) {
+  return std::ranges::any_of(
+      outcome.reasons, [](const std::string& reason) { return reason.find("cannot be read") != std::string::npos; });
 }
 
 /// A case as its output file would have it.
@@ -99,7 +106,7 @@ private:
   void take(const Case& c, const Outcome& outcome, const PrintedCase& ours, const PrintedCase& theirs) {
     if (outcome.kind == Outcome::Kind::skipped) return;
     if (outcome.kind == Outcome::Kind::refused) {
-      ++tally_.not_run;
+      ++(lacks_file(outcome) ? tally_.without_file : tally_.not_run);
       for (const auto& reason : outcome.reasons) line(ours.label + ": not run: " + reason);
       return;
     }
@@ -176,13 +183,15 @@ bool run_contact_folder(const StudyOptions& options, std::ostream& out) {
     rows.push_back(row(files[k].stem().string(), file.tally()));
     all += file.tally();
   }
-  report.heading("Cases, patches, quantities; of these equal in all printed digits, but for the last digit, within 0.1 %, "
-                 "within 1 %, off; not explained; seconds of the processor");
+  report.heading(
+      "Cases, patches, quantities; of these equal in all printed digits, but for the last digit, within 0.1 %, "
+      "within 1 %, off; not explained; seconds of the processor");
   report.line(fmt::format("{:<24} {:>6} {:>7} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}", "", "cases", "patches",
                           "numbers", "equal", "last", "0.1 %", "1 %", "off", "unexpl.", "time s"));
   for (const auto& text : rows) report.line(text);
   report.line(row("all", all));
   print_groups(report, all);
+  report.remark("cases whose files are not there", fmt::format("{}", all.without_file), "", "a file that they name");
   report.count("cases that were not run", all.not_run, 0);
   report.count("cases with another number of patches", all.other_patches, 0);
   report.count("numbers that are not printed", all.missing, 0);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -123,11 +124,11 @@ INSTANTIATE_TEST_SUITE_P(Results, Stored, ::testing::Values(1, 2),
 TEST_P(Stored, AreFound) {
   if (!fs::exists(stored)) GTEST_SKIP() << "no stored results";
   static const Lines lines = in_c(profiles_of(stored, "MBench_UIC60_v3.prr", "MBench_S1002_v3.prw"));
-  const auto printed = validation::read_contact_output(
-      stored / (GetParam() == 1 ? "mbench_a22_left.ref_out" : "mbench_a22_right.ref_out"));
+  std::ifstream file(stored / (GetParam() == 1 ? "mbench_a22_left.ref_out" : "mbench_a22_right.ref_out"));
+  const auto printed = validation::read_contact_output(file);
   ASSERT_EQ(printed.size(), 21u);
-  for (const auto& [state, wheel] : printed) {
-    const std::string where = std::to_string(GetParam()) + " " + std::to_string(state);
+  for (const validation::PrintedCase& wheel : printed) {
+    const std::string where = std::to_string(GetParam()) + " " + std::to_string(wheel.number);
     ASSERT_EQ(wheel.patches.size(), 1u);
     ASSERT_EQ(lines.count("wheel " + where + " 1"), 1u) << where;
     const auto& totals = lines.at("wheel " + where + " 1");
