@@ -14,17 +14,8 @@ Profile upright(const ProfileCurve& curve) {
   return Profile(ProfileRole::rail, points, curve.kinks());
 }
 
-/// The rail's profile by the gauge, or by its origin. A roller's profile keeps its z.
-Frame<double> place_rail(const WheelRailData& data, const ProfileCurve& rail, const RailDeflection& deflection) {
-  const TrackDimensions& track = data.track;
-  const RailPosition& position = data.rail_position;
-  Vec3<double> origin{0, track.rail_y0, track.rail_z0};
-  if (track.by_gauge()) {
-    const GaugePoint gauge = gauge_of(rail, track);
-    origin = {0, track.gauge_width / 2 - gauge.point.y, data.digits.is_roller() ? 0 : gauge.top.z};
-  }
-  const Vec3<double> off{0, position.dy + deflection.dy, position.dz + deflection.dz};
-  return {origin + off, rotation_about_x(-track.cant + position.roll)};
+double angle_about_x(const Frame<double>& frame) {
+  return std::atan2(frame.axes.ey.z, frame.axes.ey.y);
 }
 
 /// z of the wheel's profile where its radius is the nominal one.
@@ -57,8 +48,50 @@ Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x) 
   return p.rail.outer({x, at.y, p.roller_radius - sign * (square > 0 ? std::sqrt(square) : 0)});
 }
 
-Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,
-                const RailDeflection& deflection) {
+PlacedRail RailPlacer::place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
+                             const RailDeflection& deflection) {
+  if (rail != rail_) gauge_.reset(), placed_.reset();
+  rail_ = std::move(rail);
+  const Frame<double> now = frame(right, deflection);
+  const double angle = angle_about_x(now);
+  const auto is_there = [&](const Frame<double>& before) {
+    return before.origin.y == now.origin.y && before.origin.z == now.origin.z && angle_about_x(before) == angle;
+  };
+  if (!placed_ || !is_there(placed_->frame))
+    placed_ = {now, std::make_shared<ProfileCurve>(rail_->moved(angle, now.origin.y, now.origin.z))};
+  return *placed_;
+}
+
+const GaugePoint& RailPlacer::gauge(const TrackDimensions& track) {
+  if (!gauge_ || track.cant != cant_ || track.gauge_height != gauge_height_) {
+    gauge_ = gauge_of(*rail_, track);
+    cant_ = track.cant, gauge_height_ = track.gauge_height;
+  }
+  return *gauge_;
+}
+
+/// A roller's profile keeps its z.
+Frame<double> RailPlacer::frame(const WheelRailData& right, const RailDeflection& deflection) {
+  const TrackDimensions& track = right.track;
+  const RailPosition& position = right.rail_position;
+  Vec3<double> origin{0, track.rail_y0, track.rail_z0};
+  if (track.by_gauge()) {
+    const GaugePoint& found = gauge(track);
+    origin = {0, track.gauge_width / 2 - found.point.y, right.digits.is_roller() ? 0 : found.top.z};
+  }
+  const Vec3<double> off{0, position.dy + deflection.dy, position.dz + deflection.dz};
+  return {origin + off, rotation_about_x(-track.cant + position.roll)};
+}
+
+Placement Placement::lowered(double depth) const {
+  Placement p = *this;
+  p.wheelset.origin.z += depth;
+  p.wheel = p.wheelset * p.wheel_on_axle;
+  return p;
+}
+
+Placement place_at_zero(const WheelRailData& right, ProfileShape rail, const Frame<double>& rail_frame,
+                        ProfileShape wheel) {
   const WheelsetPosition& position = right.position;
   const WheelDeflection& flexible = right.deflection;
   const WheelsetDimensions& wheelset = right.wheelset;
@@ -67,9 +100,9 @@ Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape whee
   if (right.digits.is_roller()) p.roller_radius = right.track.roller_radius;
   p.place = right.digits.is_roller() ? 0 : position.s;
   p.pitch = position.pitch;
-  p.rail = place_rail(right, *rail.curve, deflection);
+  p.rail = rail_frame;
   const double x = right.digits.is_roller() ? position.s : 0;
-  p.wheelset = {{x, position.y, z - p.radius}, rotation_about_x(position.roll) * rotation_about_z(position.yaw)};
+  p.wheelset = {{x, position.y, -p.radius}, rotation_about_x(position.roll) * rotation_about_z(position.yaw)};
   p.wheel_on_axle = {{flexible.dx, wheelset.flange_back_distance / 2 - wheelset.flange_back_position + flexible.dy,
                       p.radius - tape_height(wheelset, *wheel.curve) + flexible.dz},
                      rotation_about_x(flexible.droll) * rotation_about_z(flexible.dyaw)};

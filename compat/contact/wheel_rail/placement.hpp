@@ -5,6 +5,9 @@
 #include "microslip/railway/geometry/frame.hpp"
 #include "microslip/railway/profile/profile_dimensions.hpp"
 
+#include <memory>
+#include <optional>
+
 namespace microslip::contact_program {
 
 /// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
@@ -16,6 +19,30 @@ GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
 /// Displacement of a rail on springs from its position [mm], towards the field side and down.
 struct RailDeflection {
   double dy = 0, dz = 0;
+};
+
+/// The profile of a rail in the axes of the track [mm].
+struct PlacedRail {
+  Frame<double> frame;                          ///< of the profile's axes
+  std::shared_ptr<const ProfileCurve> in_track; ///< of slices the first one
+};
+
+/// Places rails by their gauge or their origin. Finding the gauge point and the spline anew takes longer than a
+/// solution with few elements, so both are kept for the next case, whose rail is the same as a rule.
+class RailPlacer {
+public:
+  /// Throws Error where the gauge cannot be measured.
+  PlacedRail place(const WheelRailData& right, std::shared_ptr<const ProfileCurve> rail,
+                   const RailDeflection& deflection);
+
+private:
+  const GaugePoint& gauge(const TrackDimensions& track);
+  Frame<double> frame(const WheelRailData& right, const RailDeflection& deflection);
+
+  std::shared_ptr<const ProfileCurve> rail_;
+  double cant_ = 0, gauge_height_ = 0;
+  std::optional<GaugePoint> gauge_; ///< of rail_ with these
+  std::optional<PlacedRail> placed_;
 };
 
 /// A right wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
@@ -31,14 +58,16 @@ struct Placement {
   double pitch = 0; ///< PITCH_WS [rad], from which those of a wheel count
 
   bool on_roller() const { return roller_radius != 0; }
+  /// The same with the wheelset lower by `depth`.
+  Placement lowered(double depth) const;
 };
 
 /// A point of a roller's profile turned about its axle until it lies at `x`, in the axes of the track [mm]; at the
 /// axle's height where it does not reach as far.
 Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x);
 
-/// `z` is Z_WS [mm]. Throws Error where the gauge cannot be measured or the wheel's tape circle is not on the profile.
-Placement place(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, double z,
-                const RailDeflection& deflection = {});
+/// With the wheelset at Z_WS = 0. Throws Error where the wheel's tape circle is not on its profile.
+Placement place_at_zero(const WheelRailData& right, ProfileShape rail, const Frame<double>& rail_frame,
+                        ProfileShape wheel);
 
 } // namespace microslip::contact_program

@@ -9,34 +9,20 @@
 #include <string>
 
 namespace microslip::contact_program {
-namespace {
-
-double roll_of(const Frame<double>& frame) {
-  return std::atan2(frame.axes.ey.z, frame.axes.ey.y);
-}
-
-} // namespace
 
 double place_on_track(const WheelRailData& data) {
   return data.digits.is_roller() ? 0 : data.position.s;
 }
 
-WheelGeometry::WheelGeometry(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, GridOrigin origin,
-                             int most_elements, const RailDeflection& deflection)
-    : data_(right), rail_(std::move(rail)), wheel_(std::move(wheel)), origin_(origin), most_elements_(most_elements),
-      deflection_(deflection) {
-  const Placement at_zero = placement(0);
-  const Vec3<double>& place = at_zero.rail.origin;
-  rail_in_track_ = std::make_shared<ProfileCurve>(rail_.curve->moved(roll_of(at_zero.rail), place.y, place.z));
+WheelGeometry::WheelGeometry(const WheelRailData& right, ProfileShape rail, const PlacedRail& placed,
+                             ProfileShape wheel, GridOrigin origin, int most_elements)
+    : data_(right), placed_at_zero_(place_at_zero(right, std::move(rail), placed.frame, std::move(wheel))),
+      origin_(origin), most_elements_(most_elements), rail_in_track_(placed.in_track) {
   const bool brute_force = right.search == ContactSearch::brute_force || right.search == ContactSearch::steep;
-  if (brute_force || wheel_.varies())
-    brute_force_.emplace(at_zero, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
+  if (brute_force || placed_at_zero_.wheel_profile.varies())
+    brute_force_.emplace(placed_at_zero_, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
   else
-    at_zero_ = find_gap_line(at_zero, *rail_in_track_, data_.grid.ds);
-}
-
-Placement WheelGeometry::placement(double z) const {
-  return place(data_, rail_, wheel_, z, deflection_);
+    at_zero_ = find_gap_line(placed_at_zero_, *rail_in_track_, data_.grid.ds);
 }
 
 /// A round wheel that is lowered over a rail has the same locus, but not over a roller, whose slope depends on height.
@@ -67,8 +53,8 @@ std::vector<GapRegion> WheelGeometry::regions(double z) const {
 
 /// The rail's profile in the track's axes; of slices that in the middle of a patch.
 std::shared_ptr<const ProfileCurve> WheelGeometry::rail_at(double x) const {
-  if (!rail_.varies()) return rail_in_track_;
-  auto section = rail_section(placement(0), x);
+  if (!placed_at_zero_.rail_profile.varies()) return rail_in_track_;
+  auto section = rail_section(placed_at_zero_, x);
   if (!section) throw Error("the rail is interrupted at x = " + std::to_string(x) + " mm, in the middle of a patch");
   return std::make_shared<ProfileCurve>(std::move(*section));
 }

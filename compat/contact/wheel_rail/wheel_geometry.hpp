@@ -11,11 +11,11 @@ namespace microslip::contact_program {
 /// A right wheel over its rail, for any height of the wheelset: where they overlap, and how.
 class WheelGeometry {
 public:
-  /// Throws Error as place() does.
-  WheelGeometry(const WheelRailData& right, ProfileShape rail, ProfileShape wheel, GridOrigin origin, int most_elements,
-                const RailDeflection& deflection = {});
+  /// Throws Error as place_at_zero() does.
+  WheelGeometry(const WheelRailData& right, ProfileShape rail, const PlacedRail& placed, ProfileShape wheel,
+                GridOrigin origin, int most_elements);
 
-  Placement placement(double z) const;
+  Placement placement(double z) const { return placed_at_zero_.lowered(z); }
   /// With the wheelset at Z_WS = 0.
   LeastGap least_gap_at_zero() const;
   /// The patches with the wheelset at `z`; conformal ones still are to be bent.
@@ -34,10 +34,9 @@ private:
   std::shared_ptr<const ProfileCurve> rail_at(double x) const;
 
   const WheelRailData& data_;
-  ProfileShape rail_, wheel_;
+  Placement placed_at_zero_; ///< with Z_WS = 0
   GridOrigin origin_;
   int most_elements_;
-  RailDeflection deflection_;
   std::shared_ptr<const ProfileCurve> rail_in_track_; ///< of slices the first one
   std::optional<GapLine> at_zero_;                    ///< the gap with Z_WS = 0,
   std::optional<GapSurface> brute_force_;             ///< or that over the whole surface

@@ -204,7 +204,8 @@ WheelGeometry WheelRailSolver::geometry_over(const Case& right, const RailDeflec
   const WheelRailData& data = *right.wheel_rail;
   // In this order, so that of two files that are missing always the same one is named.
   const auto rail = profile(data.rail, ProfileRole::rail), wheel = profile(data.wheel, ProfileRole::wheel);
-  WheelGeometry geometry(data, rail, wheel, origin_of(right.digits), right.solver.npot_max, deflection);
+  const PlacedRail placed = rail_placer_.place(data, rail.curve, deflection);
+  WheelGeometry geometry(data, rail, placed, wheel, origin_of(right.digits), right.solver.npot_max);
   if (!geometry.overlaps()) throw Error("wheel and rail do not lie above one another");
   return geometry;
 }

@@ -80,6 +80,7 @@ private:
   void follow(const std::vector<PatchFrame>& frames, const Digits& digits);
 
   std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;
+  RailPlacer rail_placer_;
   std::vector<Track> origins_; ///< of the patches of the case before
   std::vector<Track> tracks_;  ///< of those of the last solution
   WheelEffort effort_;
