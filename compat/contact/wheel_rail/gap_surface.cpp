@@ -15,8 +15,7 @@ constexpr double missing = 999, beyond = 777;
 
 /// The lower side of a round wheel, in the track's axes, at the points of its profile.
 SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
-  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
-  const double half = p.radius * (p.radius < small_wheel || steep ? wide : narrow);
+  const double half = half_of_lower_side(p, steep);
   int slices = static_cast<int>(std::lround(2 * half / (1.5 * dx) + 2));
   slices += slices % 2 == 0;
   const auto& profile = p.wheel_profile.curve->points();

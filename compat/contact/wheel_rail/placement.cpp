@@ -51,6 +51,11 @@ GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
 }
 
+double half_of_lower_side(const Placement& p, bool steep) {
+  constexpr double small_wheel = 30.5, wide = 0.242, narrow = 0.125; // of the radius
+  return p.radius * (p.radius < small_wheel || steep ? wide : narrow);
+}
+
 Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x) {
   const double sign = p.roller_radius < 0 ? -1 : 1;
   const double radius = p.roller_radius - at.z, square = radius * radius - x * x;
