@@ -83,14 +83,20 @@ bool is_height_of_force(const Difference& d, const Case& c, const Outcome&) {
 bool is_angle_on_slices(const Difference& d, const Case& c, const Outcome& o) {
   constexpr double most = 0.05; // [rad], by which forces turn
   const double apart = std::abs(d.ours.value - d.theirs.value), load = is_force_or_power(d.name) ? d.load : 0;
-  return c.wheel_rail && has_slices(c.wheel_rail->rail) && !o.misses_force &&
-         (d.name == "DELTCP(TR)" ? apart < most : d.relative < most || apart < most * load);
+  if (!c.wheel_rail || !has_slices(c.wheel_rail->rail) || o.misses_force || !o.wheel) return false;
+  // Turned frames mix the rotation's velocity at x with the lateral one, and turn the rotation into spin.
+  const double radius = c.wheel_rail->wheelset.nominal_radius; // [mm]
+  if (d.name == "CPHI") return apart < most / radius;
+  if (d.name == "CETA" && d.patch > 0)
+    return apart < most * std::abs(o.wheel->patches.at(d.patch - 1).location.track.x) / radius;
+  return d.name == "DELTCP(TR)" ? apart < most : d.relative < most || apart < most * load;
 }
 
-bool is_grid_of_slices(const Difference& d, const Case& c, const Outcome&) {
-  constexpr double most = 0.005;
-  return c.wheel_rail && (has_slices(c.wheel_rail->wheel) || has_slices(c.wheel_rail->rail)) &&
-         (d.relative < most || d.name == "NPOT");
+bool is_grid_of_slices(const Difference& d, const Case& c, const Outcome& o) {
+  constexpr double most = 0.005, of_all = 2e-3;
+  if (!c.wheel_rail || !o.wheel || !(has_slices(c.wheel_rail->wheel) || has_slices(c.wheel_rail->rail))) return false;
+  const double share = d.patch > 0 ? d.load / std::abs(o.wheel->track.force.z) : 1; // of the load: heights count so
+  return d.relative < most || d.relative * share < of_all || d.name == "NPOT";
 }
 
 constexpr Explanation known[] = {

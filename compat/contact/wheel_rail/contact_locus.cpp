@@ -44,24 +44,31 @@ double slope_at(const ProfileCurve& wheel, double s) {
   return p.first.z / std::max(1e-6, p.first.y);
 }
 
-/// The point of the wheel's circle at a point of its profile that lies lowest over a rail that is the same everywhere.
-Vec3<double> lowest_on_circle(const Placement& p, const ProfilePoint& at, double slope) {
-  const Rotation<double>& r = p.wheel.axes;
-  const double radius = p.radius + at.z;
-  double x = (radius * slope * r.ey.x - p.radius * r.ez.x) / r.ex.x;
-  x = std::clamp(x, -0.5 * p.radius, 0.5 * p.radius);
-  const double square = radius * radius - x * x;
+/// A point of the wheel's circle at a point of its profile.
+Vec3<double> on_circle(const Placement& p, const ProfilePoint& at, double x) {
+  const double radius = p.radius + at.z, square = radius * radius - x * x;
   return {x, at.y, square > 0 ? std::sqrt(square) - p.radius : -nowhere};
 }
 
-/// Where the locus jumps: its polygon over y, with x shortened to a tenth, turns by 18 degrees or has a long side.
-std::vector<std::size_t> jumps(const std::vector<Vec3<double>>& locus, const std::vector<double>& s) {
+/// The point of the circle that lies lowest over a rail that is the same everywhere.
+Vec3<double> lowest_on_circle(const Placement& p, const ProfilePoint& at, double slope) {
+  const Rotation<double>& r = p.wheel.axes;
+  const double x = ((p.radius + at.z) * slope * r.ey.x - p.radius * r.ez.x) / r.ex.x;
+  return on_circle(p, at, std::clamp(x, -0.5 * p.radius, 0.5 * p.radius));
+}
+
+/// Where the locus jumps: its polygon over y, with x shortened to a tenth, turns by 18 degrees or has a long side; and
+/// at the `ends` of sides that are known to be jumps.
+std::vector<std::size_t> jumps(const std::vector<Vec3<double>>& locus, const std::vector<double>& s,
+                               const std::vector<std::size_t>& ends) {
   using Limit = SearchThresholds;
   std::vector<ProfilePoint> flat;
   for (const auto& p : locus) flat.push_back({p.y, Limit::jump_x * p.x});
   auto cuts = find_kinks(flat, {Limit::jump_turn, Limit::jump_turn, Limit::jump_window});
   for (std::size_t k = 1; k + 1 < s.size(); ++k)
     if (s[k + 1] - s[k] > Limit::jump_length || s[k] - s[k - 1] > Limit::jump_length) cuts.push_back(k);
+  for (const std::size_t k : ends)
+    if (k > 0 && k + 1 < s.size()) cuts.push_back(k);
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
@@ -75,19 +82,19 @@ struct Locus {
   std::vector<SpaceCurve> below = {};
 };
 
-SpaceCurve joined(std::vector<double> s, std::vector<Vec3<double>> points) {
-  const auto cuts = jumps(points, s);
+SpaceCurve joined(std::vector<double> s, std::vector<Vec3<double>> points, const std::vector<std::size_t>& ends = {}) {
+  const auto cuts = jumps(points, s, ends);
   return SpaceCurve(std::move(s), std::move(points), cuts);
 }
 
 /// The same over the length of the polygon through the points.
-SpaceCurve joined(std::vector<Vec3<double>> points) {
+SpaceCurve joined(std::vector<Vec3<double>> points, const std::vector<std::size_t>& ends = {}) {
   std::vector<double> s = {0};
   for (std::size_t k = 1; k < points.size(); ++k) {
     const Vec3<double> step = points[k] - points[k - 1];
     s.push_back(s.back() + std::sqrt(dot(step, step)));
   }
-  return joined(std::move(s), std::move(points));
+  return joined(std::move(s), std::move(points), ends);
 }
 
 /// The height of a roller over a point of the track, its profile being lower by its fall from the axle's plane on.
@@ -134,83 +141,82 @@ public:
   CircleOverSlices(const Placement& p, const ProfilePoint& at, double slope)
       : p_(p), at_(at), radius_(p.radius + at.z), slope_(slope) {}
 
-  /// The point of the circle next to the rail, with the rail's below it: where the wheel's slope along the track is the
-  /// rail's, or where the rail ends; of several the one with the least gap. Nothing if no rail lies below.
-  struct Contact {
+  /// A point of the circle with the rail's below it, in the track's axes.
+  struct Place {
+    double x = 0; ///< on the circle
     Vec3<double> on_wheel, on_rail;
+    double slope = 0; ///< of the gap along the track, times the height of the wheel's normal
+
+    double gap() const { return on_rail.z - on_wheel.z; }
   };
-  std::optional<Contact> nearest() const {
+
+  /// The point that is next to the rail, where its slope along the track is the rail's or where the rail ends, as far
+  /// along the track as wheels reach from where it lies lowest. Nothing if no rail lies below.
+  std::optional<Place> nearest() const {
     constexpr int stations = 33;
-    const double half = 0.5 * p_.radius;
-    std::optional<Contact> best;
-    const auto take = [&](double x) {
-      const auto found = contact(x);
-      if (!found) return;
-      if (!best || gap(*found) < gap(*best)) best = found;
+    const double middle = lowest_on_circle(p_, at_, slope_).x, half = half_of_lower_side(p_);
+    std::optional<Place> best, before;
+    double x_before = 0;
+    const auto take = [&](const std::optional<Place>& place) {
+      if (place && (!best || place->gap() < best->gap())) best = place;
     };
-    double before = -half;
-    std::optional<double> slope_before;
     for (int k = 0; k < stations; ++k) {
-      const double x = half * (2.0 * k / (stations - 1) - 1);
-      const auto slope = slope_difference(x);
-      if (slope_before && slope && *slope_before <= 0 && *slope > 0)
-        take(root(before, *slope_before, x, *slope));
-      else if (!slope_before && slope && *slope > 0 && k > 0)
-        take(end_of_rail(x, before));
-      else if (slope_before && !slope && *slope_before < 0)
-        take(end_of_rail(before, x));
-      before = x;
-      slope_before = slope;
+      const double x = middle + half * (2.0 * k / (stations - 1) - 1);
+      const auto here = place(x);
+      take(here);
+      if (k > 0 && before.has_value() != here.has_value()) {
+        const Place end = end_of_rail(here ? *here : *before, here ? x_before : x);
+        take(end);
+        take(here ? least_between(end, *here) : least_between(*before, end));
+      } else if (before && here) {
+        take(least_between(*before, *here));
+      }
+      before = here;
+      x_before = x;
     }
     return best;
   }
 
 private:
-  Vec3<double> on_wheel(double x) const { return {x, at_.y, std::sqrt(radius_ * radius_ - x * x) - p_.radius}; }
-  static double gap(const Contact& c) { return c.on_rail.z - c.on_wheel.z; }
-
-  std::optional<Contact> contact(double x) const {
-    const Vec3<double> point = p_.wheel.outer(on_wheel(x));
-    const auto rail = rail_point(p_, point);
-    if (!rail) return {};
-    return Contact{point, rail->place};
-  }
-
-  /// Of the rail's and the wheel's surface along the track, times the height of the wheel's normal: < 0 where the gap
-  /// becomes smaller with x.
-  std::optional<double> slope_difference(double x) const {
+  std::optional<Place> place(double x) const {
     if (std::abs(x) >= radius_) return {};
-    const Vec3<double> point = on_wheel(x);
-    const auto rail = rail_point(p_, p_.wheel.outer(point));
+    const Vec3<double> point = on_circle(p_, at_, x), on_wheel = p_.wheel.outer(point);
+    const auto rail = rail_point(p_, on_wheel);
     if (!rail) return {};
     const Vec3<double> normal = p_.wheel.axes * Vec3<double>{x, -radius_ * slope_, p_.radius + point.z};
-    return normal.x + normal.z * rail->along;
+    return Place{x, on_wheel, rail->place, normal.x + normal.z * rail->along};
   }
 
-  /// By straight lines through the ends of the bracket, the staying one's value halved.
-  double root(double low, double at_low, double high, double at_high) const {
+  /// Where the gap is least between two places, if that is not one of them: by straight lines through the ends of the
+  /// bracket, the staying one's slope halved.
+  std::optional<Place> least_between(Place low, Place high) const {
+    if (!(low.slope < 0 && high.slope > 0)) return {};
     constexpr double tolerance = 1e-10; // mm
-    double x = low;
-    for (int k = 0; k < 80 && high - low > tolerance; ++k) {
-      const double next = low - at_low * (high - low) / (at_high - at_low);
-      if (std::abs(next - x) < tolerance) return next;
-      x = next;
-      const auto value = slope_difference(x);
-      if (!value) return x;
-      if (*value <= 0)
-        low = x, at_low = *value, at_high *= 0.5;
+    std::optional<Place> found;
+    for (int k = 0; k < 80 && high.x - low.x > tolerance; ++k) {
+      const double x = low.x - low.slope * (high.x - low.x) / (high.slope - low.slope);
+      const bool is_near = found && std::abs(x - found->x) < tolerance;
+      found = place(x);
+      if (!found || is_near) return found;
+      if (found->slope < 0)
+        low = *found, high.slope *= 0.5;
       else
-        high = x, at_high = *value, at_low *= 0.5;
+        high = *found, low.slope *= 0.5;
     }
-    return x;
+    return found;
   }
 
-  double end_of_rail(double on, double off) const {
-    for (int k = 0; k < 50; ++k) {
-      const double middle = 0.5 * (on + off);
-      (slope_difference(middle) ? on : off) = middle;
+  /// As far towards `off` as there is rail, less a margin, so that rail lies below what is interpolated, too.
+  Place end_of_rail(Place on, double off) const {
+    constexpr double tolerance = 1e-7, margin = 1e-6; // mm
+    while (std::abs(off - on.x) > tolerance) {
+      const double middle = 0.5 * (on.x + off);
+      if (const auto there = place(middle))
+        on = *there;
+      else
+        off = middle;
     }
-    return on;
+    return place(on.x - std::copysign(margin, off - on.x)).value_or(on);
   }
 
   const Placement& p_;
@@ -218,45 +224,87 @@ private:
   double radius_, slope_;
 };
 
-Locus locus_on_slices(const Placement& p, const PointRange& range) {
-  const ProfileCurve& wheel = *p.wheel_profile.curve;
-  Locus locus{SpaceCurve({0}, {{}}, {}), {}};
-  std::vector<double> s;
-  std::vector<Vec3<double>> on_wheel, piece;
-  const auto end_piece = [&] {
-    if (piece.size() > 1) locus.below.push_back(joined(piece));
-    piece.clear();
-  };
-  for (std::size_t k = range.first; k <= range.last; ++k) {
-    const ProfilePoint& at = wheel.points()[k];
-    s.push_back(wheel.s_of(k));
-    const double slope = slope_at(wheel, s.back());
-    const auto contact = CircleOverSlices(p, at, slope).nearest();
-    on_wheel.push_back(contact ? contact->on_wheel : p.wheel.outer(lowest_on_circle(p, at, slope)));
-    if (!contact) {
-      end_piece();
-      continue;
-    }
-    piece.push_back(contact->on_rail);
-  }
-  end_piece();
-  locus.wheel = joined(std::move(s), std::move(on_wheel));
-  return locus;
-}
+/// Points of the locus, in which the sides that are jumps are known.
+struct Trace {
+  std::vector<Vec3<double>> points;
+  std::vector<std::size_t> ends; ///< of the jumps
 
-Locus contact_locus(const Placement& p, const ProfileCurve& rail) {
+  void add(const Vec3<double>& point, bool jumps) {
+    if (jumps && !points.empty()) ends.insert(ends.end(), {points.size() - 1, points.size()});
+    points.push_back(point);
+  }
+};
+
+/// The contact locus over a rail made of slices, circle by circle.
+class LocusOnSlices {
+public:
+  /// Where it jumps from one part of the rail to another it has steps of `step` [mm] over the wheel's profile, and is
+  /// straight, so that it stays within the wheel.
+  LocusOnSlices(const Placement& p, const PointRange& range, double step) : p_(p), step_(step) {
+    for (std::size_t k = range.first; k <= range.last; ++k) {
+      const double s = p.wheel_profile.curve->s_of(k);
+      go_on_to(s, next_to_rail(s));
+    }
+    end_piece();
+  }
+  Locus locus() { return {joined(std::move(s_), std::move(wheel_.points), wheel_.ends), std::move(below_)}; }
+
+private:
+  struct Point {
+    Vec3<double> on_wheel;
+    std::optional<Vec3<double>> on_rail;
+  };
+
+  Point next_to_rail(double s) const {
+    const ProfileCurve& wheel = *p_.wheel_profile.curve;
+    const ProfilePoint at = wheel.at(s).value;
+    const double slope = slope_at(wheel, s);
+    const auto nearest = CircleOverSlices(p_, at, slope).nearest();
+    if (!nearest) return {p_.wheel.outer(lowest_on_circle(p_, at, slope)), {}};
+    return {nearest->on_wheel, nearest->on_rail};
+  }
+
+  void go_on_to(double s, const Point& point) {
+    constexpr double far = 1; // mm
+    const bool jumps = !s_.empty() && std::abs(point.on_wheel.x - wheel_.points.back().x) > far;
+    if (jumps && s - s_.back() > step_) {
+      const double middle = 0.5 * (s_.back() + s);
+      go_on_to(middle, next_to_rail(middle));
+      return go_on_to(s, point);
+    }
+    s_.push_back(s);
+    wheel_.add(point.on_wheel, jumps);
+    if (point.on_rail)
+      piece_.add(*point.on_rail, jumps);
+    else
+      end_piece();
+  }
+
+  void end_piece() {
+    if (piece_.points.size() > 1) below_.push_back(joined(std::move(piece_.points), piece_.ends));
+    piece_ = {};
+  }
+
+  const Placement& p_;
+  double step_;
+  std::vector<double> s_;
+  Trace wheel_, piece_;
+  std::vector<SpaceCurve> below_;
+};
+
+Locus contact_locus(const Placement& p, const ProfileCurve& rail, double step) {
   const ProfileCurve& wheel = *p.wheel_profile.curve;
   const double roll = std::atan2(p.wheel.axes.ey.z, p.wheel.axes.ez.z);
   const PointRange range = without_folds(wheel.moved(roll, 0, 0));
   if (p.on_roller()) return locus_on_roller(p, rail, range);
-  if (p.rail_profile.varies()) return locus_on_slices(p, range);
+  if (p.rail_profile.varies()) return LocusOnSlices(p, range, step).locus();
   std::vector<double> s;
   std::vector<Vec3<double>> points;
   for (std::size_t k = range.first; k <= range.last; ++k) {
     s.push_back(wheel.s_of(k));
     points.push_back(p.wheel.outer(lowest_on_circle(p, wheel.points()[k], slope_at(wheel, s.back()))));
   }
-  return {joined(std::move(s), std::move(points)), {}};
+  return {joined(std::move(s), std::move(points))};
 }
 
 /// The rail's height, and its inclination across the track.
@@ -301,9 +349,9 @@ GapLine GapLine::lowered(double depth) const {
 }
 
 GapLine find_gap_line(const Placement& p, const ProfileCurve& rail, double ds) {
-  const Locus locus = contact_locus(p, rail);
-  GapLine line;
   const double dy = SearchThresholds::locus_step * ds;
+  const Locus locus = contact_locus(p, rail, dy);
+  GapLine line;
   const auto [least_y, greatest_y] =
       p.rail_profile.varies() ? whole_extent(p, rail) : std::pair(rail.least_y(), rail.greatest_y());
   const auto count = static_cast<std::size_t>(std::floor((greatest_y - least_y) / dy + 1e-9)) + 1;

@@ -16,9 +16,8 @@ constexpr double missing = 999, beyond = 777;
 
 /// The lower side of a round wheel, in the track's axes, at the points of its profile.
 SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
-  using Limit = SearchThresholds;
-  const double half = p.radius * (p.radius < Limit::small_radius || steep ? Limit::reach_steep : Limit::reach);
-  int slices = static_cast<int>(std::lround(2 * half / (Limit::step_along * dx) + 2));
+  const double half = half_of_lower_side(p, steep);
+  int slices = static_cast<int>(std::lround(2 * half / (SearchThresholds::step_along * dx) + 2));
   slices += slices % 2 == 0;
   const auto& profile = p.wheel_profile.curve->points();
   std::vector<Vec3<double>> points;

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/placement.hpp"
 
+#include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>
@@ -40,6 +41,11 @@ WheelRailData mirrored(WheelRailData d) {
 
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
+}
+
+double half_of_lower_side(const Placement& p, bool steep) {
+  using Limit = SearchThresholds;
+  return p.radius * (p.radius < Limit::small_radius || steep ? Limit::reach_steep : Limit::reach);
 }
 
 Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x) {

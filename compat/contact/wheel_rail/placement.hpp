@@ -62,6 +62,10 @@ struct Placement {
   Placement lowered(double depth) const;
 };
 
+/// How far ahead of and behind its lowest points a round wheel may touch [mm]: CONTACT's part of it that is looked at
+/// by brute force, `steep` for what touches far from there.
+double half_of_lower_side(const Placement& p, bool steep = false);
+
 /// A point of a roller's profile turned about its axle until it lies at `x`, in the axes of the track [mm]; at the
 /// axle's height where it does not reach as far.
 Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x);
