@@ -1,14 +1,16 @@
+#include "binding/creep_table.hpp"
+
 #include "binding/bindings.hpp"
 #include "binding/contact.hpp"
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
-#include "binding/wheel_rail.hpp"
 #include "binding/words.hpp"
 #include "io/creep_table_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace microslip::python {
@@ -32,7 +34,7 @@ CreepForceTable table_from(const py::object& file, const std::optional<double>& 
 
 } // namespace
 
-CreepForceTable own_creep_table(double poisson_ratio) {
+CreepForceTable own_creep_table(std::optional<double> poisson_ratio) {
   return table_from(py::none(), poisson_ratio, RollingDirection::forward);
 }
 
@@ -62,7 +64,7 @@ constexpr const char* batch_text =
 } // namespace
 
 void bind_creep_table(py::module_& module) {
-  py::class_<CreepForceTable> table(
+  py::class_<CreepForceTable, std::shared_ptr<CreepForceTable>> table(
       module, "CreepForceTable",
       "Forces of Hertzian contacts in steady rolling by interpolation between results of the exact\n"
       "theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first\n"
