@@ -65,7 +65,8 @@ RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "an
 OWNERS_OF_STATES = {"WheelRail": "wheel", "WheelsetOnTrack": "wheelset"}
 
 # Classes made from keywords, whose methods take them, and the class whose text lists these.
-OWNERS_OF_KEYWORDS = {"RollingProblem": "RollingProblem", "Method": "Method", "Solver": "Method"}
+OWNERS_OF_KEYWORDS = {"RollingProblem": "RollingProblem", "Method": "Method", "Solver": "Method", "Fastsim": "Method", "Fastsim2": "Method"}
+OF_FASTSIM = ("bound", "flexibility", "coefficients", "slope_reduction")
 # Those that are no keys of case files; the first two a problem must have.
 NEEDED = ("bodies", "friction")
 TYPES_OF_OBJECTS = {
@@ -168,7 +169,8 @@ def keyword_types(owner):
 def keywords_of(owner, is_partial):
     """Those that a method takes in place of **kwargs; none must be there where another problem has them."""
     for key, kind in keyword_types(OWNERS_OF_KEYWORDS[owner]):
-        yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else " = ...")
+        if not owner.startswith("Fastsim") or key in OF_FASTSIM:
+            yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else " = ...")
 
 
 def signatures(function):
@@ -213,7 +215,7 @@ def function_lines(name, function, owner="", indent="", decorator=""):
             parts[at:] = words[1:] if "*" in parts else words
         if "**kwargs" in parts and owner in OWNERS_OF_KEYWORDS:
             is_partial = name == "replace" or "contact" in arguments
-            parts[parts.index("**kwargs"):] = ["*", *keywords_of(owner, is_partial)]
+            parts[-1:] = [*(["*"] if "*" not in parts else []), *keywords_of(owner, is_partial)]
         if name == "__init__":
             result = "None"
         yield from documented(f"{indent}def {name}({', '.join(parts)}) -> {result}", text, indent)

@@ -690,12 +690,10 @@ class ExactResult:
 
 class Fastsim(RowSolver):
     """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
-    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0), precision: str = 'double') -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
-        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
-        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
-        slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        accurate to 1e-5 of mu Fn. Error if an option is out of range.
+    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, direction: Literal["forward", "backward"] = 'forward', precision: str = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ...) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
+        'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
+        bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range.
         half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as
         in (F16)."""
 
@@ -703,12 +701,10 @@ class Fastsim2(RowSolver):
     """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked
     boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough
     for forces."""
-    def __init__(self, mx: int = 10, my: int = 10, *, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0), precision: str = 'double') -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
-        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
-        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
-        slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        accurate to 1e-5 of mu Fn. Error if an option is out of range."""
+    def __init__(self, mx: int = 10, my: int = 10, *, direction: Literal["forward", "backward"] = 'forward', precision: str = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ...) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
+        'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
+        bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range."""
 
 class ForceArrays:
     """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""
