@@ -91,9 +91,19 @@ struct SolutionArrays {
 
 void bind_contact_batch(pybind11::module_& module);
 
-/// Gives a class a batch method: `solve(self, batch, threads)` of what the others are like, and arrays.
+inline constexpr const char* batch_text =
+    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`\n"
+    "is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:\n"
+    "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
+    "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
+    "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
+    "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
+    "of range have Status.invalid_input and NaN. ";
+
+/// Gives a class a batch method: `solve(self, batch, threads)` of what the others are like, and arrays. `returns`
+/// ends its text.
 template <class Like = EllipticContact, class Class, class... Options, class Solve>
-void def_batch(pybind11::class_<Class, Options...>& of, const char* name, const Solve& solve, const std::string& text) {
+void def_batch(pybind11::class_<Class, Options...>& of, const char* name, const Solve& solve, const char* returns) {
   namespace py = pybind11;
   using namespace py::literals;
   using Object = const py::object&;
@@ -109,7 +119,7 @@ void def_batch(pybind11::class_<Class, Options...>& of, const char* name, const 
       },
       "like"_a, "longitudinal"_a = none, "lateral"_a = none, "spin"_a = none, py::kw_only(), "a"_a = none, "b"_a = none,
       "shear_modulus"_a = none, "poisson_ratio"_a = none, "normal_force"_a = none, "friction"_a = none,
-      "rolling_speed"_a = none, "dissimilarity"_a = none, "threads"_a = 0, text.c_str());
+      "rolling_speed"_a = none, "dissimilarity"_a = none, "threads"_a = 0, (std::string(batch_text) + returns).c_str());
 }
 
 } // namespace microslip::python

@@ -54,13 +54,6 @@ auto batch_by(Answer (CreepForceTable::*answer)(const EllipticContact&) const no
   };
 }
 
-constexpr const char* batch_text =
-    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments\n"
-    "as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],\n"
-    "poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers\n"
-    "or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are\n"
-    "no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
-
 } // namespace
 
 void bind_creep_table(py::module_& module) {
@@ -95,10 +88,9 @@ void bind_creep_table(py::module_& module) {
       .def_property_readonly(
           "poisson_ratios", [](const CreepForceTable& self) { return py::tuple(py::cast(self.axes().poisson_ratios)); },
           "Poisson's ratios of the nodes [-].");
-  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve),
-            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve), "Returns ForceArrays.");
   def_batch(table, "differentiate_batch", batch_by<DerivativeArrays>(&CreepForceTable::differentiate),
-            std::string(batch_text) + " Returns DerivativeArrays.");
+            "Returns DerivativeArrays.");
 }
 
 } // namespace microslip::python

@@ -69,9 +69,11 @@ std::string text_of_key(std::string_view section, std::string_view key) {
   const std::string path = std::string(section) + "." + std::string(key);
   const auto& named = rolling_inputs().named();
   const auto& found = *std::find_if(named.begin(), named.end(), [&](const auto& one) { return one.path == path; });
+  const py::object missing = default_of(*found.input);
   const std::string unit = found.input->unit.empty() ? "-" : std::string(found.input->unit);
   return std::string(key) + " [" + unit + "]: " + std::string(found.input->text) +
-         (found.range.empty() ? "" : "; " + found.range);
+         (found.range.empty() ? "" : "; " + found.range) +
+         (missing.is_none() ? "" : "; default " + py::repr(missing).cast<std::string>());
 }
 
 bool is_default(std::string_view section, std::string_view key, const py::object& value) {

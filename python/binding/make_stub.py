@@ -28,6 +28,7 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
                       for key, words in ((one["key"], one["words"]) for one in microslip.inputs(kind)) if words} | {
     "side": 'Literal["left", "right"]',
     "TangentialProblem.kind": 'Literal["steady", "transient", "shift"]',
+    "precision": 'Literal["double", "single"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
     "kind": 'Literal["rail", "wheel"]',
     "body": "Literal[1, 2]",
@@ -86,6 +87,8 @@ TYPES_OF_VALUES = {
     ("RollingProblem", "gap"): "GapCurvatures | NDArray[numpy.float64] | None",
     ("Method", "grid"): "int | tuple[int, int]",
 }
+# Those for which the best value is found where they are left out.
+BY_PROBLEM = ("discretisation", "elements", "coupling", "slip_start", "bound", "flexibility")
 ALWAYS_THERE = ("memory_distance", "memory_speed", "kind", "direction", "theory", "tolerance", "coefficients")
 
 
@@ -126,6 +129,8 @@ def argument(text, owner):
         kind = TYPES_OF_ARGUMENTS.get(name, "str") + " | None"
     if kind == "object":
         kind = "ArrayLike"
+    if kind == "RollingProblem":
+        kind += " | EllipticContact"  # which makes one
     if default == "None" and "None" not in kind:
         kind += " | None"
     if default.startswith("Creepage(") or default == "inf":
@@ -149,28 +154,29 @@ def keywords(owner, name):
     return wanted
 
 
-def keyword_types(owner):
-    """The keywords of a class made from them, with their types, in the order of its text."""
+def described_keywords(owner):
+    """The keywords of a class made from them, with their types and defaults, in the order of its text."""
     inputs = {(one["section"], one["key"]): one for one in microslip.inputs("bodies")}
     text = getattr(microslip, owner).__init__.__doc__
     for name in re.findall(r"^    (\w+) \[[^\]]*\]: ", text, re.MULTILINE):
         sections = ("ellipse", "load", "friction", "motion") if owner == "RollingProblem" else ("solution",)
         described = next((inputs[section, name] for section in sections if (section, name) in inputs), None)
         if described is None or name == "table":  # the file of one in case files
-            yield name, TYPES_OF_OBJECTS[name]
-        elif described["words"]:
-            yield name, f"Literal[{', '.join(map(json.dumps, described['words']))}] | None"
-        elif name == "grid":
-            yield name, "int | tuple[int, int] | None"
+            yield name, TYPES_OF_OBJECTS[name], "..."
+            continue
+        if described["words"]:
+            kind = f"Literal[{', '.join(map(json.dumps, described['words']))}]"
         else:
-            yield name, ("int" if name == "steps" else "float") + " | None"
+            kind = {"grid": "int | tuple[int, int]", "steps": "int"}.get(name, "float")
+        has_default = described["default"] is not None and name not in BY_PROBLEM
+        yield name, f"{kind} | None", repr(described["default"]) if has_default else "..."
 
 
 def keywords_of(owner, is_partial):
     """Those that a method takes in place of **kwargs; none must be there where another problem has them."""
-    for key, kind in keyword_types(OWNERS_OF_KEYWORDS[owner]):
+    for key, kind, default in described_keywords(OWNERS_OF_KEYWORDS[owner]):
         if not owner.startswith("Fastsim") or key in OF_FASTSIM:
-            yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else " = ...")
+            yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else f" = {'...' if is_partial else default}")
 
 
 def signatures(function):
@@ -224,7 +230,7 @@ def function_lines(name, function, owner="", indent="", decorator=""):
 def property_type(owner, name, member):
     """The type of a property, from its getter's signature; that of a keyword, where it is one."""
     if OWNERS_OF_KEYWORDS.get(owner) == owner:
-        kind = dict(keyword_types(owner))[name]
+        kind = next(kind for key, kind, _ in described_keywords(owner) if key == name)
         return TYPES_OF_VALUES.get((owner, name), kind.removesuffix(" | None") if name in ALWAYS_THERE else kind)
     for key in (f"{owner}.{name}", name):
         if key in TYPES_OF_PROPERTIES and not (key == "status"):

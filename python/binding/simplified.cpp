@@ -80,15 +80,6 @@ ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::o
       {{l1, l2, l3}, friction_from(friction), creepage_from(creepage), rolling_speed});
 }
 
-constexpr const char* batch_text =
-    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`\n"
-    "is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:\n"
-    "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-    "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
-    "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
-    "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
-    "of range have Status.invalid_input and NaN.";
-
 void bind_row_solver(py::module_& module) {
   auto solver = py::class_<RowSolver>(module, "RowSolver",
                                       "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
@@ -130,10 +121,9 @@ void bind_row_solver(py::module_& module) {
       .def("__repr__", [](const py::object& self) {
         return py::str("{}({}, {})").format(py::type::of(self).attr("__name__"), self.attr("mx"), self.attr("my"));
       });
-  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve),
-            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve), "Returns ForceArrays.");
   def_batch(solver, "differentiate_batch", batch_by<DerivativeArrays, ContactDerivatives>(&RowSolver::differentiate),
-            std::string(batch_text) + " Returns DerivativeArrays.");
+            "Returns DerivativeArrays.");
 }
 
 constexpr const char* options_text =

@@ -99,13 +99,9 @@ void bind_solver(py::module_& module) {
            "Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,\n"
            "shape (my, mx) [m]; zero in contact.")
       .def("__repr__", [](const py::object& self) { return py::str("Solver({!r})").format(self.attr("method")); });
-  def_batch<RollingProblem>(
-      solver, "solve_batch", solve_batch,
-      "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a problem\n"
-      "or a contact; fields that are given replace those of it, as numbers or arrays that broadcast to shape (...):\n"
-      "longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], poisson_ratio [-], normal_force [N],\n"
-      "friction [-], rolling_speed [m/s], dissimilarity [-]. Ctrl-C ends the call. Returns SolutionArrays; a status\n"
-      "of a contact does not stop the others. Of the simplified theory Fastsim2.solve_batch is much faster.");
+  def_batch<RollingProblem>(solver, "solve_batch", solve_batch,
+                            "A problem may stand for it. Returns SolutionArrays. Of the simplified theory\n"
+                            "Fastsim2.solve_batch is much faster.");
 }
 
 } // namespace microslip::python

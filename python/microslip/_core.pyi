@@ -451,17 +451,21 @@ class CreepForceTable:
     def poisson_ratios(self) -> tuple:
         """Poisson's ratios of the nodes [-]."""
     def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
-        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
-        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
-        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
-        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
-        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
-        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
-        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
-        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class Creepage:
     """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
@@ -586,12 +590,13 @@ class EllipticContact:
     """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either
     theory take. Fields may be changed between calls; solvers check them, and what is out of range
     gives Status.invalid_input and NaN."""
-    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0, dissimilarity: float = 0.0) -> None:
+    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float | None = None, dissimilarity: float = 0.0) -> None:
         """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's
         ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or
-        (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies."""
+        (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies. Without a
+        speed it is 1 m/s; Error if friction depends on it."""
     @staticmethod
-    def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> EllipticContact:
+    def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float | None = None) -> EllipticContact:
         """From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as above."""
     def check(self) -> None:
         """Raises Error, which names field, value and range, if a field is out of range: solvers answer such a
@@ -690,7 +695,7 @@ class ExactResult:
 
 class Fastsim(RowSolver):
     """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
-    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, direction: Literal["forward", "backward"] = 'forward', precision: str = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ...) -> None:
+    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, direction: Literal["forward", "backward"] = 'forward', precision: Literal["double", "single"] = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ...) -> None:
         """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
         'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
         bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range.
@@ -701,7 +706,7 @@ class Fastsim2(RowSolver):
     """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked
     boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough
     for forces."""
-    def __init__(self, mx: int = 10, my: int = 10, *, direction: Literal["forward", "backward"] = 'forward', precision: str = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ...) -> None:
+    def __init__(self, mx: int = 10, my: int = 10, *, direction: Literal["forward", "backward"] = 'forward', precision: Literal["double", "single"] = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ...) -> None:
         """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
         'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
         bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range."""
@@ -1017,56 +1022,56 @@ class MaterialCreep:
 
 class Method:
     """How a RollingProblem is solved. What is left out takes the best value for the problem."""
-    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = ..., grid: int | tuple[int, int] | None = ..., accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = ..., coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
+    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
         """By keywords. Error for values out of range.
-            theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table
-            grid [-]: elements or cells across the contact along x and y; in [1, 2000]
+            theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'
+            grid [-]: elements or cells across the contact along x and y; in [1, 2000]; default 20
             accuracy [-]: exact: accuracy of the forces in mu Fn, for which grids are chosen; in [1e-05, 0.1]
-            discretisation [-]: exact: of steady rolling; second_order or classical
-            elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear
-            tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]
-            coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating
-            slip_start [-]: exact: which solution is taken where falling friction has several; below or above
-            bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic
-            flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended
-            coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed
+            discretisation [-]: exact: of steady rolling; second_order or classical; default 'second_order'
+            elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear; default 'constant'
+            tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]; default 1e-06
+            coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating; default 'newton'
+            slip_start [-]: exact: which solution is taken where falling friction has several; below or above; default 'below'
+            bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic; default 'parabolic'
+            flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended; default 'three'
+            coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed; default 'kalker'
             slope_reduction [-]: initial, at_infinity and decay, which lessen the creep curve's slope
             table [-]: the CreepForceTable of theory 'table'; left out: the one that microslip has"""
     def replace(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = ..., grid: int | tuple[int, int] | None = ..., accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = ..., coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> Method:
         """The same with other keywords [SI units]; None takes one away."""
     @property
     def theory(self) -> Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"]:
-        """theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table"""
+        """theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'"""
     @property
     def grid(self) -> int | tuple[int, int]:
-        """grid [-]: elements or cells across the contact along x and y; in [1, 2000]"""
+        """grid [-]: elements or cells across the contact along x and y; in [1, 2000]; default 20"""
     @property
     def accuracy(self) -> float | None:
         """accuracy [-]: exact: accuracy of the forces in mu Fn, for which grids are chosen; in [1e-05, 0.1]"""
     @property
     def discretisation(self) -> Literal["second_order", "classical"] | None:
-        """discretisation [-]: exact: of steady rolling; second_order or classical"""
+        """discretisation [-]: exact: of steady rolling; second_order or classical; default 'second_order'"""
     @property
     def elements(self) -> Literal["constant", "bilinear"] | None:
-        """elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear"""
+        """elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear; default 'constant'"""
     @property
     def tolerance(self) -> float:
-        """tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]"""
+        """tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]; default 1e-06"""
     @property
     def coupling(self) -> Literal["newton", "alternating"] | None:
-        """coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating"""
+        """coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating; default 'newton'"""
     @property
     def slip_start(self) -> Literal["below", "above"] | None:
-        """slip_start [-]: exact: which solution is taken where falling friction has several; below or above"""
+        """slip_start [-]: exact: which solution is taken where falling friction has several; below or above; default 'below'"""
     @property
     def bound(self) -> Literal["parabolic", "elliptic"] | None:
-        """bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic"""
+        """bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic; default 'parabolic'"""
     @property
     def flexibility(self) -> Literal["three", "one", "blended"] | None:
-        """flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended"""
+        """flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended; default 'three'"""
     @property
     def coefficients(self) -> Literal["kalker", "computed"]:
-        """coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed"""
+        """coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed; default 'kalker'"""
     @property
     def slope_reduction(self) -> tuple[float, float, float] | None:
         """slope_reduction [-]: initial, at_infinity and decay, which lessen the creep curve's slope"""
@@ -1311,7 +1316,7 @@ class RollingProblem:
         """That of an EllipticContact, whose numbers solvers check, with keywords beyond it or in place of its
         own ones [SI units]."""
     @overload
-    def __init__(self, *, bodies: Bodies | CombinedMaterial, a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float, memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> None:
+    def __init__(self, *, bodies: Bodies | CombinedMaterial, a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float, memory_distance: float | None = 0.0, memory_speed: float | None = 0.0, temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = 'steady', creepage_longitudinal: float | None = 0.0, force_longitudinal: float | None = ..., creepage_lateral: float | None = 0.0, force_lateral: float | None = ..., spin: float | None = 0.0, shift_longitudinal: float | None = 0.0, shift_lateral: float | None = 0.0, rotation: float | None = 0.0, rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = 'forward', step: float | None = ..., steps: int | None = 1) -> None:
         """By keywords. Error for numbers out of range and what is missing.
             bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones
             a [m]: semi-axis of the ellipse of contact along the rolling direction, in place of all radii; positive
@@ -1321,23 +1326,23 @@ class RollingProblem:
             normal_force [N]: force that presses the bodies together; or approach; positive
             approach [m]: relative approach of distant points, in place of normal_force; positive
             friction [-]: a FrictionLaw, or a coefficient for Coulomb's
-            memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]
-            memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]
+            memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]; default 0.0
+            memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]; default 0.0
             temperature_effect [K]: the TemperatureEffect, what temperatures add to the friction
             thermal [K]: the ThermalBody of both bodies, whose surfaces have temperatures then
-            kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady
-            creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force
+            kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady; default 'steady'
+            creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force; default 0.0
             force_longitudinal [N]: prescribed longitudinal force on body 1, in place of the creepage
-            creepage_lateral [-]: lateral creepage
+            creepage_lateral [-]: lateral creepage; default 0.0
             force_lateral [N]: prescribed lateral force on body 1, in place of the creepage
-            spin [1/m]: spin about the normal
-            shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x
-            shift_lateral [m]: the same along y
-            rotation [rad]: shift: rotation about the normal
+            spin [1/m]: spin about the normal; default 0.0
+            shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x; default 0.0
+            shift_lateral [m]: the same along y; default 0.0
+            rotation [rad]: shift: rotation about the normal; default 0.0
             rolling_speed [m/s]: speed with which the contact moves over the bodies; positive
-            direction [-]: rolling along +x or along -x; forward or backward
+            direction [-]: rolling along +x or along -x; forward or backward; default 'forward'
             step [m]: distance rolled in a step; left out: the elements' length; positive
-            steps [-]: number of steps of transient rolling; in [1, 1e+06]"""
+            steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
     def replace(self, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> RollingProblem:
         """The same with other keywords [SI units]; None takes one away. A force goes in place of a creepage, an
         approach in place of the force, and so on."""
@@ -1367,10 +1372,10 @@ class RollingProblem:
         """friction [-]: a FrictionLaw, or a coefficient for Coulomb's"""
     @property
     def memory_distance(self) -> float:
-        """memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]"""
+        """memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]; default 0.0"""
     @property
     def memory_speed(self) -> float:
-        """memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]"""
+        """memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]; default 0.0"""
     @property
     def temperature_effect(self) -> TemperatureEffect | None:
         """temperature_effect [K]: the TemperatureEffect, what temperatures add to the friction"""
@@ -1379,43 +1384,43 @@ class RollingProblem:
         """thermal [K]: the ThermalBody of both bodies, whose surfaces have temperatures then"""
     @property
     def kind(self) -> Literal["shift", "transient", "steady"]:
-        """kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady"""
+        """kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady; default 'steady'"""
     @property
     def creepage_longitudinal(self) -> float | None:
-        """creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force"""
+        """creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force; default 0.0"""
     @property
     def force_longitudinal(self) -> float | None:
         """force_longitudinal [N]: prescribed longitudinal force on body 1, in place of the creepage"""
     @property
     def creepage_lateral(self) -> float | None:
-        """creepage_lateral [-]: lateral creepage"""
+        """creepage_lateral [-]: lateral creepage; default 0.0"""
     @property
     def force_lateral(self) -> float | None:
         """force_lateral [N]: prescribed lateral force on body 1, in place of the creepage"""
     @property
     def spin(self) -> float | None:
-        """spin [1/m]: spin about the normal"""
+        """spin [1/m]: spin about the normal; default 0.0"""
     @property
     def shift_longitudinal(self) -> float | None:
-        """shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x"""
+        """shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x; default 0.0"""
     @property
     def shift_lateral(self) -> float | None:
-        """shift_lateral [m]: the same along y"""
+        """shift_lateral [m]: the same along y; default 0.0"""
     @property
     def rotation(self) -> float | None:
-        """rotation [rad]: shift: rotation about the normal"""
+        """rotation [rad]: shift: rotation about the normal; default 0.0"""
     @property
     def rolling_speed(self) -> float | None:
         """rolling_speed [m/s]: speed with which the contact moves over the bodies; positive"""
     @property
     def direction(self) -> Literal["forward", "backward"]:
-        """direction [-]: rolling along +x or along -x; forward or backward"""
+        """direction [-]: rolling along +x or along -x; forward or backward; default 'forward'"""
     @property
     def step(self) -> float | None:
         """step [m]: distance rolled in a step; left out: the elements' length; positive"""
     @property
     def steps(self) -> int | None:
-        """steps [-]: number of steps of transient rolling; in [1, 1e+06]"""
+        """steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
     def to_dict(self) -> dict[str, Any]:
         """All keywords [SI units] as a dict, None for what is not given; arrays are copies."""
 
@@ -1550,29 +1555,32 @@ class Solver:
     def __init__(self, method: Method, /) -> None:
         """Error if the grid needs more memory than the machine has [-]."""
     @overload
-    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = ..., grid: int | tuple[int, int] | None = ..., accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = ..., coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
+    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
         """With the keywords of a Method [-] in place of one."""
     @property
     def method(self) -> Method:
         """The Method."""
-    def solve(self, problem: RollingProblem) -> ContactSolution:
+    def solve(self, problem: RollingProblem | EllipticContact) -> ContactSolution:
         """The ContactSolution of a problem [SI units]. Input out of range, not converging, no contact and a force
         beyond friction are a status with its reason, and NaN. Error for a problem that the method cannot
         honour, and of a gap on a grid for any input out of range. Cost of the exact theory O(N log N) in the
         number of elements, 2 ms at 24 x 24."""
-    def differentiate(self, problem: RollingProblem) -> ExactDerivatives:
+    def differentiate(self, problem: RollingProblem | EllipticContact) -> ExactDerivatives:
         """Steady rolling of an ellipse by the exact theory at second order: forces [N], [N m] and their derivatives
         with respect to xi [-], eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem,
         accurate to 1e-5 away from kinks."""
-    def deformed_gap(self, problem: RollingProblem) -> NDArray[numpy.float64]:
+    def deformed_gap(self, problem: RollingProblem | EllipticContact) -> NDArray[numpy.float64]:
         """Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,
         shape (my, mx) [m]; zero in contact."""
-    def solve_batch(self, like: RollingProblem, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> SolutionArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like` is a problem
-        or a contact; fields that are given replace those of it, as numbers or arrays that broadcast to shape (...):
-        longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa], poisson_ratio [-], normal_force [N],
-        friction [-], rolling_speed [m/s], dissimilarity [-]. Ctrl-C ends the call. Returns SolutionArrays; a status
-        of a contact does not stop the others. Of the simplified theory Fastsim2.solve_batch is much faster."""
+    def solve_batch(self, like: RollingProblem | EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> SolutionArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. A problem may stand for it. Returns SolutionArrays. Of the simplified theory
+        Fastsim2.solve_batch is much faster."""
 
 class Status(enum.IntEnum):
     """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
