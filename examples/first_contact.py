@@ -18,7 +18,7 @@ forces = derivatives.forces
 print(f"Fx = {forces.fx:.1f} N, Fy = {forces.fy:.1f} N, Mz = {forces.mz:.2f} N m, "
       f"dFx/dxi = {derivatives.jacobian[0, 0]:.3g} N")
 
-exact = microslip.EllipticContactSolver(24, 24).solve(contact)
+exact = microslip.Solver(theory="exact", grid=24).solve(contact)
 print(f"exact theory: Fx = {exact.forces.fx:.1f} N, Fy = {exact.forces.fy:.1f} N, Mz = {exact.forces.mz:.2f} N m")
 
 creepages = [0.0005, 0.001, 0.002, 0.004]

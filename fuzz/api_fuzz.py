@@ -159,7 +159,7 @@ def gap(draw, x, y):
 
 
 def forces(draw, load):
-    return draw.some(force_x=lambda: draw.number(-load, load), force_y=lambda: draw.number(-load, load))
+    return draw.some(force_longitudinal=lambda: draw.number(-load, load), force_lateral=lambda: draw.number(-load, load))
 
 
 def load(draw):
@@ -167,7 +167,7 @@ def load(draw):
 
 
 def motion(draw):
-    return draw.some(motion=lambda: draw.word("steady", "transient", "shift"), step=lambda: draw.scale(1e-5, 1e-2))
+    return draw.some(kind=lambda: draw.word("steady", "transient", "shift"), step=lambda: draw.scale(1e-5, 1e-2))
 
 
 def columns(draw, like):
@@ -183,35 +183,49 @@ def columns(draw, like):
 # What is called. Each returns results to look at.
 
 
-def elliptic_contact(draw):
-    solver = microslip.EllipticContactSolver(draw.count(1, 12), draw.count(1, 12), **draw.some(
-        discretisation=lambda: draw.word("second_order", "classical"), direction=lambda: draw.word("forward", "backward"),
-        elements=lambda: draw.word("constant", "bilinear"), bodies=lambda: bodies(draw),
+def method(draw):
+    """The exact theory with its options, at times another one."""
+    grid = {"grid": draw.choice((draw.count(1, 12), (draw.count(1, 12), draw.count(1, 12))))}
+    if draw.random() < 0.1:
+        return grid | {"theory": draw.word("fastsim", "fastsim2", "fastrip", "table")}
+    return grid | {"theory": "exact"} | draw.some(
+        discretisation=lambda: draw.word("second_order", "classical"), elements=lambda: draw.word("constant", "bilinear"),
         coupling=lambda: draw.word("newton", "alternating"), slip_start=lambda: draw.word("below", "above"),
-        memory_distance=lambda: draw.scale(1e-5, 1e-2), memory_speed=lambda: draw.scale(1e-3, 10),
-        tolerance=lambda: draw.scale(1e-8, 1e-3)), **heat(draw))
+        tolerance=lambda: draw.scale(1e-8, 1e-3))
+
+
+def beyond_contact(draw):
+    """Keywords of a problem beyond those of its contact."""
+    return draw.some(
+        direction=lambda: draw.word("forward", "backward"), bodies=lambda: bodies(draw),
+        memory_distance=lambda: draw.scale(1e-5, 1e-2), memory_speed=lambda: draw.scale(1e-3, 10)) | heat(draw)
+
+
+def elliptic_contact(draw):
+    solver = microslip.Solver(**method(draw))
     case = contact(draw)
     call = draw.choice(("solve", "solve", "deformed_gap", "differentiate", "solve_batch"))
+    moves = motion(draw) if call in ("solve", "deformed_gap") else {}
     if call == "solve":
-        return within_friction(case, solver.solve(case, **motion(draw), **forces(draw, case.normal_force),
-                                                  **draw.some(steps=lambda: draw.count(1, 3))))
-    if call == "deformed_gap":
-        return solver.deformed_gap(case, **draw.some(motion=lambda: draw.word("steady", "transient", "shift")))
-    return solver.differentiate(case) if call == "differentiate" else solver.solve_batch(case, **columns(draw, case))
+        moves |= forces(draw, case.normal_force) | draw.some(steps=lambda: draw.count(1, 3))
+    problem = microslip.RollingProblem(case, **beyond_contact(draw), **moves)
+    if call == "solve":
+        return within_friction(case, solver.solve(problem))
+    return solver.solve_batch(problem, **columns(draw, case)) if call == "solve_batch" else getattr(solver, call)(problem)
 
 
 def accurate_contact(draw):
-    solver = microslip.AccurateContactSolver(draw.choice((0.1, draw.scale(1e-2, 0.1))), **draw.some(
-        direction=lambda: draw.word("forward", "backward"), bodies=lambda: bodies(draw)))
+    solver = microslip.Solver(theory="exact", accuracy=draw.choice((0.1, draw.scale(1e-2, 0.1))))
     case = contact(draw)
     if draw.random() < 0.7:
         case.friction = draw.number(0.05, 0.6)  # others are refused
-    return solver.solve(case, **forces(draw, case.normal_force))
+    return solver.solve(microslip.RollingProblem(case, **forces(draw, case.normal_force), **draw.some(
+        direction=lambda: draw.word("forward", "backward"), bodies=lambda: bodies(draw))))
 
 
 def from_solution(draw):
     """Further results of a solution: fields on another grid, stresses inside."""
-    solver = draw.choice((microslip.Fastsim2(6, 5).fields, microslip.EllipticContactSolver(draw.randint(1, 8), draw.randint(1, 8)).solve))
+    solver = draw.choice((microslip.Fastsim2(6, 5).fields, microslip.Solver(theory="exact", grid=(draw.randint(1, 8), draw.randint(1, 8))).solve))
     solution = solver(contact(draw))
     if draw.random() < 0.5:
         return solution.sampled(draw.word("px", "pressure", "sx", "gap", "temperature1"), grid(draw)[0])
@@ -259,9 +273,11 @@ def normal_problem(draw):
 
 def patch_rolling(draw):
     on, x, y = grid(draw)
-    patch = microslip.PatchRolling(material(draw), on, gap(draw, x, y), **load(draw),
-                                   **draw.some(direction=lambda: draw.word("forward", "backward")))
-    return patch.solve(draw.number(0.05, 0.6), creepage(draw), **forces(draw, 1e4))
+    xi, eta, phi = creepage(draw)
+    problem = microslip.RollingProblem(
+        gap=gap(draw, x, y), grid=on, bodies=material(draw), friction=draw.number(0.05, 0.6), rolling_speed=draw.scale(0.1, 100),
+        creepage_longitudinal=xi, creepage_lateral=eta, spin=phi, **load(draw), **draw.some(direction=lambda: draw.word("forward", "backward")))
+    return microslip.Solver(theory="exact").solve(problem.replace(**forces(draw, 1e4)))
 
 
 def tangential_problem(draw):

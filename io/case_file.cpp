@@ -46,10 +46,14 @@ BodyInput read_body(const TomlSection& body) {
   return input;
 }
 
+} // namespace
+
 Ellipse read_ellipse(const TomlSection& ellipse) {
   ellipse.allow_described();
   return {ellipse.number("a"), ellipse.number("b")};
 }
+
+namespace {
 
 /// A body whose contact with a flat one of the same materials is an ellipse: h = x^2/(2 R) + ...
 void set_radii(const GapCurvatures& gap, BodyInput& body, BodyInput& flat) {
@@ -66,11 +70,15 @@ InterfaceLayer read_layer(const TomlSection& layer) {
   return out;
 }
 
+} // namespace
+
 NormalLoad read_load(const TomlSection& load) {
   load.allow_described();
   const auto given = load.one_of("normal_force", "approach");
   return {given == "approach" ? NormalLoad::Given::approach : NormalLoad::Given::force, load.number(given)};
 }
+
+namespace {
 
 constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
 constexpr std::string_view effect_keys[] = {"thermal_change", "thermal_begin", "thermal_range"};
@@ -147,6 +155,8 @@ double read_component(const TomlSection& motion, std::string_view key, std::stri
   return 0;
 }
 
+} // namespace
+
 Motion read_motion(const TomlSection& given) {
   Motion motion{.kind = given.option<ContactMotion>("kind")};
   const bool shift = motion.kind == ContactMotion::shift;
@@ -165,6 +175,8 @@ Motion read_motion(const TomlSection& given) {
   motion.steps = given.whole("steps");
   return motion;
 }
+
+namespace {
 
 /// Where a key asks for what a case does not have. `what` is the rest of the message.
 void refuse_at(const TomlSection& section, std::string_view name, std::string_view key, bool is_there,
@@ -218,7 +230,9 @@ std::optional<Option> given(const TomlSection& solution, std::string_view key, D
   return solution.has(key) ? std::optional(option) : std::nullopt;
 }
 
-Method read_solution(const TomlSection& solution, const CreepTables& tables, RollingDirection direction) {
+} // namespace
+
+Method read_method(const TomlSection& solution) {
   solution.allow_described({"slope_reduction"});
   Method method{.theory = solution.option<Theory>("theory")};
   std::tie(method.mx, method.my) = solution.wholes("grid");
@@ -228,11 +242,8 @@ Method read_solution(const TomlSection& solution, const CreepTables& tables, Rol
   method.tolerance = solution.number("tolerance");
   method.coupling = given<Coupling>(solution, "coupling");
   method.slip_start = given<SlipStart>(solution, "slip_start");
-  if (method.theory == Theory::table)
-    method.table = tables.get(solution, std::nullopt, direction);
-  else if (solution.has("table"))
-    solution.at("table", [] { throw Incompatible(table_without_theory); });
-  const SimplifiedOptions by_default = simplified_options(method, direction); // FaStrip has others than the table
+  // FaStrip has others than the table, whatever the direction.
+  const SimplifiedOptions by_default = simplified_options(method, RollingDirection::forward);
   method.bound = given<TractionBound>(solution, "bound", by_default.bound);
   method.flexibility = given<FlexibilityModel>(solution, "flexibility", by_default.flexibility);
   method.coefficients = solution.option<CreepageTable>("coefficients");
@@ -242,6 +253,18 @@ Method read_solution(const TomlSection& solution, const CreepTables& tables, Rol
   method.slope_reduction = {.initial = reduction.number("initial"),
                             .at_infinity = reduction.number("at_infinity"),
                             .decay = reduction.number("decay")};
+  return method;
+}
+
+namespace {
+
+/// The method with its creep-force table, if it needs one.
+Method read_method(const TomlSection& solution, const CreepTables& tables, RollingDirection direction) {
+  Method method = read_method(solution);
+  if (method.theory == Theory::table)
+    method.table = tables.get(solution, std::nullopt, direction);
+  else if (solution.has("table"))
+    solution.at("table", [] { throw Incompatible(table_without_theory); });
   return method;
 }
 
@@ -283,7 +306,7 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   problem.load = read_load(root.required_section("load"));
   problem.friction = read_friction(root.required_section("friction"));
   problem.motion = read_motion(root.required_section("motion"));
-  input.method = read_solution(root.optional_section("solution"), tables, problem.motion.direction);
+  input.method = read_method(root.optional_section("solution"), tables, problem.motion.direction);
   if (root.has("interior")) {
     const auto interior = root.required_section("interior");
     input.interior = read_interior(interior);

@@ -47,6 +47,13 @@ RollingCase parse_case(std::string_view text, const std::string& name);
 /// The same of a file that is parsed as TOML already. Where many are read, `tables` are those of all of them.
 RollingCase read_case(const TomlSection& root, const CreepTables& tables = {});
 
+/// Parts of a case from the sections that describe them: [ellipse], [load], [motion] and, but for its creep-force
+/// table, [solution]. Throw Error as above.
+Ellipse read_ellipse(const TomlSection& ellipse);
+NormalLoad read_load(const TomlSection& load);
+Motion read_motion(const TomlSection& motion);
+Method read_method(const TomlSection& solution);
+
 /// One of the bodies of a case, for its interior field.
 InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 

@@ -105,7 +105,9 @@ TomlSection TomlSection::required_section(std::string_view name) const {
 TomlSection TomlSection::optional_section(std::string_view name) const {
   const auto* node = find(name);
   if (node != nullptr && !node->is_table()) wrong_type(name, *node, "a table");
-  return {node == nullptr ? nullptr : node->as_table(), full(name), *this};
+  TomlSection found(node == nullptr ? nullptr : node->as_table(), full(name), *this);
+  found.section_ = section_.empty() ? std::string(name) : section_ + "." + std::string(name);
+  return found;
 }
 
 void TomlSection::allow(const Words& keys) const {
@@ -186,7 +188,8 @@ std::string TomlSection::word(std::string_view key) const {
 
 std::string_view TomlSection::one_of(std::string_view first, std::string_view second) const {
   if (has(first) == has(second))
-    throw Error(line_of(second) + "[" + name_ + "] needs either " + std::string(first) + " or " + std::string(second));
+    throw Error(line_of(second) + in_section(" ") + "needs either " + std::string(first) + " or " +
+                std::string(second));
   return has(first) ? first : second;
 }
 
@@ -308,8 +311,12 @@ std::string TomlSection::line_of(std::string_view key) const {
   return table_ != nullptr ? location(file_, table_->source()) : file_ + ": ";
 }
 
+std::string TomlSection::in_section(const char* after) const {
+  return name_.empty() ? "" : "[" + name_ + "]" + after;
+}
+
 void TomlSection::refuse_missing(std::string_view key) const {
-  throw Error(line_of(key) + "[" + name_ + "]: " + std::string(key) + " is missing");
+  throw Error(line_of(key) + in_section(": ") + std::string(key) + " is missing");
 }
 
 void TomlSection::wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const {

@@ -103,6 +103,8 @@ private:
         inputs_(parent.inputs_), read_(parent.read_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
   std::string full(std::string_view key) const;
+  /// "[load]" and what comes then; nothing in a table without a name.
+  std::string in_section(const char* after) const;
   [[noreturn]] void refuse_missing(std::string_view key) const;
   [[noreturn]] void wrong_type(std::string_view key, const toml::node& node, const std::string& wanted) const;
   double number(std::string_view key, std::string_view unit, std::optional<double> missing, const Check& check) const;

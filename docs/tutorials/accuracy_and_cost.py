@@ -20,17 +20,22 @@ limit = 0.3 * contact.normal_force
 # %% [markdown]
 # ## An answer with its error
 #
-# `AccurateContactSolver` takes the error that is wanted, in units of $\mu F_n$, refines its grid until it is reached,
+# With `accuracy` a `Solver` takes the error that is wanted, in units of $\mu F_n$, refines its grid until it is reached,
 # and says how large it thinks the error is. With a small one we have a reference for all that follows.
 
 # %%
-best = microslip.AccurateContactSolver(1e-4).solve(contact)
+def elements(solution):
+    """Across the ellipse of its grid."""
+    return round(2 * contact.a / solution.grid.dx)
+
+
+best = microslip.Solver(theory="exact", accuracy=1e-4).solve(contact)
 print(f"Fx = {best.forces.fx:.2f} N, Fy = {best.forces.fy:.2f} N")
-print(f"estimated error {best.error:.1e} of mu Fn, {best.elements} elements across")
+print(f"estimated error {best.estimated_error:.1e} of mu Fn, {elements(best)} elements across")
 for wanted in (1e-2, 1e-3):
-    found = microslip.AccurateContactSolver(wanted).solve(contact)
+    found = microslip.Solver(theory="exact", accuracy=wanted).solve(contact)
     true = max(abs(found.forces.fx - best.forces.fx), abs(found.forces.fy - best.forces.fy)) / limit
-    print(f"wanted {wanted:g}: estimated {found.error:.1e}, true {true:.1e}, {found.elements} elements across")
+    print(f"wanted {wanted:g}: estimated {found.estimated_error:.1e}, true {true:.1e}, {elements(found)} elements across")
 
 # %% [markdown]
 # The estimate is meant to be on the safe side, and is; over many cases see
@@ -53,7 +58,7 @@ def measured(solve):
 
 def exact(n, discretisation):
     """The exact theory on n x n elements: a new contact each time, so that nothing is kept from the one before."""
-    return lambda: microslip.EllipticContactSolver(n, n, discretisation=discretisation).solve(contact).forces
+    return lambda: microslip.Solver(theory="exact", grid=n, discretisation=discretisation).solve(contact).forces
 
 
 methods = {
@@ -93,8 +98,8 @@ plt.show()
 # | for | take | because |
 # |---|---|---|
 # | time integration of a vehicle, millions of contacts | `Fastsim2(10, 10)` | a microsecond; an error below that of the profiles and of the friction coefficient |
-# | wear, fatigue, tables of forces | `EllipticContactSolver(24, 24)` | milliseconds; 0.001 of $\mu F_n$ |
-# | a number to trust | `AccurateContactSolver(1e-3)` | it says how far it may be off |
+# | wear, fatigue, tables of forces | `Solver(theory="exact", grid=24)` | milliseconds; 0.001 of $\mu F_n$ |
+# | a number to trust | `Solver(theory="exact", accuracy=1e-3)` | it says how far it may be off |
 # | comparing with CONTACT | `discretisation="classical"` | the same equations, the same digits |
 #
 # Blended flexibilities bring the simplified theory nearer to the exact one, at no cost:

@@ -70,8 +70,8 @@ plt.show()
 # `POISS`, `GG` | `Material(shear_modulus, poisson_ratio)`, in Pa
 # `FN`, `FSTAT` | `normal_force`, `friction` of `EllipticContact`
 # `CKSI`, `CETA`, `CPHI` | `creepage`, spin in 1/m
-# `T` = 1, 2, 3 | `motion="shift"`, `"transient"`, `"steady"`
-# `F` = 1, 2 | `force_x`, `force_y`
+# `T` = 1, 2, 3 | `kind="shift"`, `"transient"`, `"steady"` of `RollingProblem`
+# `F` = 1, 2 | `force_longitudinal`, `force_lateral` of `RollingProblem`
 # `IPOTCN` = -3, `MX`, `MY`, `SCALE` | the ellipse's semi-axes, elements across it
 # `DQ` | `step`
 # `CHI` | `direction`
@@ -85,9 +85,10 @@ plt.show()
 rubbery = microslip.Material(200e6, 0.42)  # 200 N/mm^2
 limit = 0.4 * 9.1954
 contact = microslip.EllipticContact(1e-3, 1e-3, rubbery.shear_modulus, rubbery.poisson_ratio, 9.1954, 0.4)
+problem = microslip.RollingProblem(contact, force_longitudinal=-0.875 * limit)
 print(f"file                  xi = {cases[3].totals.x:.6f}")
 for discretisation, n in (("classical", 15), ("second_order", 15), ("second_order", 64)):
-    solved = microslip.EllipticContactSolver(n, n, discretisation=discretisation).solve(contact, force_x=-0.875 * limit)
+    solved = microslip.Solver(theory="exact", grid=n, discretisation=discretisation).solve(problem)
     print(f"{discretisation:12} {n:3} x {n:<3} xi = {solved.creepage.longitudinal:.6f}")
 
 # %% [markdown]

@@ -67,5 +67,5 @@ except ImportError as error:
 
 # %% [markdown]
 # Derivatives of all these forces come from `differentiate_batch`; the same map by the exact theory from
-# `EllipticContactSolver(24, 24).solve_batch`, and from a table of the exact theory from `CreepForceTable().solve_batch`
+# `Solver(theory="exact", grid=24).solve_batch`, and from a table of the exact theory from `CreepForceTable().solve_batch`
 # ([which theory, at which price](../which-theory.md)).

@@ -19,7 +19,7 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 case = microslip.read_case("examples/hertzian_contact.toml")
 contact = copy.copy(case.contact)  # to be changed below
 limit = 0.3 * contact.normal_force
-solver = microslip.EllipticContactSolver(32, 32)
+solver = microslip.Solver(theory="exact", grid=32)
 
 # %% [markdown]
 # ## Forces given
@@ -28,10 +28,10 @@ solver = microslip.EllipticContactSolver(32, 32)
 # the creepage is then found.
 
 # %%
-solved = solver.solve(contact, force_x=-0.5 * limit)
+solved = solver.solve(microslip.RollingProblem(contact, force_longitudinal=-0.5 * limit))
 print(f"Fx = {solved.forces.fx:.1f} N at xi = {solved.creepage.longitudinal:.6f}")
 print(f"residual {solved.residual:.1e} after {solved.newton_steps} Newton steps; status {solved.forces.status.name}")
-beyond = solver.solve(contact, force_x=-1.1 * limit)
+beyond = solver.solve(microslip.RollingProblem(contact, force_longitudinal=-1.1 * limit))
 share = np.hypot(beyond.forces.fx, beyond.forces.fy) / limit
 print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {share:.3f} mu Fn")
 
@@ -47,8 +47,8 @@ print(f"more than friction can bear: status {beyond.forces.status.name}, |F| = {
 # %%
 contact.creepage = (0.0018, 0.0006, 0.4)
 steps, length = 72, contact.a / 16
-transient = solver.solve(contact, motion="transient", step=length, steps=steps)
-steady = microslip.EllipticContactSolver(32, 32, discretisation="classical").solve(contact)
+transient = solver.solve(microslip.RollingProblem(contact, kind="transient", step=length, steps=steps))
+steady = microslip.Solver(theory="exact", grid=32, discretisation="classical").solve(contact)
 distance = length * np.arange(1, steps + 1) / contact.a
 figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8))
 for name, colour in (("fx", BLUE), ("fy", ORANGE)):
@@ -66,7 +66,7 @@ plt.show()
 #
 # ## Any shape
 #
-# Worn profiles touch in areas that are no ellipses, or in two areas at once. `PatchRolling` takes any undeformed
+# Worn profiles touch in areas that are no ellipses, or in two areas at once. A `RollingProblem` takes any undeformed
 # distance `gap` between the surfaces, given at the centres of a regular grid. Here: a rail with a shallow groove along
 # the middle of its running surface.
 
@@ -77,14 +77,14 @@ mx, my, size = 72, 72, 0.25e-3
 grid = microslip.ElementGrid(mx, my, -(mx - 1) / 2 * size, -(my - 1) / 2 * size, size, size)
 smooth = microslip.hertzian_gap(microslip.gap_curvatures(0.46, np.inf, np.inf, 0.3), grid)
 groove = 30e-6 * np.exp(-((grid.y[:, None] - 0.8e-3) / 1.5e-3) ** 2) + 0 * grid.x[None, :]
-rolling = microslip.PatchRolling(pair, grid, smooth + groove, normal_force=80e3)
-patch = rolling.solve(0.3, (0.0018, 0.0006, 0.4))
-without = microslip.PatchRolling(pair, grid, smooth, normal_force=80e3)
-ellipse = without.solve(0.3, (0.0018, 0.0006, 0.4))
+without = microslip.RollingProblem(gap=smooth, grid=grid, bodies=pair, normal_force=80e3, friction=0.3, rolling_speed=20.0,
+                                   creepage_longitudinal=0.0018, creepage_lateral=0.0006, spin=0.4)
+ellipse = solver.solve(without)
+patch = solver.solve(without.replace(gap=smooth + groove))
 print(f"smooth rail   Fx = {ellipse.forces.fx:.0f} N, Fy = {ellipse.forces.fy:.0f} N")
 print(f"with groove   Fx = {patch.forces.fx:.0f} N, Fy = {patch.forces.fy:.0f} N, status {patch.forces.status.name}")
-print(f"largest pressure: {1e-6 * rolling.normal.peak_pressure:.0f} MPa with the groove, "
-      f"{1e-6 * without.normal.peak_pressure:.0f} MPa without")
+print(f"largest pressure: {1e-6 * patch.peak_pressure:.0f} MPa with the groove, "
+      f"{1e-6 * ellipse.peak_pressure:.0f} MPa without")
 
 # %%
 figure, (left, right) = plt.subplots(

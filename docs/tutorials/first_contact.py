@@ -115,7 +115,7 @@ plt.show()
 # what they are, elastic half-spaces:
 
 # %%
-exact = microslip.EllipticContactSolver(24, 24).solve(contact)
+exact = microslip.Solver(theory="exact", grid=24).solve(contact)
 print(f"FASTSIM2  Fx = {forces.fx:.0f} N, Fy = {forces.fy:.0f} N, Mz = {forces.mz:.1f} N m")
 print(f"exact     Fx = {exact.forces.fx:.0f} N, Fy = {exact.forces.fy:.0f} N, Mz = {exact.forces.mz:.1f} N m")
 

@@ -1,6 +1,5 @@
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
-#include "binding/exact_solver.hpp"
 #include "binding/interior.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
@@ -101,50 +100,12 @@ void write(const SolvedCase& self, const py::object& path) {
                       path_from(path));
 }
 
-/// All that the case says but its contact.
-CommonProblem common_of(const Case& self) {
-  return {.problem = self.input.problem, .bodies = self.input.problem.bodies};
-}
-
-/// With `asked` instead of the case's discretisation, if any. Throws Error if the case cannot have that.
-Method method_for(const Case& self, std::optional<Discretisation> asked) {
-  Method method = self.input.method;
-  method.theory = Theory::exact;
-  method.table.reset();
-  method.accuracy.reset();
-  if (asked) method.discretisation = asked;
-  if (asked == Discretisation::second_order) method.elements.reset();
-  require_compatible(self.input.problem, method);
-  return method;
-}
-
-std::unique_ptr<OneAtATime<ExactSolver>> exact_solver(const Case& self, std::optional<int> elements,
-                                                      std::optional<Discretisation> discretisation) {
-  Method method = method_for(self, discretisation);
-  if (elements) method.mx = method.my = *elements;
-  return std::make_unique<OneAtATime<ExactSolver>>(common_of(self), method);
-}
-
-std::unique_ptr<OneAtATime<AccurateSolver>> accurate_solver(const Case& self, double accuracy) {
-  Method method = method_for(self, Discretisation::second_order);
-  method.accuracy = accuracy;
-  return std::make_unique<OneAtATime<AccurateSolver>>(common_of(self), method);
-}
-
 /// At the points that the case asks for.
 std::optional<States> states_inside(const SolvedCase& self) {
   if (!self.result.exact || self.result.exact->interior.empty()) return std::nullopt;
   const InteriorGrid& points = self.of->input.interior;
   const auto extent = [](const std::vector<double>& axis) { return static_cast<py::ssize_t>(axis.size()); };
   return States{{extent(points.z), extent(points.y), extent(points.x)}, self.result.exact->interior};
-}
-
-RowSolver simplified_solver(const Case& self, std::optional<int> cells) {
-  const Method& method = self.input.method;
-  if (method.theory == Theory::fastrip) throw Error("solution.theory: FaStrip has no solver in Python");
-  SimplifiedOptions options = simplified_options(method, self.input.problem.motion.direction);
-  if (cells) options.mx = options.my = *cells;
-  return {marching_scheme(method.theory), options};
 }
 
 template <class T> auto of_input(T io::RollingCase::*member) {
@@ -185,11 +146,8 @@ void bind_case(py::module_& module) {
   rolling_case.def_property_readonly("title", of_input(&io::RollingCase::title), "Its title.")
       .def_property_readonly("body1", of_input(&io::RollingCase::body1), "The body that forces act on, e.g. the wheel.")
       .def_property_readonly("body2", of_input(&io::RollingCase::body2), "The other body, e.g. the rail.")
-      .def_property_readonly(
-          "friction", [](const Case& self) { return self.input.problem.friction.law; }, "The FrictionLaw, mu [-].")
-      .def_property_readonly(
-          "theory", [](const Case& self) { return self.input.method.theory; },
-          "fastsim, fastsim_half_step, fastsim2, fastrip, exact or table.")
+      .def_property_readonly("problem", of_input(&io::RollingCase::problem), "The RollingProblem of its bodies.")
+      .def_property_readonly("method", of_input(&io::RollingCase::method), "The Method that it asks for.")
       .def_property_readonly(
           "hertz", [](const Case& self) { return hertz_contact(self.input.problem); }, "The HertzContact.")
       .def_property_readonly(
@@ -198,17 +156,7 @@ void bind_case(py::module_& module) {
           "read, not changed: copy.copy(case.contact) gives one that can be.")
       .def_property_readonly(
           "text", [](const Case& self) { return self.text; }, "The text of the file.");
-  rolling_case
-      .def("exact_solver", &exact_solver, py::kw_only(), "cells"_a = py::none(), "discretisation"_a = py::none(),
-           "An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],\n"
-           "on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot\n"
-           "have that discretisation.")
-      .def("accurate_solver", &accurate_solver, "accuracy"_a,
-           "An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation.")
-      .def("simplified_solver", &simplified_solver, py::kw_only(), "cells"_a = py::none(),
-           "The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or\n"
-           "with `cells` in each direction. Error for FaStrip, which has no such solver in Python.");
-  add_value(rolling_case, {"title", "theory", "contact"});
+  add_value(rolling_case, {"title", "method", "contact"});
 
   module.def(
       "read_case",

@@ -70,21 +70,25 @@ void bind_creepage(py::module_& module) {
 }
 
 EllipticContact make_contact(double a, double b, double shear_modulus, double poisson_ratio, double normal_force,
-                             const py::object& friction, const py::object& creepage, double rolling_speed,
-                             double dissimilarity) {
+                             const py::object& friction, const py::object& creepage,
+                             std::optional<double> rolling_speed, double dissimilarity) {
+  const FrictionLaw law = friction_from(friction);
+  if (!rolling_speed && law.kind() != FrictionLaw::Kind::coulomb)
+    throw Error("rolling_speed: must be given for friction that depends on the slip velocity");
   return {.a = a,
           .b = b,
           .shear_modulus = shear_modulus,
           .poisson_ratio = poisson_ratio,
           .normal_force = normal_force,
-          .friction = friction_from(friction),
+          .friction = law,
           .creepage = creepage_from(creepage),
-          .rolling_speed = rolling_speed,
+          .rolling_speed = rolling_speed.value_or(1),
           .dissimilarity = dissimilarity};
 }
 
 EllipticContact contact_from_hertz(const HertzContact& hertz, const CombinedMaterial& material,
-                                   const py::object& friction, const py::object& creepage, double rolling_speed) {
+                                   const py::object& friction, const py::object& creepage,
+                                   std::optional<double> rolling_speed) {
   return make_contact(hertz.a, hertz.b, material.shear_modulus, material.poisson_ratio, hertz.normal_force, friction,
                       creepage, rolling_speed, material.dissimilarity);
 }
@@ -97,12 +101,13 @@ void bind_elliptic_contact(py::module_& module) {
       "gives Status.invalid_input and NaN.");
   contact
       .def(py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
-           "creepage"_a = Creepage{}, "rolling_speed"_a = 1.0, "dissimilarity"_a = 0.0,
+           "creepage"_a = Creepage{}, "rolling_speed"_a = py::none(), "dissimilarity"_a = 0.0,
            "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's\n"
            "ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or\n"
-           "(xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies.")
+           "(xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies. Without a\n"
+           "speed it is 1 m/s; Error if friction depends on it.")
       .def_static("from_hertz", &contact_from_hertz, "hertz"_a, "material"_a, "friction"_a, "creepage"_a = Creepage{},
-                  "rolling_speed"_a = 1.0,
+                  "rolling_speed"_a = py::none(),
                   "From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as "
                   "above.")
       .def(

@@ -19,8 +19,8 @@ inline constexpr auto fields<ForceArrays> =
 template <>
 inline constexpr auto fields<DerivativeArrays> = members<&DerivativeArrays::forces, &DerivativeArrays::jacobian>;
 template <>
-inline constexpr auto fields<ExactForceArrays> =
-    members<&ExactForceArrays::forces, &ExactForceArrays::residual, &ExactForceArrays::newton_steps>;
+inline constexpr auto fields<SolutionArrays> =
+    members<&SolutionArrays::forces, &SolutionArrays::residual, &SolutionArrays::newton_steps>;
 
 namespace {
 
@@ -85,11 +85,30 @@ ContactBatch::ContactBatch(const EllipticContact& like, const ContactArrays& arr
   }
 }
 
+ContactBatch::ContactBatch(const RollingProblem& like, const ContactArrays& arrays)
+    : ContactBatch(elliptic_contact(like), arrays) {
+  problem_ = like;
+  if (!like.bodies.are_elastic() && gives({"shear_modulus", "poisson_ratio", "dissimilarity"}))
+    throw Error("shear_modulus, poisson_ratio, dissimilarity: viscoelastic bodies have their own");
+}
+
 EllipticContact ContactBatch::operator[](std::size_t i) const {
   EllipticContact contact = like_;
   for (std::size_t k = 0; k < columns; ++k)
     if (values_[k] != nullptr) batch_columns[k].set(contact, values_[k][constant_[k] ? 0 : i]);
   return contact;
+}
+
+RollingProblem ContactBatch::problem(std::size_t i) const {
+  RollingProblem out = rolling_problem((*this)[i], problem_.motion);
+  out.bodies.retarded = problem_.bodies.retarded;
+  out.bodies.layer = problem_.bodies.layer;
+  out.friction.memory = problem_.friction.memory;
+  out.friction.temperature_effect = problem_.friction.temperature_effect;
+  out.thermal = problem_.thermal;
+  const bool has_ellipse = std::holds_alternative<Ellipse>(problem_.geometry) || gives({"a", "b"});
+  if (!has_ellipse) out.geometry = problem_.geometry; // whose ellipse follows the load
+  return out;
 }
 
 bool ContactBatch::gives(std::initializer_list<std::string_view> names) const {
@@ -128,7 +147,7 @@ void DerivativeArrays::put(std::size_t i, const ContactDerivatives& derivatives)
   std::copy_n(&derivatives.jacobian[0][0], 12, &jacobian[12 * i]);
 }
 
-ExactForceArrays::ExactForceArrays(const ContactBatch& batch)
+SolutionArrays::SolutionArrays(const ContactBatch& batch)
     : forces(batch), residual(batch.count()), newton_steps(batch.count()) {}
 
 namespace {
@@ -139,9 +158,9 @@ template <class T> auto column(std::vector<T> ForceArrays::*member) {
     return view(forces.*member, forces.shape, self);
   };
 }
-template <class T> auto column(std::vector<T> ExactForceArrays::*member) {
+template <class T> auto column(std::vector<T> SolutionArrays::*member) {
   return [member](const py::object& self) {
-    const auto& result = self.cast<const ExactForceArrays&>();
+    const auto& result = self.cast<const SolutionArrays&>();
     return view(result.*member, result.forces.shape, self);
   };
 }
@@ -227,13 +246,14 @@ void bind_contact_batch(py::module_& module) {
   add_value(derivative_arrays, {"forces", "jacobian"});
   add_labelled_arrays(derivative_arrays);
 
-  py::class_<ExactForceArrays> exact_arrays(module, "ExactForceArrays", "Forces of many contacts by the exact theory.");
+  py::class_<SolutionArrays> exact_arrays(module, "SolutionArrays",
+                                          "Forces of many contacts with what the solver reports.");
   exact_arrays
       .def_property_readonly(
-          "forces", [](const ExactForceArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
-      .def_property_readonly("residual", column(&ExactForceArrays::residual),
+          "forces", [](const SolutionArrays& self) -> const ForceArrays& { return self.forces; }, "The forces.")
+      .def_property_readonly("residual", column(&SolutionArrays::residual),
                              "Relative residuals at the end of the iteration, shape (...) [-].")
-      .def_property_readonly("newton_steps", column(&ExactForceArrays::newton_steps),
+      .def_property_readonly("newton_steps", column(&SolutionArrays::newton_steps),
                              "Steps of Newton's method, shape (...) [-].");
   add_value(exact_arrays, {"forces", "residual", "newton_steps"});
   add_labelled_arrays(exact_arrays);

@@ -1,14 +1,16 @@
+#include "binding/creep_table.hpp"
+
 #include "binding/bindings.hpp"
 #include "binding/contact.hpp"
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
-#include "binding/wheel_rail.hpp"
 #include "binding/words.hpp"
 #include "io/creep_table_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace microslip::python {
@@ -32,7 +34,7 @@ CreepForceTable table_from(const py::object& file, const std::optional<double>& 
 
 } // namespace
 
-CreepForceTable own_creep_table(double poisson_ratio) {
+CreepForceTable own_creep_table(std::optional<double> poisson_ratio) {
   return table_from(py::none(), poisson_ratio, RollingDirection::forward);
 }
 
@@ -52,17 +54,10 @@ auto batch_by(Answer (CreepForceTable::*answer)(const EllipticContact&) const no
   };
 }
 
-constexpr const char* batch_text =
-    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments\n"
-    "as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],\n"
-    "poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers\n"
-    "or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are\n"
-    "no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN.";
-
 } // namespace
 
 void bind_creep_table(py::module_& module) {
-  py::class_<CreepForceTable> table(
+  py::class_<CreepForceTable, std::shared_ptr<CreepForceTable>> table(
       module, "CreepForceTable",
       "Forces of Hertzian contacts in steady rolling by interpolation between results of the exact\n"
       "theory: of its accuracy, at about 1 us a contact. Forces are continuous with their first\n"
@@ -93,10 +88,9 @@ void bind_creep_table(py::module_& module) {
       .def_property_readonly(
           "poisson_ratios", [](const CreepForceTable& self) { return py::tuple(py::cast(self.axes().poisson_ratios)); },
           "Poisson's ratios of the nodes [-].");
-  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve),
-            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(table, "solve_batch", batch_by<ForceArrays>(&CreepForceTable::solve), "Returns ForceArrays.");
   def_batch(table, "differentiate_batch", batch_by<DerivativeArrays>(&CreepForceTable::differentiate),
-            std::string(batch_text) + " Returns DerivativeArrays.");
+            "Returns DerivativeArrays.");
 }
 
 } // namespace microslip::python

@@ -6,7 +6,6 @@
 #include "binding/value.hpp"
 #include "binding/words.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 
 namespace microslip::python {
@@ -189,7 +188,7 @@ void bind_tangential_solution(py::module_& module) {
 const CombinedMaterial& similar(const CombinedMaterial& material) {
   if (material.dissimilarity != 0)
     throw Error("material.dissimilarity", material.dissimilarity, "-",
-                "0 for a tangential problem alone; EllipticContactSolver couples it with the normal one");
+                "0 for a tangential problem alone; a Solver couples it with the normal one");
   return material;
 }
 
@@ -231,70 +230,16 @@ void bind_tangential(py::module_& module) {
                                     }),
                                     shape_of(self.grid)};
           },
-          "bound"_a, "creepage"_a, py::kw_only(), "motion"_a = ContactMotion::steady, "force_x"_a = py::none(),
-          "force_y"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward, "rolling_speed"_a = 1.0,
-          "previous"_a = py::none(), "tolerance"_a = 1e-6,
+          "bound"_a, "creepage"_a, py::kw_only(), "kind"_a = ContactMotion::steady, "force_longitudinal"_a = py::none(),
+          "force_lateral"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward,
+          "rolling_speed"_a = 1.0, "previous"_a = py::none(), "tolerance"_a = 1e-6,
           "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;\n"
-          "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 instead\n"
-          "of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];\n"
+          "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_longitudinal, force_lateral [N]\n"
+          "on body 1 instead of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V "
+          "[m/s];\n"
           "previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:\n"
           "no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for\n"
           "input out of range.");
-}
-
-void bind_patch(py::module_& module) {
-  struct Problem {
-    Problem(const CombinedMaterial& material, const ElementGrid& on, std::span<const double> gap,
-            const NormalLoad& load, RollingDirection direction, const Progress& progress)
-        : rolling(material, on, gap, load, direction, progress), shape(shape_of(on)) {}
-    OneAtATime<PatchRolling> rolling;
-    Shape shape;
-  };
-  py::class_<Problem>(
-      module, "PatchRolling",
-      "Steady rolling of elastically similar bodies of any shape at second order: the normal problem on\n"
-      "a regular grid, elements fitted to the edges of its contact area, the tangential problem on\n"
-      "them. One contact patch or several.")
-      .def(py::init([](const CombinedMaterial& material, const ElementGrid& on, const py::object& gap,
-                       Force normal_force, Force approach, RollingDirection direction) {
-             const auto h = real_array("gap", gap, shape_of(on));
-             const auto load = load_from(normal_force, approach);
-             return long_work([&](const Progress& progress) {
-               return std::make_unique<Problem>(material, on, span_of(h), load, direction, progress);
-             });
-           }),
-           "material"_a, "grid"_a, "gap"_a, py::kw_only(), "normal_force"_a = py::none(), "approach"_a = py::none(),
-           "direction"_a = RollingDirection::forward,
-           "gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the\n"
-           "approach [m] is given. The grid needs three columns to spare on the side that particles come\n"
-           "from and one on the other. Error otherwise.")
-      .def_property_readonly(
-          "normal",
-          [](const Problem& self) {
-            return NormalResult{self.rolling.object.normal(), self.shape};
-          },
-          "The normal problem's NormalSolution.")
-      .def(
-          "solve",
-          [](Problem& self, const py::object& friction, const py::object& creepage, Force force_x, Force force_y,
-             double rolling_speed, double tolerance) {
-            PatchRollingMotion motion{.friction = coulomb_coefficient_from(friction),
-                                      .creepage = creepage_from(creepage),
-                                      .force_x = force_x,
-                                      .force_y = force_y,
-                                      .rolling_speed = rolling_speed,
-                                      .tolerance = tolerance};
-            return self.rolling.run([&](PatchRolling& rolling, const Progress& progress) {
-              motion.progress = progress;
-              return rolling.solve(motion);
-            });
-          },
-          "friction"_a, "creepage"_a, py::kw_only(), "force_x"_a = py::none(), "force_y"_a = py::none(),
-          "rolling_speed"_a = 1.0, "tolerance"_a = 1e-6,
-          "friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; "
-          "force_x,\n"
-          "force_y [N] on body 1 instead of the creepage in that direction; rolling_speed V [m/s] for the\n"
-          "frictional power; tolerance of the relative residual [-]. Returns ContactSolution.");
 }
 
 } // namespace
@@ -303,7 +248,6 @@ void bind_grid_problems(py::module_& module) {
   bind_normal(module);
   bind_tangential_solution(module);
   bind_tangential(module);
-  bind_patch(module);
 }
 
 } // namespace microslip::python

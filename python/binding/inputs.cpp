@@ -1,4 +1,5 @@
 #include "binding/bindings.hpp"
+#include "binding/keywords.hpp"
 
 #include "io/option_words.hpp"
 #include "microslip/description/input.hpp"
@@ -9,7 +10,6 @@
 #include <vector>
 
 namespace microslip::python {
-namespace {
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -24,6 +24,8 @@ py::object default_of(const Input& input) {
   const bool is_whole = input.kind == InputKind::whole || input.kind == InputKind::wholes;
   return is_whole ? py::object(py::int_(static_cast<int>(*input.missing))) : py::float_(*input.missing);
 }
+
+namespace {
 
 py::list inputs(const std::string& kind) {
   io::require_word("kind", kind, description::input_kinds);

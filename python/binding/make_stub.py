@@ -27,7 +27,8 @@ from numpy.typing import ArrayLike, NDArray
 TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for kind in ("bodies", "wheel", "conicity")
                       for key, words in ((one["key"], one["words"]) for one in microslip.inputs(kind)) if words} | {
     "side": 'Literal["left", "right"]',
-    "motion": 'Literal["steady", "transient", "shift"]',
+    "TangentialProblem.kind": 'Literal["steady", "transient", "shift"]',
+    "precision": 'Literal["double", "single"]',
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
     "kind": 'Literal["rail", "wheel"]',
     "body": "Literal[1, 2]",
@@ -35,7 +36,6 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
     "WheelRail.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
     "WheelsetOnTrack.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
     "creepage": "Creepage | tuple[float, float, float]",
-    "bodies": "Bodies | CombinedMaterial",
     "path": "str | os.PathLike[str]",
     "output": "str | os.PathLike[str]",
     "executor": "Executor",
@@ -52,7 +52,7 @@ TYPES_OF_PROPERTIES = {
     "WheelsetContacts.status": "NDArray[numpy.uint8]",
     "ForceArrays.warning_code": "NDArray[numpy.uint32]",
     "WheelRailArrays.warning_code": "NDArray[numpy.uint32]",
-    "ExactForceArrays.newton_steps": "NDArray[numpy.int32]",
+    "SolutionArrays.newton_steps": "NDArray[numpy.int32]",
 }
 RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "angle": "Any", "curvature": "Any", "derivative": "Any",
            "at": "Any", "equivalent_conicity": "Any", "wavelength": "Any", "nonlinearity_parameter": "Any",
@@ -64,6 +64,32 @@ RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "an
 
 # Classes whose methods take a state, and the kind of case that has it.
 OWNERS_OF_STATES = {"WheelRail": "wheel", "WheelsetOnTrack": "wheelset"}
+
+# Classes made from keywords, whose methods take them, and the class whose text lists these.
+OWNERS_OF_KEYWORDS = {"RollingProblem": "RollingProblem", "Method": "Method", "Solver": "Method", "Fastsim": "Method", "Fastsim2": "Method"}
+OF_FASTSIM = ("bound", "flexibility", "coefficients", "slope_reduction")
+# Those that are no keys of case files; the first two a problem must have.
+NEEDED = ("bodies", "friction")
+TYPES_OF_OBJECTS = {
+    "bodies": "Bodies | CombinedMaterial",
+    "friction": "FrictionLaw | float",
+    "gap": "GapCurvatures | ArrayLike | None",
+    "grid": "ElementGrid | None",
+    "temperature_effect": "TemperatureEffect | None",
+    "thermal": "tuple[ThermalBody, ThermalBody] | None",
+    "slope_reduction": "tuple[float, float, float] | None",
+    "table": "CreepForceTable | None",
+}
+# What properties have where keywords take more.
+TYPES_OF_VALUES = {
+    ("RollingProblem", "bodies"): "Bodies",
+    ("RollingProblem", "friction"): "FrictionLaw",
+    ("RollingProblem", "gap"): "GapCurvatures | NDArray[numpy.float64] | None",
+    ("Method", "grid"): "int | tuple[int, int]",
+}
+# Those for which the best value is found where they are left out.
+BY_PROBLEM = ("discretisation", "elements", "coupling", "slip_start", "bound", "flexibility")
+ALWAYS_THERE = ("memory_distance", "memory_speed", "kind", "direction", "theory", "tolerance", "coefficients")
 
 
 def python_type(text):
@@ -103,8 +129,8 @@ def argument(text, owner):
         kind = TYPES_OF_ARGUMENTS.get(name, "str") + " | None"
     if kind == "object":
         kind = "ArrayLike"
-    if kind == "Bodies | None":
-        kind = TYPES_OF_ARGUMENTS[name]
+    if kind == "RollingProblem":
+        kind += " | EllipticContact"  # which makes one
     if default == "None" and "None" not in kind:
         kind += " | None"
     if default.startswith("Creepage(") or default == "inf":
@@ -126,6 +152,31 @@ def keywords(owner, name):
             default = "" if is_needed else " = ..." if given["default"] is None else f" = {given['default']}"
             wanted.append(f"{given['key']}: {kind}" + default)
     return wanted
+
+
+def described_keywords(owner):
+    """The keywords of a class made from them, with their types and defaults, in the order of its text."""
+    inputs = {(one["section"], one["key"]): one for one in microslip.inputs("bodies")}
+    text = getattr(microslip, owner).__init__.__doc__
+    for name in re.findall(r"^    (\w+) \[[^\]]*\]: ", text, re.MULTILINE):
+        sections = ("ellipse", "load", "friction", "motion") if owner == "RollingProblem" else ("solution",)
+        described = next((inputs[section, name] for section in sections if (section, name) in inputs), None)
+        if described is None or name == "table":  # the file of one in case files
+            yield name, TYPES_OF_OBJECTS[name], "..."
+            continue
+        if described["words"]:
+            kind = f"Literal[{', '.join(map(json.dumps, described['words']))}]"
+        else:
+            kind = {"grid": "int | tuple[int, int]", "steps": "int"}.get(name, "float")
+        has_default = described["default"] is not None and name not in BY_PROBLEM
+        yield name, f"{kind} | None", repr(described["default"]) if has_default else "..."
+
+
+def keywords_of(owner, is_partial):
+    """Those that a method takes in place of **kwargs; none must be there where another problem has them."""
+    for key, kind, default in described_keywords(OWNERS_OF_KEYWORDS[owner]):
+        if not owner.startswith("Fastsim") or key in OF_FASTSIM:
+            yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else f" = {'...' if is_partial else default}")
 
 
 def signatures(function):
@@ -168,13 +219,19 @@ def function_lines(name, function, owner="", indent="", decorator=""):
             at = parts.index("**kwargs")
             words = keywords(owner, name)
             parts[at:] = words[1:] if "*" in parts else words
+        if "**kwargs" in parts and owner in OWNERS_OF_KEYWORDS:
+            is_partial = name == "replace" or "contact" in arguments
+            parts[-1:] = [*(["*"] if "*" not in parts else []), *keywords_of(owner, is_partial)]
         if name == "__init__":
             result = "None"
         yield from documented(f"{indent}def {name}({', '.join(parts)}) -> {result}", text, indent)
 
 
 def property_type(owner, name, member):
-    """The type of a property, from its getter's signature."""
+    """The type of a property, from its getter's signature; that of a keyword, where it is one."""
+    if OWNERS_OF_KEYWORDS.get(owner) == owner:
+        kind = next(kind for key, kind, _ in described_keywords(owner) if key == name)
+        return TYPES_OF_VALUES.get((owner, name), kind.removesuffix(" | None") if name in ALWAYS_THERE else kind)
     for key in (f"{owner}.{name}", name):
         if key in TYPES_OF_PROPERTIES and not (key == "status"):
             return TYPES_OF_PROPERTIES[key]
@@ -207,7 +264,7 @@ def class_lines(name, cls):
             lines.append(f"    def {key}(self) -> {SPECIAL_METHODS[key][name]}: ...")
         elif isinstance(member, staticmethod):
             lines += function_lines(key, member.__func__, name, "    ", "staticmethod")
-        elif not key.startswith("_") or (key == "__init__" and member.__doc__.startswith("__init__(self")):
+        elif not key.startswith("_") or (key == "__init__" and member.__doc__.startswith("__init__(")):
             lines += function_lines(key, member, name, "    ")
     return lines
 

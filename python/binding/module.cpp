@@ -61,8 +61,9 @@ PYBIND11_MODULE(_core, module) {
   bind_damage(module);
   bind_simplified(module);
   bind_grid_problems(module);
-  bind_exact(module);
   bind_creep_table(module);
+  bind_rolling_problem(module);
+  bind_solver(module);
   bind_case_files(module);
   bind_inputs_of_cases(module);
   bind_contact_input(module);

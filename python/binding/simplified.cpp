@@ -2,6 +2,7 @@
 #include "binding/contact.hpp"
 #include "binding/contact_batch.hpp"
 #include "binding/long_work.hpp"
+#include "binding/rolling_problem.hpp"
 #include "binding/words.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
@@ -17,19 +18,16 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-SimplifiedOptions options_from(int mx, int my, TractionBound bound, FlexibilityModel flexibility,
-                               CreepageTable coefficients, RollingDirection direction,
-                               const std::array<double, 3>& slope_reduction, Precision precision) {
-  SimplifiedOptions options;
-  options.mx = mx;
-  options.my = my;
-  options.bound = bound;
-  options.flexibility = flexibility;
-  options.creepage_table = coefficients;
-  options.direction = direction;
-  options.slope_reduction = {slope_reduction[0], slope_reduction[1], slope_reduction[2]};
-  options.precision = precision;
-  return options;
+/// The options of a theory by the keywords of a Method. Throws Error for those of other theories.
+SimplifiedOptions options_from(const char* theory, int mx, int my, RollingDirection direction, Precision precision,
+                               const py::kwargs& keywords) {
+  const py::dict all = py::module_::import("builtins").attr("dict")(keywords, "theory"_a = theory);
+  Method method = method_from_keywords(all);
+  method.mx = mx;
+  method.my = my;
+  method.precision = precision;
+  require_compatible({}, method);
+  return simplified_options(method, direction);
 }
 
 /// So many contacts take some ten milliseconds, at 10 ns for a cell.
@@ -82,15 +80,6 @@ ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::o
       {{l1, l2, l3}, friction_from(friction), creepage_from(creepage), rolling_speed});
 }
 
-constexpr const char* batch_text =
-    "Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`\n"
-    "is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:\n"
-    "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
-    "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
-    "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
-    "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
-    "of range have Status.invalid_input and NaN.";
-
 void bind_row_solver(py::module_& module) {
   auto solver = py::class_<RowSolver>(module, "RowSolver",
                                       "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
@@ -132,52 +121,40 @@ void bind_row_solver(py::module_& module) {
       .def("__repr__", [](const py::object& self) {
         return py::str("{}({}, {})").format(py::type::of(self).attr("__name__"), self.attr("mx"), self.attr("my"));
       });
-  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve),
-            std::string(batch_text) + " Returns ForceArrays.");
+  def_batch(solver, "solve_batch", batch_by<ForceArrays, ContactForces>(&RowSolver::solve), "Returns ForceArrays.");
   def_batch(solver, "differentiate_batch", batch_by<DerivativeArrays, ContactDerivatives>(&RowSolver::differentiate),
-            std::string(batch_text) + " Returns DerivativeArrays.");
+            "Returns DerivativeArrays.");
 }
 
 constexpr const char* options_text =
-    "mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility\n"
-    "'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)\n"
-    "or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's\n"
-    "slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,\n"
-    "accurate to 1e-5 of mu Fn. Error if an option is out of range.";
+    "mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision\n"
+    "'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;\n"
+    "bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range.";
 
 } // namespace
 
 void bind_simplified(py::module_& module) {
   bind_row_solver(module);
-  const std::array<double, 3> whole_slope = {1, 1, 0};
   py::class_<Fastsim2, RowSolver>(
       module, "Fastsim2",
       "FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked\n"
       "boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough\n"
       "for forces.")
-      .def(py::init([](int mx, int my, TractionBound bound, FlexibilityModel flexibility, CreepageTable coefficients,
-                       RollingDirection direction, const std::array<double, 3>& slope_reduction, Precision precision) {
-             return Fastsim2(
-                 options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction, precision));
+      .def(py::init([](int mx, int my, RollingDirection direction, Precision precision, const py::kwargs& keywords) {
+             return Fastsim2(options_from("fastsim2", mx, my, direction, precision, keywords));
            }),
-           "mx"_a = 10, "my"_a = 10, py::kw_only(), "bound"_a = TractionBound::parabolic,
-           "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
-           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
+           "mx"_a = 10, "my"_a = 10, py::kw_only(), "direction"_a = RollingDirection::forward,
            "precision"_a = Precision::full, options_text);
   py::class_<Fastsim, RowSolver>(
       module, "Fastsim",
       "FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length.")
-      .def(py::init([](int mx, int my, bool half_first_step, TractionBound bound, FlexibilityModel flexibility,
-                       CreepageTable coefficients, RollingDirection direction,
-                       const std::array<double, 3>& slope_reduction, Precision precision) {
-             return Fastsim(
-                 options_from(mx, my, bound, flexibility, coefficients, direction, slope_reduction, precision),
-                 half_first_step ? FirstStep::half : FirstStep::full);
+      .def(py::init([](int mx, int my, bool half_first_step, RollingDirection direction, Precision precision,
+                       const py::kwargs& keywords) {
+             return Fastsim(options_from("fastsim", mx, my, direction, precision, keywords),
+                            half_first_step ? FirstStep::half : FirstStep::full);
            }),
-           "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false, "bound"_a = TractionBound::parabolic,
-           "flexibility"_a = FlexibilityModel::three, "coefficients"_a = CreepageTable::kalker,
-           "direction"_a = RollingDirection::forward, "slope_reduction"_a = whole_slope,
-           "precision"_a = Precision::full,
+           "mx"_a = 10, "my"_a = 10, py::kw_only(), "half_first_step"_a = false,
+           "direction"_a = RollingDirection::forward, "precision"_a = Precision::full,
            (std::string(options_text) +
             "\nhalf_first_step: half a cell with the rigid slip in the step's middle, half the error; else as\n"
             "in (F16).")

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "binding/arrays.hpp"
+#include "binding/creep_table.hpp"
 #include "binding/long_work.hpp"
 #include "binding/profile.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
-#include "microslip/table/creep_force_table.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -40,8 +40,6 @@ std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& fri
 WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                             const ProfileValue& wheel, const Material& material, const pybind11::object& friction,
                             const SurfaceStrength& strength);
-/// The creep-force table that microslip has, for one Poisson's ratio.
-CreepForceTable own_creep_table(double poisson_ratio);
 /// With theory "table" and no table the one that microslip has, for the bodies' Poisson's ratio.
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,

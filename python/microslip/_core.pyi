@@ -35,23 +35,6 @@ class AccurateContact:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
-class AccurateContactSolver:
-    """Hertzian contacts in steady rolling to an accuracy that is asked for: grids of 8 and 16, 16 and
-    32, ... elements across, extrapolated, until the limit's error is estimated below it."""
-    def __init__(self, accuracy: float, *, direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """accuracy in mu Fn [-], in [1e-5, 0.1];
-        direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
-        CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
-        'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
-        slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
-        several solutions slip_start picks that from 'below' or 'above'. thermal: two ThermalBody,
-        whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these
-        add to the friction.
-        Those that are solved classically take far more elements for the same accuracy."""
-    def solve(self, contact: EllipticContact, *, force_x: float | None = None, force_y: float | None = None) -> AccurateContact:
-        """Steady rolling with creepages, or force_x, force_y [N] on body 1 instead. Returns
-        AccurateContact; its status is not_converged if not even 512 x 512 elements are good enough."""
-
 class Bodies:
     """Two bodies in contact, as the exact theory needs them: elastic ones, or those that viscoelastic() makes."""
     def __init__(self, material: CombinedMaterial, layer: InterfaceLayer | None = None) -> None:
@@ -468,17 +451,21 @@ class CreepForceTable:
     def poisson_ratios(self) -> tuple:
         """Poisson's ratios of the nodes [-]."""
     def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ForceArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
-        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
-        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
-        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
-        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns ForceArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
-        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. Arguments
-        as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m], shear_modulus [Pa],
-        poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-], numbers
-        or arrays that broadcast. Ctrl-C ends the call with KeyboardInterrupt. Error for arrays that are
-        no real numbers or do not go together; contacts out of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class Creepage:
     """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
@@ -603,12 +590,13 @@ class EllipticContact:
     """A Hertzian ellipse with material, load, friction and creepages: what the solvers of either
     theory take. Fields may be changed between calls; solvers check them, and what is out of range
     gives Status.invalid_input and NaN."""
-    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0, dissimilarity: float = 0.0) -> None:
+    def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float | None = None, dissimilarity: float = 0.0) -> None:
         """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's
         ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or
-        (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies."""
+        (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies. Without a
+        speed it is 1 m/s; Error if friction depends on it."""
     @staticmethod
-    def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float = 1.0) -> EllipticContact:
+    def from_hertz(hertz: HertzContact, material: CombinedMaterial, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float | None = None) -> EllipticContact:
         """From a HertzContact and the CombinedMaterial of its bodies, with G, nu and K [-]; the others as above."""
     def check(self) -> None:
         """Raises Error, which names field, value and range, if a field is out of range: solvers answer such a
@@ -668,41 +656,6 @@ class EllipticContact:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
-class EllipticContactSolver:
-    """Hertzian contacts by the exact theory of half-spaces: normal and tangential problem on mx x my
-    elements across the ellipse. Influence coefficients are kept for the next contact with the same
-    ellipse and material. Calls from several Python threads wait for each other; Ctrl-C ends them."""
-    def __init__(self, mx: int = 24, my: int = 24, *, discretisation: Literal["second_order", "classical"] = 'second_order', elements: Literal["constant", "bilinear"] = 'constant', direction: Literal["forward", "backward"] = 'forward', tolerance: float = 1e-06, bodies: Bodies | CombinedMaterial | None = None, coupling: Literal["newton", "alternating"] = 'newton', memory_distance: float = 0.0, memory_speed: float = 0.0, slip_start: Literal["below", "above"] = 'below', thermal: tuple[ThermalBody, ThermalBody] | None = None, temperature_effect: TemperatureEffect | None = None) -> None:
-        """mx, my: elements across the ellipse [-], 1 to 4,000; discretisation of rolling
-        'second_order' or 'classical' (Kalker's, first order; shifts and steps that are given always);
-        elements 'constant' or, classical, 'bilinear';
-        direction 'forward' (along +x) or 'backward'; tolerance of the relative residual [-]. bodies:
-        CombinedMaterial or Bodies, with a layer or viscoelastic ones, classical, coupling 'newton' or
-        'alternating'; None: elastic ones with the contact's G, nu and K. Friction that falls with the
-        slip (classical) follows it over memory_distance [m] or at least with memory_speed [m/s]; of
-        several solutions slip_start picks that from 'below' or 'above'. thermal: two ThermalBody,
-        whose surfaces have temperatures in steady rolling (classical); temperature_effect: what these
-        add to the friction.
-        Error if an option is out of range or the grid needs more memory than the machine has."""
-    def solve(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, steps: int = 1) -> ContactSolution:
-        """Solves a contact. motion: 'steady' rolling; 'transient' rolling, `steps` steps of `step` [m]
-        (0: the elements' length) from zero tractions on; 'shift', a rigid shift with creepages
-        in [m], [m], [rad]. force_x, force_y [N] on body 1 replace the creepage in that
-        direction. Returns ContactSolution; input out of range gives Status.invalid_input and NaN. Cost
-        O(N log N) in the number of elements, 2 ms at 24 x 24."""
-    def differentiate(self, contact: EllipticContact) -> ExactDerivatives:
-        """Steady rolling at second order: forces [N], [N m] and their derivatives with respect to xi [-],
-        eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem, accurate to 1e-5
-        away from kinks."""
-    def deformed_gap(self, contact: EllipticContact, *, motion: Literal["steady", "transient", "shift"] = 'steady') -> NDArray[numpy.float64]:
-        """Deformed distance of the bodies h - delta + u_n at the cells of the results, shape (my, mx) [m]; zero in contact."""
-    def solve_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> ExactForceArrays:
-        """Many contacts in steady rolling in one call, on all processors (threads = 0) or as many threads
-        as given. Arguments as in Fastsim2.solve_batch: longitudinal, lateral [-], spin [1/m], a, b [m],
-        shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-], rolling_speed [m/s],
-        dissimilarity [-], as numbers or arrays that broadcast to shape (...). Ctrl-C ends the call.
-        Returns ExactForceArrays; no contact stops the others."""
-
 class Error(ValueError):
     """A set-up that makes no sense: the text names the field, its value, its unit and the allowed range."""
 
@@ -719,26 +672,6 @@ class ExactDerivatives:
         """Products that the derivatives took [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
-
-class ExactForceArrays:
-    """Forces of many contacts by the exact theory."""
-    @property
-    def forces(self) -> ForceArrays:
-        """The forces."""
-    @property
-    def residual(self) -> NDArray[numpy.float64]:
-        """Relative residuals at the end of the iteration, shape (...) [-]."""
-    @property
-    def newton_steps(self) -> NDArray[numpy.int32]:
-        """Steps of Newton's method, shape (...) [-]."""
-    def to_dict(self) -> dict[str, Any]:
-        """All fields [SI units] as a dict; arrays are copies."""
-    def to_dataframe(self) -> Any:
-        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
-        numbers that all rows share, what result it is, and the version; needs pandas."""
-    def to_xarray(self) -> Any:
-        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
-        attrs what result it is, and the version; needs xarray."""
 
 class ExactResult:
     """What the exact theory makes of a case."""
@@ -762,12 +695,10 @@ class ExactResult:
 
 class Fastsim(RowSolver):
     """FASTSIM (Kalker 1982): the simplified theory by backward Euler, first order in the cell length."""
-    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0), precision: str = 'double') -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
-        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
-        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
-        slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        accurate to 1e-5 of mu Fn. Error if an option is out of range.
+    def __init__(self, mx: int = 10, my: int = 10, *, half_first_step: bool = False, direction: Literal["forward", "backward"] = 'forward', precision: Literal["double", "single"] = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ...) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
+        'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
+        bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range.
         half_first_step: half a cell with the rigid slip in the step's middle, half the error; else as
         in (F16)."""
 
@@ -775,12 +706,10 @@ class Fastsim2(RowSolver):
     """FASTSIM2 (Vollebregt & Wilders 2010): the simplified theory by the trapezoidal rule with tracked
     boundaries between adhesion and slip, second order in the cell length. 10 x 10 cells are enough
     for forces."""
-    def __init__(self, mx: int = 10, my: int = 10, *, bound: Literal["parabolic", "elliptic"] = 'parabolic', flexibility: Literal["three", "one", "blended"] = 'three', coefficients: Literal["kalker", "computed"] = 'kalker', direction: Literal["forward", "backward"] = 'forward', slope_reduction: tuple[float, float, float] = (1.0, 1.0, 0.0), precision: str = 'double') -> None:
-        """mx cells in each of my rows [-], 1 to 10,000; bound 'parabolic' or 'elliptic'; flexibility
-        'three', 'one' or 'blended'; coefficients 'kalker' or 'computed'; direction 'forward' (along +x)
-        or 'backward'; slope_reduction (initial, at_infinity, decay) [-] lessens the creep curve's
-        slope; precision 'double' or 'single', of forces of Coulomb friction only: about half the time,
-        accurate to 1e-5 of mu Fn. Error if an option is out of range."""
+    def __init__(self, mx: int = 10, my: int = 10, *, direction: Literal["forward", "backward"] = 'forward', precision: Literal["double", "single"] = 'double', bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ...) -> None:
+        """mx cells in each of my rows [-], 1 to 10,000; direction 'forward' (along +x) or 'backward'; precision
+        'double' or 'single', of forces of Coulomb friction only: about half the time, accurate to 1e-5 of mu Fn;
+        bound, flexibility, coefficients and slope_reduction as in Method. Error if an option is out of range."""
 
 class ForceArrays:
     """Forces of many contacts: arrays with the shape that the inputs broadcast to; read-only views."""
@@ -1091,6 +1020,67 @@ class MaterialCreep:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class Method:
+    """How a RollingProblem is solved. What is left out takes the best value for the problem."""
+    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
+        """By keywords. Error for values out of range.
+            theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'
+            grid [-]: elements or cells across the contact along x and y; in [1, 2000]; default 20
+            accuracy [-]: exact: accuracy of the forces in mu Fn, for which grids are chosen; in [1e-05, 0.1]
+            discretisation [-]: exact: of steady rolling; second_order or classical; default 'second_order'
+            elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear; default 'constant'
+            tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]; default 1e-06
+            coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating; default 'newton'
+            slip_start [-]: exact: which solution is taken where falling friction has several; below or above; default 'below'
+            bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic; default 'parabolic'
+            flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended; default 'three'
+            coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed; default 'kalker'
+            slope_reduction [-]: initial, at_infinity and decay, which lessen the creep curve's slope
+            table [-]: the CreepForceTable of theory 'table'; left out: the one that microslip has"""
+    def replace(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = ..., grid: int | tuple[int, int] | None = ..., accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = ..., coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> Method:
+        """The same with other keywords [SI units]; None takes one away."""
+    @property
+    def theory(self) -> Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"]:
+        """theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'"""
+    @property
+    def grid(self) -> int | tuple[int, int]:
+        """grid [-]: elements or cells across the contact along x and y; in [1, 2000]; default 20"""
+    @property
+    def accuracy(self) -> float | None:
+        """accuracy [-]: exact: accuracy of the forces in mu Fn, for which grids are chosen; in [1e-05, 0.1]"""
+    @property
+    def discretisation(self) -> Literal["second_order", "classical"] | None:
+        """discretisation [-]: exact: of steady rolling; second_order or classical; default 'second_order'"""
+    @property
+    def elements(self) -> Literal["constant", "bilinear"] | None:
+        """elements [-]: exact: tractions of an element, of the classical discretisation; constant or bilinear; default 'constant'"""
+    @property
+    def tolerance(self) -> float:
+        """tolerance [-]: exact: relative residual at which a solution counts as converged; in [1e-14, 0.1]; default 1e-06"""
+    @property
+    def coupling(self) -> Literal["newton", "alternating"] | None:
+        """coupling [-]: exact: of the normal and the tangential problem of dissimilar materials; newton or alternating; default 'newton'"""
+    @property
+    def slip_start(self) -> Literal["below", "above"] | None:
+        """slip_start [-]: exact: which solution is taken where falling friction has several; below or above; default 'below'"""
+    @property
+    def bound(self) -> Literal["parabolic", "elliptic"] | None:
+        """bound [-]: simplified: traction bound; FaStrip's is elliptic; parabolic or elliptic; default 'parabolic'"""
+    @property
+    def flexibility(self) -> Literal["three", "one", "blended"] | None:
+        """flexibility [-]: simplified: flexibilities; FaStrip's default is blended; three, one or blended; default 'three'"""
+    @property
+    def coefficients(self) -> Literal["kalker", "computed"]:
+        """coefficients [-]: simplified: creepage coefficients, Kalker's table or computed ones; kalker or computed; default 'kalker'"""
+    @property
+    def slope_reduction(self) -> tuple[float, float, float] | None:
+        """slope_reduction [-]: initial, at_infinity and decay, which lessen the creep curve's slope"""
+    @property
+    def table(self) -> CreepForceTable | None:
+        """table [-]: the CreepForceTable of theory 'table'; left out: the one that microslip has"""
+    def to_dict(self) -> dict[str, Any]:
+        """All keywords [SI units] as a dict, None for what is not given; arrays are copies."""
+
 class NormalProblem:
     """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e
     = h - delta + u_n >= 0, p_n e = 0, by conjugate gradients, without friction: any K."""
@@ -1141,22 +1131,6 @@ class NormalSolution:
         """How the calculation ended, a Status [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
-
-class PatchRolling:
-    """Steady rolling of elastically similar bodies of any shape at second order: the normal problem on
-    a regular grid, elements fitted to the edges of its contact area, the tangential problem on
-    them. One contact patch or several."""
-    def __init__(self, material: CombinedMaterial, grid: ElementGrid, gap: ArrayLike, *, normal_force: float | None = None, approach: float | None = None, direction: Literal["forward", "backward"] = 'forward') -> None:
-        """gap is h [m] at the elements' centres, shape (my, mx); either the normal force [N] or the
-        approach [m] is given. The grid needs three columns to spare on the side that particles come
-        from and one on the other. Error otherwise."""
-    @property
-    def normal(self) -> NormalSolution:
-        """The normal problem's NormalSolution."""
-    def solve(self, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], *, force_x: float | None = None, force_y: float | None = None, rolling_speed: float = 1.0, tolerance: float = 1e-06) -> ContactSolution:
-        """friction mu [-] > 0, or Coulomb's FrictionLaw; creepages and spin [-], [-], [1/m] about the grid's origin; force_x,
-        force_y [N] on body 1 instead of the creepage in that direction; rolling_speed V [m/s] for the
-        frictional power; tolerance of the relative residual [-]. Returns ContactSolution."""
 
 class Profile:
     """The cross-section of a rail, or of a wheel through its axle: cubic splines between kinks, y to the field side,
@@ -1282,11 +1256,11 @@ class RollingCase:
     def body2(self) -> Body:
         """The other body, e.g. the rail."""
     @property
-    def friction(self) -> FrictionLaw:
-        """The FrictionLaw, mu [-]."""
+    def problem(self) -> RollingProblem:
+        """The RollingProblem of its bodies."""
     @property
-    def theory(self) -> str:
-        """fastsim, fastsim_half_step, fastsim2, fastrip, exact or table."""
+    def method(self) -> Method:
+        """The Method that it asks for."""
     @property
     def hertz(self) -> HertzContact:
         """The HertzContact."""
@@ -1297,15 +1271,6 @@ class RollingCase:
     @property
     def text(self) -> str:
         """The text of the file."""
-    def exact_solver(self, *, cells: int | None = None, discretisation: Literal["second_order", "classical"] | None = None) -> EllipticContactSolver:
-        """An EllipticContactSolver with all that the case says of bodies, friction, heat and solution [-],
-        on its grid or with `cells` elements across the ellipse in each direction. Error if it cannot
-        have that discretisation."""
-    def accurate_solver(self, accuracy: float) -> AccurateContactSolver:
-        """An AccurateContactSolver for the case [-]. Error if it needs the classical discretisation."""
-    def simplified_solver(self, *, cells: int | None = None) -> RowSolver:
-        """The RowSolver of the case's simplified theory, FASTSIM2 beside the exact one [-], on its grid or
-        with `cells` in each direction. Error for FaStrip, which has no such solver in Python."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -1343,6 +1308,121 @@ class RollingContactResult:
         """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+
+class RollingProblem:
+    """Two bodies that roll or are shifted over each other: all that is given, by the keys of case files."""
+    @overload
+    def __init__(self, contact: EllipticContact, /, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> None:
+        """That of an EllipticContact, whose numbers solvers check, with keywords beyond it or in place of its
+        own ones [SI units]."""
+    @overload
+    def __init__(self, *, bodies: Bodies | CombinedMaterial, a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float, memory_distance: float | None = 0.0, memory_speed: float | None = 0.0, temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = 'steady', creepage_longitudinal: float | None = 0.0, force_longitudinal: float | None = ..., creepage_lateral: float | None = 0.0, force_lateral: float | None = ..., spin: float | None = 0.0, shift_longitudinal: float | None = 0.0, shift_lateral: float | None = 0.0, rotation: float | None = 0.0, rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = 'forward', step: float | None = ..., steps: int | None = 1) -> None:
+        """By keywords. Error for numbers out of range and what is missing.
+            bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones
+            a [m]: semi-axis of the ellipse of contact along the rolling direction, in place of all radii; positive
+            b [m]: its lateral semi-axis; positive
+            gap [m]: in place of a and b, GapCurvatures or the distance h of the bodies at the centres of the grid's elements, shape (my, mx)
+            grid [m]: the ElementGrid of such a distance
+            normal_force [N]: force that presses the bodies together; or approach; positive
+            approach [m]: relative approach of distant points, in place of normal_force; positive
+            friction [-]: a FrictionLaw, or a coefficient for Coulomb's
+            memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]; default 0.0
+            memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]; default 0.0
+            temperature_effect [K]: the TemperatureEffect, what temperatures add to the friction
+            thermal [K]: the ThermalBody of both bodies, whose surfaces have temperatures then
+            kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady; default 'steady'
+            creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force; default 0.0
+            force_longitudinal [N]: prescribed longitudinal force on body 1, in place of the creepage
+            creepage_lateral [-]: lateral creepage; default 0.0
+            force_lateral [N]: prescribed lateral force on body 1, in place of the creepage
+            spin [1/m]: spin about the normal; default 0.0
+            shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x; default 0.0
+            shift_lateral [m]: the same along y; default 0.0
+            rotation [rad]: shift: rotation about the normal; default 0.0
+            rolling_speed [m/s]: speed with which the contact moves over the bodies; positive
+            direction [-]: rolling along +x or along -x; forward or backward; default 'forward'
+            step [m]: distance rolled in a step; left out: the elements' length; positive
+            steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
+    def replace(self, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> RollingProblem:
+        """The same with other keywords [SI units]; None takes one away. A force goes in place of a creepage, an
+        approach in place of the force, and so on."""
+    @property
+    def bodies(self) -> Bodies:
+        """bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones"""
+    @property
+    def a(self) -> float | None:
+        """a [m]: semi-axis of the ellipse of contact along the rolling direction, in place of all radii; positive"""
+    @property
+    def b(self) -> float | None:
+        """b [m]: its lateral semi-axis; positive"""
+    @property
+    def gap(self) -> GapCurvatures | NDArray[numpy.float64] | None:
+        """gap [m]: in place of a and b, GapCurvatures or the distance h of the bodies at the centres of the grid's elements, shape (my, mx)"""
+    @property
+    def grid(self) -> ElementGrid | None:
+        """grid [m]: the ElementGrid of such a distance"""
+    @property
+    def normal_force(self) -> float | None:
+        """normal_force [N]: force that presses the bodies together; or approach; positive"""
+    @property
+    def approach(self) -> float | None:
+        """approach [m]: relative approach of distant points, in place of normal_force; positive"""
+    @property
+    def friction(self) -> FrictionLaw:
+        """friction [-]: a FrictionLaw, or a coefficient for Coulomb's"""
+    @property
+    def memory_distance(self) -> float:
+        """memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]; default 0.0"""
+    @property
+    def memory_speed(self) -> float:
+        """memory_speed [m/s]: slip velocity with which it follows at least; in [0, 1e+06]; default 0.0"""
+    @property
+    def temperature_effect(self) -> TemperatureEffect | None:
+        """temperature_effect [K]: the TemperatureEffect, what temperatures add to the friction"""
+    @property
+    def thermal(self) -> tuple[ThermalBody, ThermalBody] | None:
+        """thermal [K]: the ThermalBody of both bodies, whose surfaces have temperatures then"""
+    @property
+    def kind(self) -> Literal["shift", "transient", "steady"]:
+        """kind [-]: steady rolling, transient rolling from no tractions on, or a shift; shift, transient or steady; default 'steady'"""
+    @property
+    def creepage_longitudinal(self) -> float | None:
+        """creepage_longitudinal [-]: longitudinal creepage; positive gives a negative force; default 0.0"""
+    @property
+    def force_longitudinal(self) -> float | None:
+        """force_longitudinal [N]: prescribed longitudinal force on body 1, in place of the creepage"""
+    @property
+    def creepage_lateral(self) -> float | None:
+        """creepage_lateral [-]: lateral creepage; default 0.0"""
+    @property
+    def force_lateral(self) -> float | None:
+        """force_lateral [N]: prescribed lateral force on body 1, in place of the creepage"""
+    @property
+    def spin(self) -> float | None:
+        """spin [1/m]: spin about the normal; default 0.0"""
+    @property
+    def shift_longitudinal(self) -> float | None:
+        """shift_longitudinal [m]: shift: rigid displacement of body 1 over body 2 along x; default 0.0"""
+    @property
+    def shift_lateral(self) -> float | None:
+        """shift_lateral [m]: the same along y; default 0.0"""
+    @property
+    def rotation(self) -> float | None:
+        """rotation [rad]: shift: rotation about the normal; default 0.0"""
+    @property
+    def rolling_speed(self) -> float | None:
+        """rolling_speed [m/s]: speed with which the contact moves over the bodies; positive"""
+    @property
+    def direction(self) -> Literal["forward", "backward"]:
+        """direction [-]: rolling along +x or along -x; forward or backward; default 'forward'"""
+    @property
+    def step(self) -> float | None:
+        """step [m]: distance rolled in a step; left out: the elements' length; positive"""
+    @property
+    def steps(self) -> int | None:
+        """steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
+    def to_dict(self) -> dict[str, Any]:
+        """All keywords [SI units] as a dict, None for what is not given; arrays are copies."""
 
 class RollingRadiusDifference:
     """The rolling radius difference of a wheelset over its lateral displacement, linear between values; what EN 15302 finds from it."""
@@ -1427,6 +1507,26 @@ class SimplifiedResult:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class SolutionArrays:
+    """Forces of many contacts with what the solver reports."""
+    @property
+    def forces(self) -> ForceArrays:
+        """The forces."""
+    @property
+    def residual(self) -> NDArray[numpy.float64]:
+        """Relative residuals at the end of the iteration, shape (...) [-]."""
+    @property
+    def newton_steps(self) -> NDArray[numpy.int32]:
+        """Steps of Newton's method, shape (...) [-]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+    def to_dataframe(self) -> Any:
+        """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
+        numbers that all rows share, what result it is, and the version; needs pandas."""
+    def to_xarray(self) -> Any:
+        """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
+        attrs what result it is, and the version; needs xarray."""
+
 class SolutionStep:
     """One of the steps of transient rolling."""
     @property
@@ -1446,6 +1546,41 @@ class SolutionStep:
         """Products with the matrix [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
+
+class Solver:
+    """Solves any RollingProblem by one Method, and keeps for the next one what does not change: influence
+    coefficients, transforms, pressures. An EllipticContact stands for the problem that it makes. Calls from
+    several Python threads wait for each other; Ctrl-C ends them."""
+    @overload
+    def __init__(self, method: Method, /) -> None:
+        """Error if the grid needs more memory than the machine has [-]."""
+    @overload
+    def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
+        """With the keywords of a Method [-] in place of one."""
+    @property
+    def method(self) -> Method:
+        """The Method."""
+    def solve(self, problem: RollingProblem | EllipticContact) -> ContactSolution:
+        """The ContactSolution of a problem [SI units]. Input out of range, not converging, no contact and a force
+        beyond friction are a status with its reason, and NaN. Error for a problem that the method cannot
+        honour, and of a gap on a grid for any input out of range. Cost of the exact theory O(N log N) in the
+        number of elements, 2 ms at 24 x 24."""
+    def differentiate(self, problem: RollingProblem | EllipticContact) -> ExactDerivatives:
+        """Steady rolling of an ellipse by the exact theory at second order: forces [N], [N m] and their derivatives
+        with respect to xi [-], eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem,
+        accurate to 1e-5 away from kinks."""
+    def deformed_gap(self, problem: RollingProblem | EllipticContact) -> NDArray[numpy.float64]:
+        """Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,
+        shape (my, mx) [m]; zero in contact."""
+    def solve_batch(self, like: RollingProblem | EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> SolutionArrays:
+        """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
+        is a contact; fields that are given replace those of it, as numbers or arrays that broadcast:
+        longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
+        normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
+        broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        of range have Status.invalid_input and NaN. A problem may stand for it. Returns SolutionArrays. Of the simplified theory
+        Fastsim2.solve_batch is much faster."""
 
 class Status(enum.IntEnum):
     """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
@@ -1574,10 +1709,10 @@ class TangentialProblem:
     def __init__(self, material: CombinedMaterial, grid: ElementGrid) -> None:
         """Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some
         5,900 bytes for an element at most."""
-    def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, motion: Literal["steady", "transient", "shift"] = 'steady', force_x: float | None = None, force_y: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
+    def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, kind: Literal["steady", "transient", "shift"] = 'steady', force_longitudinal: float | None = None, force_lateral: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
         """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;
-        creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_x, force_y [N] on body 1 instead
-        of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];
+        creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_longitudinal, force_lateral [N]
+        on body 1 instead of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];
         previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:
         no tractions; tolerance of the relative residual [-]. Returns TangentialSolution. Error for
         input out of range."""

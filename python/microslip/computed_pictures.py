@@ -32,12 +32,23 @@ def case_of(result):
     return case
 
 
-def contact_of(result, case):
-    """The case's contact with its creepages, as found where a force is given."""
-    contact = copy.copy(case.contact)
-    if "exact" in result:
-        contact.creepage = (result.number("/exact/creepage_longitudinal"), result.number("/exact/creepage_lateral"), contact.creepage.spin)
-    return contact
+def problem_of(result, case):
+    """The case's problem with its creepages, as found where a force is given."""
+    if "exact" not in result:
+        return case.problem
+    return case.problem.replace(**{key: result.number(f"/exact/{key}") for key in ("creepage_longitudinal", "creepage_lateral")})
+
+
+def exact_method(case, **changes):
+    """The exact theory with what the case says of it."""
+    return case.method.replace(theory="exact", table=None, **{"accuracy": None} | changes)
+
+
+def simplified_method(case):
+    """The case's simplified theory, FASTSIM2 beside another one."""
+    said = case.method
+    return microslip.Method(theory=said.theory if said.theory.startswith("fast") else "fastsim2", grid=CURVE_CELLS, bound=said.bound,
+                            flexibility=said.flexibility, coefficients=said.coefficients, slope_reduction=said.slope_reduction)
 
 
 def default_spins(contact):
@@ -51,16 +62,19 @@ def default_spins(contact):
 def creep_curves_picture(result, spins=()):
     """Fx and Fy over the longitudinal creepage for several spins [1/m]: the exact theory and the case's simplified one."""
     case = case_of(result)
-    contact = contact_of(result, case)
+    contact = copy.copy(case.contact)
     spins = list(spins) or default_spins(contact)
     limit = contact.friction.static_coefficient * contact.normal_force
     c = microslip.creepage_coefficients(contact.a / contact.b, contact.poisson_ratio)
     far = 3 * limit / (contact.shear_modulus * contact.a * contact.b * c.c11)
     creepages = np.linspace(-far, far, 61)
-    simplified = {"exact": "fastsim2"}.get(case.theory, case.theory)
-    solvers = {"exact": case.exact_solver(cells=CURVE_GRID), simplified: case.simplified_solver(cells=CURVE_CELLS)}
-    forces = {"exact": solvers["exact"].solve_batch(contact, creepages, 0, np.array(spins)[:, None]).forces,
-              simplified: solvers[simplified].solve_batch(contact, creepages, 0, np.array(spins)[:, None], dissimilarity=0)}
+    method = simplified_method(case)
+    simplified = method.theory
+    contact.dissimilarity = 0  # which the simplified theory does not have
+    curves = {"exact": (exact_method(case, grid=CURVE_GRID), problem_of(result, case)),
+              simplified: (method, microslip.RollingProblem(contact, direction=case.problem.direction))}
+    forces = {theory: microslip.Solver(how).solve_batch(problem, creepages, 0, np.array(spins)[:, None]).forces
+              for theory, (how, problem) in curves.items()}
     figure = new_figure(12.5, 4.8)
     put_title(figure, heading("Creep curves, no lateral creepage", result, forces))
     for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):
@@ -81,10 +95,10 @@ def creep_curves_picture(result, spins=()):
 def convergence_picture(result):
     """Distance of the forces to their limit over the number of elements, log-log, with slopes of first and second order."""
     case = case_of(result)
-    contact = contact_of(result, case)
+    contact, problem = case.contact, problem_of(result, case)
     limit = contact.friction.static_coefficient * contact.normal_force
     try:
-        best = case.accurate_solver(1e-4).solve(contact)
+        best = microslip.Solver(exact_method(case, accuracy=1e-4, discretisation="second_order", elements=None)).solve(problem)
     except microslip.Error as error:
         if "must be classical" not in str(error):
             raise
@@ -94,7 +108,8 @@ def convergence_picture(result):
     axes = figure.subplots()
     open_axes(axes)
     for name, colour in (("second_order", BLUE), ("classical", VERMILION)):
-        solved = [case.exact_solver(cells=n, discretisation=name).solve(contact).forces for n in GRIDS]
+        how = {"discretisation": name} | ({"elements": None} if name == "second_order" else {})
+        solved = [microslip.Solver(exact_method(case, grid=n, **how)).solve(problem).forces for n in GRIDS]
         for force, style, marker in (("fx", "-", "o"), ("fy", "--", "s")):
             if abs(getattr(best.forces, force)) < 1e-6 * limit:
                 continue  # rounding
@@ -110,7 +125,7 @@ def convergence_picture(result):
     axes.set_xlim(0.92 * GRIDS[0], 1.25 * GRIDS[-1])
     axes.set_xticks(GRIDS, [str(n) for n in GRIDS])
     axes.minorticks_off()
-    axes.axhline(best.error, color=BLACK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {best.elements} elements")
+    axes.axhline(best.estimated_error, color=BLACK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {round(2 * contact.a / best.grid.dx)} elements")
     axes.set_xlabel("elements across the ellipse, in each direction [-]")
     axes.set_ylabel(r"distance to the limit / ($\mu F_n$) [-]")
     forces = best.forces

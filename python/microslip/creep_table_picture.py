@@ -23,7 +23,7 @@ def creep_table_picture(table, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0
     G a b/(mu Fn) and the spin with G (a b)^(3/2)/(mu Fn)."""
     contact = unit_contact(axis_ratio, poisson_ratio)
     c = microslip.creepage_coefficients(axis_ratio, poisson_ratio, "computed")
-    exact = microslip.EllipticContactSolver(mx=elements, my=elements) if elements else None
+    exact = microslip.Solver(theory="exact", grid=elements) if elements else None
     panels = (("longitudinal", "fx", np.linspace(0, FAR / c.c11, LINE_POINTS), r"$\xi$", r"$F_x / (\mu F_n)$"),
               ("lateral", "fy", np.linspace(-FAR / c.c22, FAR / c.c22, LINE_POINTS), r"$\eta$", r"$F_y / (\mu F_n)$"),
               ("lateral", "mz", np.linspace(-FAR / c.c22, FAR / c.c22, LINE_POINTS), r"$\eta$", r"$M_z / (\mu F_n \sqrt{ab})$"))

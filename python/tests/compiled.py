@@ -30,4 +30,4 @@ def wheel_on_rail():
 def contact(creepage=(0.0018, 0.0006, 0.4), friction=0.3):
     """The README's example."""
     hertz, pair = wheel_on_rail()
-    return microslip.EllipticContact(hertz.a, hertz.b, pair.shear_modulus, pair.poisson_ratio, 80e3, friction, creepage)
+    return microslip.EllipticContact(hertz.a, hertz.b, pair.shear_modulus, pair.poisson_ratio, 80e3, friction, creepage, rolling_speed=1.0)

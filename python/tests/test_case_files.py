@@ -44,7 +44,7 @@ grid = [8, 8]
 class CaseFilesTest(unittest.TestCase):
     def test_a_case_says_what_its_file_says(self):
         case = microslip.read_case(EXAMPLES / "hertzian_contact.toml")
-        self.assertEqual((case.theory, case.body1.rolling_radius, case.body2.rolling_radius), ("exact", 0.46, math.inf))
+        self.assertEqual((case.method.theory, case.body1.rolling_radius, case.body2.rolling_radius), ("exact", 0.46, math.inf))
         self.assertAlmostEqual(case.hertz.peak_pressure, 1139.19e6, delta=1e4)
         self.assertEqual(case.contact.a, case.hertz.a)
         self.assertEqual(case.text, (EXAMPLES / "hertzian_contact.toml").read_text())
@@ -52,7 +52,7 @@ class CaseFilesTest(unittest.TestCase):
     def test_results_are_those_of_the_solvers(self):
         case = microslip.parse_case(CASE)
         result = microslip.solve_case(case)
-        self.assertEqual(result.exact.forces.fx, microslip.EllipticContactSolver(8, 8).solve(case.contact).forces.fx)
+        self.assertEqual(result.exact.forces.fx, microslip.Solver(theory="exact", grid=8).solve(case.contact).forces.fx)
         self.assertEqual(result.simplified.forces.fx, microslip.Fastsim2(8, 8).solve(case.contact).fx)
         self.assertEqual(result.exact.solution.fields.gap.shape, result.exact.solution.fields.pressure.shape)
         self.assertEqual(result.simplified.curve.variable, "creepage_longitudinal")
@@ -73,9 +73,9 @@ class CaseFilesTest(unittest.TestCase):
     def test_solvers_refuse_what_the_case_cannot_have(self):
         text = CASE.replace("young_modulus = 210e9", "young_modulus = 70e9", 1)
         case = microslip.parse_case(text)
-        for make in (lambda: case.exact_solver(discretisation="second_order"), lambda: case.accurate_solver(1e-2)):
+        for change in ({"discretisation": "second_order"}, {"accuracy": 1e-2, "discretisation": "second_order"}):
             with self.assertRaisesRegex(microslip.Error, "discretisation: must be classical for bodies of different"):
-                make()
+                microslip.Solver(case.method.replace(**change)).solve(case.problem)
         with self.assertRaisesRegex(microslip.Error, "discretisation: must be classical for bodies of different"):
             microslip.parse_case(text + 'discretisation = "second_order"\n')
 

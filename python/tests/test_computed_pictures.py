@@ -32,7 +32,7 @@ class ComputedPicturesTest(unittest.TestCase):
         axes = self.chosen(spins=[0.0, 2.0]).axes[0]
         self.assertEqual(len(axes.lines), 4)
         contact = self.result.contact
-        for line, solver in zip(axes.lines[2:], (microslip.EllipticContactSolver(16, 16), microslip.Fastsim2(20, 20))):
+        for line, solver in zip(axes.lines[2:], (microslip.Solver(theory="exact", grid=16), microslip.Fastsim2(20, 20))):
             creepage, force = line.get_xydata()[45]
             contact.creepage = (1e-3 * creepage, 0, 2.0)
             solved = solver.solve(contact)
@@ -87,15 +87,14 @@ class ComputedPicturesTest(unittest.TestCase):
         """The curves are those of the case's solvers. Returns the figure's title."""
         figure, points = self.curves(path)
         limit = case.contact.friction.static_coefficient * case.contact.normal_force
-        for name, solver in (("exact theory", case.exact_solver(cells=16)),
-                             ("FASTSIM2", case.simplified_solver(cells=20))):
+        contact = copy.copy(case.contact)
+        contact.dissimilarity = 0.0  # which the simplified theory does not have
+        exact = case.method.replace(theory="exact", grid=16)
+        simplified = microslip.Method(grid=20, slope_reduction=case.method.slope_reduction)
+        for name, method, problem in (("exact theory", exact, case.problem), ("FASTSIM2", simplified, microslip.RollingProblem(contact))):
             creepage, force = points[name]
-            contact = copy.copy(case.contact)
-            contact.creepage = (1e-3 * creepage, 0, 0)
-            if name == "FASTSIM2":
-                contact.dissimilarity = 0.0  # which the simplified theory does not have
-            solved = solver.solve(contact)
-            self.assertAlmostEqual(force, getattr(solved, "forces", solved).fx / limit, places=6)
+            moved = problem.replace(creepage_longitudinal=1e-3 * creepage, creepage_lateral=0, spin=0)
+            self.assertAlmostEqual(force, microslip.Solver(method).solve(moved).fx / limit, places=6)
         return figure._suptitle.get_text(), points
 
     def test_creep_curves_are_of_the_case_with_all_it_says(self):

@@ -25,6 +25,13 @@ class ContactTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "creepage: "):
             made.creepage = (1, 2)
 
+    def test_a_speed_is_asked_for_where_friction_depends_on_it(self):
+        numbers = (6e-3, 5e-3, 82e9, 0.28, 80e3)
+        with self.assertRaisesRegex(microslip.Error, "rolling_speed: must be given"):
+            microslip.EllipticContact(*numbers, microslip.FrictionLaw.polach(0.3, 0.4, 0.6))
+        self.assertEqual(microslip.EllipticContact(*numbers, microslip.FrictionLaw.polach(0.3, 0.4, 0.6), rolling_speed=20.0).rolling_speed, 20)
+        self.assertEqual(microslip.EllipticContact(*numbers, 0.3).rolling_speed, 1)
+
     def test_text(self):
         self.assertEqual(repr(microslip.Creepage(0.001)), "Creepage(longitudinal=0.001, lateral=0.0, spin=0.0)")
         self.assertIn("status=ok", repr(microslip.Fastsim2().solve(contact())))

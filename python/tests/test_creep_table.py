@@ -32,7 +32,7 @@ class CreepTableTest(unittest.TestCase):
             self.assertTrue(np.all(np.isnan(batch.jacobian)) and np.isnan(batch.forces.fx))
 
     def test_as_accurate_as_the_exact_theory(self):
-        exact = microslip.AccurateContactSolver(0.003)
+        exact = microslip.Solver(theory="exact", accuracy=0.003)
         for creepage in ((0.0005, 0.0002, 0.1), (0.001, -0.0008, 0.5), (-0.0003, 0.002, -0.2), (0.0, 0.0003, 1.0)):
             found, expected = self.table.solve(contact(creepage)), exact.solve(contact(creepage)).forces
             np.testing.assert_allclose(numbers(found)[:2], numbers(expected)[:2], atol=0.003 * 24e3)

@@ -23,7 +23,7 @@ class CreepTablePictureTest(unittest.TestCase):
 
     def test_lines_are_the_tables_and_points_the_exact_theorys(self):
         axes = creep_table_picture(self.table, axis_ratio=2.0, spins=(0.0, 0.5), elements=12).axes
-        contact, exact = unit_contact(2.0, 0.28), microslip.EllipticContactSolver(12, 12)
+        contact, exact = unit_contact(2.0, 0.28), microslip.Solver(theory="exact", grid=12)
         for panel, force, place in ((0, "fx", 0), (1, "fy", 1), (2, "mz", 1)):
             lines = {line.get_label(): line.get_xydata() for line in axes[panel].lines}
             for x, value in lines["table, spin 0.5"][::40]:

@@ -41,31 +41,31 @@ class GridProblemsTest(unittest.TestCase):
             problem.solve(self.gap + 0j, normal_force=1)
 
     def test_a_patch_with_hertzs_gap_is_the_elliptic_contact(self):
-        rolling = microslip.PatchRolling(self.pair, self.grid, self.gap, normal_force=80e3)
-        patch = rolling.solve(0.3, (0.0018, 0.0006, 0.4))
-        exact = microslip.EllipticContactSolver(40, 40).solve(contact())
+        solver = microslip.Solver(theory="exact")
+        problem = microslip.RollingProblem(gap=self.gap, grid=self.grid, bodies=self.pair, normal_force=80e3, friction=0.3,
+                                           rolling_speed=1.0, creepage_longitudinal=0.0018, creepage_lateral=0.0006, spin=0.4)
+        patch = solver.solve(problem)
+        exact = microslip.Solver(theory="exact", grid=40).solve(contact())
         self.assertAlmostEqual(patch.forces.fx / exact.forces.fx, 1, delta=0.01)
         self.assertAlmostEqual((patch.fields.px * patch.fields.area).sum() / patch.forces.fx, 1, places=12)
-        self.assertEqual(rolling.normal.pressure.shape, (24, 28))
-        law = rolling.solve(microslip.FrictionLaw.coulomb(0.3), (0.0018, 0.0006, 0.4))
+        self.assertEqual(patch.fields.pressure.shape[0], 24)
+        law = solver.solve(problem.replace(friction=microslip.FrictionLaw.coulomb(0.3)))
         self.assertEqual(law.forces.fx, patch.forces.fx)
-        with self.assertRaisesRegex(microslip.Error, "friction: must be a coefficient or Coulomb's law here"):
-            rolling.solve(microslip.FrictionLaw.linear(0.2, (0.1, 1.0)), (0.0018, 0, 0))
-        given = rolling.solve(0.3, (0, 0, 0), force_x=-5e3)
+        given = solver.solve(problem.replace(force_longitudinal=-5e3))
         self.assertAlmostEqual(given.forces.fx / -5e3, 1, places=5)
 
     def test_steps_go_on_from_the_step_before(self):
         bound = 0.3 * self.hertz.pressure(self.grid.x[None, :], self.grid.y[:, None])
         problem = microslip.TangentialProblem(self.pair, self.grid)
-        first = problem.solve(bound, (0.0005, 0, 0), motion="transient")
-        second = problem.solve(bound, (0.0005, 0, 0), motion="transient", previous=first)
-        again = problem.solve(bound, (0.0005, 0, 0), motion="transient")
+        first = problem.solve(bound, (0.0005, 0, 0), kind="transient")
+        second = problem.solve(bound, (0.0005, 0, 0), kind="transient", previous=first)
+        again = problem.solve(bound, (0.0005, 0, 0), kind="transient")
         self.assertLess(second.forces.fx, 1.5 * first.forces.fx)
         self.assertAlmostEqual(again.forces.fx / first.forces.fx, 1, places=6)
         self.assertEqual((first.px.shape, first.state.dtype), ((24, 28), np.uint8))
         smaller = microslip.ElementGrid.across_ellipse(self.hertz.a, self.hertz.b, 8, 8)
         with self.assertRaisesRegex(microslip.Error, "previous has shape"):
-            microslip.TangentialProblem(self.pair, smaller).solve(np.zeros((8, 8)), (0, 0, 0), motion="shift", previous=first)
+            microslip.TangentialProblem(self.pair, smaller).solve(np.zeros((8, 8)), (0, 0, 0), kind="shift", previous=first)
 
 
 load_tests = load_tests_if_compiled([GridProblemsTest])

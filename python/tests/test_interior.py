@@ -51,24 +51,24 @@ class InteriorTest(unittest.TestCase):
         hertz, pair = wheel_on_rail()
         steel = microslip.Material.from_young(210e9, 0.28)
         grid = microslip.ElementGrid.across_ellipse(hertz.a, hertz.b, 24, 24, 4)
-        patch = microslip.PatchRolling(pair, grid, microslip.hertzian_gap(hertz.gap, grid), normal_force=80e3)
+        patch = microslip.RollingProblem(contact(), gap=microslip.hertzian_gap(hertz.gap, grid), grid=grid)
         z = np.array([-3e-3, -1e-3, 1e-3, 3e-3])
         found = [solution.interior_states(steel, steel, [-1e-3, 0, 1e-3], [0, 1e-3], z).von_mises for solution in (
-            microslip.EllipticContactSolver(24, 24).solve(contact()),
-            microslip.EllipticContactSolver(24, 24, discretisation="classical").solve(contact()),
-            patch.solve(0.3, (0.0018, 0.0006, 0.4)))]
+            microslip.Solver(theory="exact", grid=24).solve(contact()),
+            microslip.Solver(theory="exact", grid=24, discretisation="classical").solve(contact()),
+            microslip.Solver(theory="exact").solve(patch))]
         self.assertEqual(found[0].shape, (4, 2, 3))
         for other in found[1:]:
             np.testing.assert_allclose(other, found[0], rtol=0.03)
-        along = microslip.EllipticContactSolver(24, 24).solve(contact()).interior_states(steel, steel, 0.0, 0.0, 0.0)
+        along = microslip.Solver(theory="exact", grid=24).solve(contact()).interior_states(steel, steel, 0.0, 0.0, 0.0)
         self.assertAlmostEqual(along.zz.item() / -hertz.peak_pressure, 1, delta=0.02)
         with self.assertRaisesRegex(microslip.Error, "pressure"):
             microslip.Fastsim2().fields(contact()).interior_states(steel, steel, 0.0, 0.0, 1e-3)
         with self.assertRaisesRegex(microslip.Error, "z = "):
-            patch.solve(0.3, (0.001, 0, 0)).interior_states(steel, steel, 0.0, 0.0, np.nan)
+            microslip.Solver(theory="exact").solve(patch).interior_states(steel, steel, 0.0, 0.0, np.nan)
 
     def test_fields_on_any_grid(self):
-        solved = microslip.EllipticContactSolver(20, 20).solve(contact())
+        solved = microslip.Solver(theory="exact", grid=20).solve(contact())
         grid = microslip.ElementGrid(160, 120, -8e-3, -7.5e-3, 1e-4, 1.25e-4)
         px = solved.sampled("px", grid)
         self.assertEqual(px.shape, (120, 160))

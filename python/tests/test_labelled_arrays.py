@@ -24,7 +24,7 @@ class DataFrameTest(unittest.TestCase):
         self.assertEqual(set(frame.status), {"ok"})
 
     def test_results_within_results_and_further_dimensions(self):
-        exact = microslip.EllipticContactSolver(8, 8).solve_batch(contact(), [1e-3, 2e-3])
+        exact = microslip.Solver(theory="exact", grid=8).solve_batch(contact(), [1e-3, 2e-3])
         np.testing.assert_array_equal(exact.to_dataframe().fx, exact.forces.fx)
         np.testing.assert_array_equal(exact.to_dataframe().residual, exact.residual)
         derivatives = microslip.Fastsim2().differentiate_batch(contact(), [1e-3, 2e-3])
@@ -46,7 +46,7 @@ class DataFrameTest(unittest.TestCase):
         self.assertEqual((frame.attrs["scalars"]["vertical_force"], frame.attrs["units"]["vertical_force"]), (80e3, "N"))
 
     def test_a_solution_has_its_fields_and_totals(self):
-        solution = microslip.EllipticContactSolver(8, 6).solve(contact())
+        solution = microslip.Solver(theory="exact", grid=(8, 6)).solve(contact())
         frame = solution.to_dataframe()
         self.assertEqual(len(frame), solution.fields.px.size)
         self.assertAlmostEqual((frame.area * frame.px).sum() / solution.fx, 1, delta=1e-12)
@@ -95,7 +95,7 @@ class CodesTest(unittest.TestCase):
 
     def test_solvers_show_their_grid(self):
         self.assertEqual(repr(microslip.Fastsim2(8, 6)), "Fastsim2(8, 6)")
-        self.assertEqual(repr(microslip.EllipticContactSolver(8, 6)), "EllipticContactSolver(8, 6)")
+        self.assertEqual(repr(microslip.Solver(theory="exact", grid=(8, 6))), "Solver(Method(theory='exact', grid=(8, 6)))")
 
 
 load_tests = load_tests_if_compiled([DataFrameTest, DatasetTest, CodesTest])

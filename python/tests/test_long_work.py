@@ -45,19 +45,19 @@ class InterruptTest(unittest.TestCase):
         creepages = np.linspace(1e-4, 3e-3, 3_000_000)
         for work in (lambda: microslip.Fastsim2(100, 100).solve_batch(contact(), creepages),
                      lambda: microslip.Fastsim2(1000, 1000).differentiate_batch(contact(), creepages[:10000]),
-                     lambda: microslip.EllipticContactSolver(24, 24).solve_batch(contact(), creepages)):
+                     lambda: microslip.Solver(theory="exact", grid=24).solve_batch(contact(), creepages)):
             self.assertLess(self.interrupt(work), 10)
 
     def test_transient_rolling_ends_early(self):
-        solver = microslip.EllipticContactSolver(24, 24)
-        self.assertLess(self.interrupt(lambda: solver.solve(contact(), motion="transient", steps=1_000_000)), 10)
+        solver = microslip.Solver(theory="exact", grid=24)
+        self.assertLess(self.interrupt(lambda: solver.solve(microslip.RollingProblem(contact(), kind="transient", steps=1_000_000))), 10)
         self.assertIs(solver.solve(contact()).forces.status, microslip.Status.ok)
 
     def test_interior_sums_end_early(self):
         grid = microslip.ElementGrid.across_ellipse(1, 1, 100, 100)
         field = microslip.InteriorField(microslip.Material(1, 0.3), 1, grid, pn=np.ones((100, 100)))
         self.assertLess(self.interrupt(lambda: field.at(np.linspace(-1, 1, 1_000_000), 0, 0.5)), 10)
-        solution, steel = microslip.EllipticContactSolver(60, 60).solve(contact()), microslip.Material.from_young(210e9, 0.28)
+        solution, steel = microslip.Solver(theory="exact", grid=60).solve(contact()), microslip.Material.from_young(210e9, 0.28)
         between = np.linspace(-5e-3, 5e-3, 100)  # no centres of elements, for which there are transforms
         self.assertLess(self.interrupt(lambda: solution.interior_states(steel, steel, between, between, between)), 10)
 
@@ -71,17 +71,17 @@ class InterruptTest(unittest.TestCase):
         self.assertLess(self.interrupt(lambda: geometry.equivalent_conicity(3e-3, gauge=np.linspace(1.43, 1.44, 10000))), 10)
 
     def test_who_waits_for_another_thread_ends_early(self):
-        solver = microslip.EllipticContactSolver(24, 24)
+        solver = microslip.Solver(theory="exact", grid=24)
         begun = threading.Event()
 
         def roll():
             begun.set()
-            solver.solve(contact(), motion="transient", steps=1500)
+            solver.solve(microslip.RollingProblem(contact(), kind="transient", steps=1500))
 
         thread = threading.Thread(target=roll)
         thread.start()
         begun.wait()
-        self.interrupt(lambda: [solver.solve(contact(), motion="transient", steps=1500) for _ in range(1000)])
+        self.interrupt(lambda: [solver.solve(microslip.RollingProblem(contact(), kind="transient", steps=1500)) for _ in range(1000)])
         thread.join()
 
 
@@ -112,11 +112,11 @@ class SignalTest(unittest.TestCase):
         return hertz, pair, grid, microslip.hertzian_gap(hertz.gap, grid)
 
     def test_hertzian_contacts(self):
-        for solver in (microslip.EllipticContactSolver(400, 400),
-                       microslip.EllipticContactSolver(300, 300, discretisation="classical")):
+        for solver in (microslip.Solver(theory="exact", grid=400),
+                       microslip.Solver(theory="exact", grid=300, discretisation="classical")):
             self.expect_heard(lambda: solver.solve(contact()))
-            self.expect_heard(lambda: solver.solve(contact(), motion="transient", steps=100))
-        solver = microslip.EllipticContactSolver(400, 400)
+            self.expect_heard(lambda: solver.solve(microslip.RollingProblem(contact(), kind="transient", steps=100)))
+        solver = microslip.Solver(theory="exact", grid=400)
         self.expect_heard(lambda: solver.differentiate(contact()))
 
     def test_the_normal_problem(self):
@@ -152,11 +152,9 @@ class SignalTest(unittest.TestCase):
         self.expect_heard(lambda: microslip.NormalProblem(pair, grid))
 
     def test_patches(self):
-        _, pair, grid, gap = self.grid(500)
-        self.expect_heard(lambda: microslip.PatchRolling(pair, grid, gap, normal_force=80e3))
-        _, pair, grid, gap = self.grid(300)
-        rolling = microslip.PatchRolling(pair, grid, gap, normal_force=80e3)
-        self.expect_heard(lambda: rolling.solve(0.3, (0.0018, 0.0006, 0.4)))
+        _, _, grid, gap = self.grid(500)
+        problem = microslip.RollingProblem(contact(), gap=gap, grid=grid)
+        self.expect_heard(lambda: microslip.Solver(theory="exact").solve(problem))
 
 
 class ThreadsTest(unittest.TestCase):
@@ -179,13 +177,13 @@ class ThreadsTest(unittest.TestCase):
         self.assertGreater(counted[0], 5)
 
     def test_one_solver_in_many_threads(self):
-        solver = microslip.EllipticContactSolver(8, 8)
+        solver = microslip.Solver(theory="exact", grid=8)
         results = [None] * 8
 
         def solve(i):
             made = contact((2e-4 * (i + 1), 0, 0))
             made.a *= 1 + 0.1 * (i % 2)  # another ellipse: the solver starts anew
-            results[i] = solver.solve(made).forces.fx, microslip.EllipticContactSolver(8, 8).solve(made).forces.fx
+            results[i] = solver.solve(made).forces.fx, microslip.Solver(theory="exact", grid=8).solve(made).forces.fx
 
         threads = [threading.Thread(target=solve, args=(i,)) for i in range(8)]
         for thread in threads:

@@ -23,7 +23,7 @@ class ReferenceTest(unittest.TestCase):
 
     def test_methods_have_the_types_of_the_stub(self):
         self.assertIn("#### RowSolver.solve\n", self.made)
-        self.assertIn('Fastsim2(mx: int=10, my: int=10, *, bound: Literal[\'parabolic\', \'elliptic\']', self.made)
+        self.assertIn('Fastsim2(mx: int=10, my: int=10, *, direction: Literal[\'forward\', \'backward\']', self.made)
         self.assertNotIn("self: microslip", self.made)
 
     def test_fields_stand_in_tables(self):
