@@ -37,13 +37,14 @@ Value rigid_slip(const Outcome& o, bool in_x, double factor) {
   };
 }
 
-/// Where a layer yields, and how far it has: tau_c = tau_c0 + k_tau u_pl.
-Value yield_stress(const Contact& c, double unit) {
+/// Where a layer yields after what it has yielded, tau_c = tau_c0 + k_tau u_pl; 0 where it never does.
+Value yield_stress(const Contact& c, double pressure) {
   if (c.data.digits.mater != Bulk::layer) throw Refusal(CNTC_err_other, "there is no layer, M = 4");
-  const double begin = c.data.material->model_data[2], slope = c.data.material->model_data[3];
-  const auto& plastic = c.outcome.solution.tangential.tractions.plastic_deformation;
-  return [begin, slope, &plastic, unit](std::size_t k) {
-    return unit * (begin + slope * (plastic.empty() ? 0 : plastic[k] * mm_per_m));
+  const InterfaceLayer& layer = c.outcome.step.bodies.layer;
+  const auto& plastic = c.outcome.solution.slip_friction.deformation;
+  const double untouched = layer.yields() ? layer.yield_stress : 0;
+  return [&layer, &plastic, untouched, pressure](std::size_t k) {
+    return pressure * (plastic.empty() ? untouched : layer.yield_stress_after(plastic[k]));
   };
 }
 
@@ -73,7 +74,7 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   case CNTC_fld_un:
     return scaled(n.displacement, length);
   case CNTC_fld_taucrt:
-    return yield_stress(c, 1 / p.units.pressure());
+    return yield_stress(c, pressure);
   case CNTC_fld_sx:
     return scaled(t.sx, slip);
   case CNTC_fld_sy:
