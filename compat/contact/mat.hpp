@@ -16,5 +16,9 @@ namespace microslip::contact_program {
 std::string mat_text(const Case& c, const Outcome& outcome);
 /// The same for a patch of a wheel, `patch` from 0.
 std::string mat_text(const Case& c, const WheelOutcome& wheel, std::size_t patch);
+/// What CONTACT adds to the case's number in the names of such a patch's files: a, b, ....
+inline std::string patch_letter(std::size_t patch) {
+  return std::string(1, static_cast<char>('a' + patch));
+}
 
 } // namespace microslip::contact_program

@@ -45,6 +45,7 @@ void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
   const auto& d = p.wheel();
   (p.data.digits.norm == contact_program::Normal::force ? p.vertical_force : p.z) = d.position.z;
   (d.digits.force == contact_program::TotalForce::force_x ? p.force_x : p.vpitch) = d.velocity.vpitch;
+  p.given_rail = p.given_wheel = {};
   p.points(-1) = p.data.points;
   p.data.digits.stress = contact_program::InteriorPoints::none;
 }
