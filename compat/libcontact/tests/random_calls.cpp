@@ -291,15 +291,18 @@ private:
     return numbers;
   }
 
-  /// An input file with the wheel's case, in the current folder.
+  /// An input file with the wheel's case, or that of Simpack's pair, in the current folder.
   void read_a_file() {
-    std::ofstream("wheel.inp") << " 1 MODULE\n 1203100\n 0022033\n 0000321\n 999 20 25 1 1e-5\n .3 .3\n"
-                               << " .28 .28 82000. 82000.\n .5 .5 1. 90d 8. 4.\n 14. 0 1435. .05\n '" << profiles
-                               << "60e1.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1360. -70. 460.\n '" << profiles
+    const bool is_pair = chance_.one_in(2);
+    std::ofstream("wheel.inp") << (is_pair ? " 11" : " 1")
+                               << " MODULE\n 1203100\n 0022033\n 0000321\n 999 20 25 1 1e-5\n"
+                               << " .3 .3\n .28 .28 82000. 82000.\n .5 .5 1. 90d 8. 4.\n 14. 0 1435. .05\n '"
+                               << profiles << "60e1.prr' 0 1. 0.\n"
+                               << (is_pair ? "" : " 0 0 0 0 0 0\n") << " 1360. -70. 460.\n '" << profiles
                                << "s1002.prw' 0 1. 0.\n 0 " << perhaps(3) << " " << perhaps(80000)
                                << " 0 0 0\n 30000. 0 0 0 0 " << perhaps(-65.2) << "\n";
     const std::string name = "wheel.inp";
-    int ire = wheel, kind = CNTC_inp_modul1, length = size_of(name), error = 0;
+    int ire = wheel, kind = is_pair ? CNTC_inp_spck : CNTC_inp_modul1, length = size_of(name), error = 0;
     give("cntc_readinpfile", [&] { return cntc_readinpfile(&ire, &kind, name.c_str(), &length, &error); });
   }
 
