@@ -1,3 +1,4 @@
+#include "compat/contact/plastic_deformation.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
@@ -48,6 +49,12 @@ Value yield_stress(const Contact& c, double pressure) {
   };
 }
 
+Value plastic(const Contact& c, bool in_x, double length) {
+  const auto found = plastic_deformation(c.data, c.outcome);
+  if (!found) throw Refusal(CNTC_err_other, "the direction of plastic deformation of cases before is not kept");
+  return [field = in_x ? found->x : found->y, length](std::size_t k) { return length * field[k]; };
+}
+
 /// Of one of CNTC_fld_...
 Value field(const ContactProblem& p, const Contact& c, int code) {
   const Outcome& o = c.outcome;
@@ -89,7 +96,7 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
     return scaled(code == CNTC_fld_temp1 ? o.temperature->body1 : o.temperature->body2, 1);
   case CNTC_fld_uplsx:
   case CNTC_fld_uplsy:
-    throw Refusal(CNTC_err_other, "the direction of a layer's plastic deformation is not kept");
+    return plastic(c, code == CNTC_fld_uplsx, length);
   default:
     throw Refusal(CNTC_err_other, "field " + std::to_string(code) + " does not exist");
   }

@@ -158,9 +158,10 @@ static void show_interior(int ire, int icp, int calculated_icp) {
 }
 
 static void show_fields(int ire, int icp) {
-  static const int codes[] = {CNTC_fld_h,  CNTC_fld_mu, CNTC_fld_px,     CNTC_fld_py,    CNTC_fld_pn,
-                              CNTC_fld_ux, CNTC_fld_uy, CNTC_fld_un,     CNTC_fld_sx,    CNTC_fld_sy,
-                              CNTC_fld_wx, CNTC_fld_wy, CNTC_fld_taucrt, CNTC_fld_temp1, CNTC_fld_temp2};
+  static const int codes[] = {CNTC_fld_h,     CNTC_fld_mu,   CNTC_fld_px,     CNTC_fld_py,    CNTC_fld_pn,
+                              CNTC_fld_ux,    CNTC_fld_uy,   CNTC_fld_un,     CNTC_fld_sx,    CNTC_fld_sy,
+                              CNTC_fld_wx,    CNTC_fld_wy,   CNTC_fld_taucrt, CNTC_fld_uplsx, CNTC_fld_uplsy,
+                              CNTC_fld_temp1, CNTC_fld_temp2};
   int mx, my, count, code, numbers[2];
   size_t k;
   double *a, *b, *c;

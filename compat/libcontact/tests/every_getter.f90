@@ -175,9 +175,10 @@ contains
 
   subroutine show_fields(ire, icp)
     integer(c_int), intent(in) :: ire, icp
-    integer(c_int), parameter :: codes(15) = [ &
+    integer(c_int), parameter :: codes(17) = [ &
       CNTC_fld_h, CNTC_fld_mu, CNTC_fld_px, CNTC_fld_py, CNTC_fld_pn, CNTC_fld_ux, CNTC_fld_uy, CNTC_fld_un, &
-      CNTC_fld_sx, CNTC_fld_sy, CNTC_fld_wx, CNTC_fld_wy, CNTC_fld_taucrt, CNTC_fld_temp1, CNTC_fld_temp2]
+      CNTC_fld_sx, CNTC_fld_sy, CNTC_fld_wx, CNTC_fld_wy, CNTC_fld_taucrt, CNTC_fld_uplsx, CNTC_fld_uplsy, &
+      CNTC_fld_temp1, CNTC_fld_temp2]
     integer(c_int) :: mx, my, k
     integer(c_int), allocatable :: division(:)
     real(c_double), allocatable :: a(:), b(:), c(:)

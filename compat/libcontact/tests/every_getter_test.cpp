@@ -1,6 +1,7 @@
 // Results by every function that gets some, of programs that make no initialisation, set no T and call in an unusual
 // order: in C and in Fortran the same, and those of the same cases as an input file.
 
+#include "compat/contact/plastic_deformation.hpp"
 #include "compat/contact/run.hpp"
 #include "compat/contact/sensitivities.hpp"
 #include "compat/contact/set_up.hpp"
@@ -186,6 +187,9 @@ private:
                                        {CNTC_fld_wy, &wy},
                                        {CNTC_fld_taucrt, &yield}})
       add_field(code, *values);
+    const auto plastic = plastic_deformation(case_, outcome_);
+    add_field(CNTC_fld_uplsx, scaled(plastic->x, 1e3, count));
+    add_field(CNTC_fld_uplsy, scaled(plastic->y, 1e3, count));
     add_field(CNTC_fld_temp1, scaled(outcome_.temperature ? outcome_.temperature->body1 : Values(), 1, count));
     add_field(CNTC_fld_temp2, scaled(outcome_.temperature ? outcome_.temperature->body2 : Values(), 1, count));
     add("cntc_gettractions_pn", pn);
@@ -305,6 +309,30 @@ TEST(EveryGetter, TellsHertzsNumbers) {
   EXPECT_NEAR(h.at(3), 0.8, 1e-12);
   EXPECT_NEAR(h.at(4) * (h.at(0) + h.at(1)), 2, 1e-12);
   EXPECT_NEAR(h.at(6), 1.25, 1e-12);
+}
+
+/// From element to element the layer deforms against the slip, which is plastic where it yields, by as much as its
+/// yield stress tells.
+TEST(EveryGetter, TellsThePlasticDeformation) {
+  const auto field = [](int code) -> const Values& {
+    return in_c().at("cntc_getfielddata_" + std::to_string(code) + " 4 5");
+  };
+  const Values &x = field(CNTC_fld_uplsx), &y = field(CNTC_fld_uplsy), &yield = field(CNTC_fld_taucrt),
+               &sx = field(CNTC_fld_sx), &sy = field(CNTC_fld_sy), &division = in_c().at("cntc_getelementdivision 4 5");
+  const double dx = in_c().at("cntc_getgriddiscretization 4 5").at(0), hardening = 500;
+  constexpr std::size_t mx = 12;
+  int yielding = 0;
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    if (k % mx == mx - 1) continue; // particles come in there
+    const double by_x = x[k] - x[k + 1], by_y = y[k] - y[k + 1], length = std::hypot(by_x, by_y);
+    EXPECT_NEAR(length, (yield[k] - yield[k + 1]) / hardening, 1e-12) << k;
+    EXPECT_NEAR(by_x * sy[k] - by_y * sx[k], 0, 1e-14) << k;
+    if (division[k] != 3) continue;
+    ++yielding;
+    EXPECT_NEAR(by_x, -sx[k] * dx, 1e-12) << k;
+    EXPECT_NEAR(by_y, -sy[k] * dx, 1e-12) << k;
+  }
+  EXPECT_GT(yielding, 50);
 }
 
 /// No function that gets something is left out.
