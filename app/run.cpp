@@ -310,7 +310,7 @@ private:
     }
     const auto& patches = outcome.wheel->patches;
     for (std::size_t k = 0; k < patches.size(); ++k) {
-      const std::string letter(1, static_cast<char>('a' + k)); // as CONTACT names them
+      const std::string letter = contact_program::patch_letter(k);
       if (c.digits.matfil != contact_program::Stored::none)
         write_text(c, letter + ".mat", contact_program::mat_text(c, *outcome.wheel, k));
       write_points(c, *patches[k].solution, letter);

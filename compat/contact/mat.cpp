@@ -1,6 +1,7 @@
 #include "compat/contact/mat.hpp"
 
 #include "compat/contact/fortran.hpp"
+#include "compat/contact/plastic_deformation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,7 @@ class MatFile {
 public:
   MatFile(const Case& c, const Outcome& outcome) : case_(c), outcome_(outcome) {
     yields_ = c.digits.mater == Bulk::layer && outcome.step.bodies.layer.yields();
+    if (yields_) plastic_ = plastic_deformation(c, outcome);
     heats_ = c.digits.heat != Heat::none;
     columns_ = 11 + (yields_ ? 3 : 0) + (heats_ ? 2 : 0);
   }
@@ -205,18 +207,20 @@ private:
             state == slip ? std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1) : 0};
   }
 
-  /// What the layer bears now, and how far it has yielded.
+  /// What the layer bears now, and how far it has yielded: along the traction if no more is known.
   Numbers layer(std::size_t k) const {
     const TangentialState& t = outcome_.solution.tangential.tractions;
     const auto& deformation = outcome_.solution.slip_friction.deformation;
     const double u = deformation.empty() ? 0 : deformation[k], p = std::hypot(t.px[k], t.py[k]);
     const double share = p > 0 ? u / p : 0;
-    return {outcome_.step.bodies.layer.yield_stress_after(u) * mega, share * t.px[k] * per_m, share * t.py[k] * per_m};
+    const double x = plastic_ ? plastic_->x[k] : share * t.px[k], y = plastic_ ? plastic_->y[k] : share * t.py[k];
+    return {outcome_.step.bodies.layer.yield_stress_after(u) * mega, x * per_m, y * per_m};
   }
 
   const Case& case_;
   const Outcome& outcome_;
   bool yields_ = false, heats_ = false;
+  std::optional<PlasticDeformation> plastic_; ///< of a layer that yields, where it is known
   std::size_t columns_ = 0;
   std::string text_;
 };

@@ -221,9 +221,13 @@ std::string out_head() {
 std::string out_text(const Case& c, const Outcome& outcome) {
   std::string text = fmt::format("\n Case{:6}", c.number_in_element);
   if (c.names_element) text += fmt::format(", result element{:4}", c.sequence.first);
-  text += "\n";
+  return text + "\n" + out_results(c, outcome);
+}
+
+std::string out_results(const Case& c, const Outcome& outcome) {
   // What reads these files looks for the word with a capital letter.
-  if (outcome.kind == Outcome::Kind::skipped) return text + " Not run: " + written(c.digits.solve) + "\n";
+  if (outcome.kind == Outcome::Kind::skipped) return " Not run: " + written(c.digits.solve) + "\n";
+  std::string text;
   for (const auto& reason : outcome.reasons) text += " ERROR: not run: " + reason + "\n";
   if (outcome.kind == Outcome::Kind::refused) return text;
   for (const auto& note : outcome.notes) text += " NOTE: " + note + "\n";

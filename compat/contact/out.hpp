@@ -15,6 +15,8 @@ std::string out_head();
 /// A case as far as digit O asks for it: 0 its number only; 1 totals; 2 input as well; 3 the contact's form; 5 a table
 /// of the elements in contact, 6 of all. A case that was not run has the reasons.
 std::string out_text(const Case& c, const Outcome& outcome);
+/// The same without the line with its number.
+std::string out_results(const Case& c, const Outcome& outcome);
 /// Text behind the last one.
 std::string out_end();
 

@@ -1,5 +1,6 @@
 #include "compat/libcontact/contact_problem.hpp"
 
+#include "compat/contact/out_sections.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/refusal.hpp"
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 
 namespace microslip::libcontact {
 
@@ -122,6 +124,9 @@ void set_digit_defaults(Digits& d) {
   d.heat = default_choice<Heat>("H");
   d.gausei = default_choice<SolverChoice>("G");
   d.iestim = default_choice<InitialGuess>("I");
+  d.matfil = default_choice<Stored>("A");
+  d.output = default_choice<PrintLevel>("O");
+  d.flow = default_choice<FlowLevel>("W");
   d.solve = default_choice<Treatment>("R");
 }
 
@@ -222,7 +227,7 @@ void check(const Case& c) {
 
 } // namespace
 
-ContactProblem::ContactProblem(int number) : number_(number) {
+ContactProblem::ContactProblem(int element, int number) : element_(element), number_(number) {
   set_defaults(data);
   if (is_wheel())
     set_wheel_defaults(data.wheel_rail.emplace());
@@ -234,14 +239,17 @@ ContactProblem::ContactProblem(int number) : number_(number) {
 Case ContactProblem::completed() const {
   Case c = data;
   const Digits& d = c.digits;
-  c.number = calculations_ + 1;
+  c.number = c.number_in_element = calculations_ + 1;
+  c.sequence = {element_, is_wheel() ? 1 : number_};
   if (!outcome_) {
     c.digits.pvtime = Continuation::nothing;
     c.digits.iestim = InitialGuess::nothing;
   }
+  c.digits.exrhs = c.extra;
   const bool by_force = d.norm == Normal::force;
   if (is_wheel()) {
     WheelRailData& w = *c.wheel_rail;
+    w.digits.discns = w.search;
     w.position.z = by_force ? vertical_force : z;
     w.velocity.vpitch = w.digits.force == TotalForce::force_x ? force_x : vpitch;
     if (w.digits.is_roller()) w.track.cant = 0; // as CONTACT does
@@ -269,14 +277,16 @@ ProfileShape ContactProblem::profile(bool of_wheel) {
   }
 }
 
-Calculation ContactProblem::calculate() {
+Calculation ContactProblem::calculate(const std::function<void(const Case&)>& begins) {
   Calculation calculation;
   Case next = completed();
   check(next);
   if (time_step != 1 && next.digits.tang == Tangential::shift && next.friction.law != Law::coulomb)
     throw Refusal(CNTC_err_other, "a time step other than 1 s with friction that depends on the slip is not supported");
   ++calculations_;
-  if (next.digits.is_skipped()) return calculation;
+  begins(next);
+  calculation.is_skipped = next.digits.is_skipped();
+  if (calculation.is_skipped) return calculation;
   // What is thrown from here on leaves no solution, rather than one of another case.
   outcome_.reset();
   interior_.clear();
@@ -339,12 +349,27 @@ void ContactProblem::keep_what_was_found() {
 
 void ContactProblem::find_sensitivities() {
   sensitivities_.resize(static_cast<std::size_t>(contacts()));
+  if (sensitivity.of == 1 && !is_wheel() && contact_program::prints(solved_, 2))
+    outcome_->sensitivities = printed_sensitivities(solved_, *outcome_, contact_.started_from());
   if (sensitivity.of < 2) return;
   for (std::size_t k = 0; k < sensitivities_.size(); ++k) {
     const Contact c = contact(static_cast<int>(k) + 1);
     const auto start = is_wheel() ? wheel_.started_from(k) : contact_.started_from();
     sensitivities_[k] = contact_program::find_sensitivities(c.data, c.outcome, sensitivity, start);
   }
+  if (!is_wheel()) outcome_->sensitivities = sensitivities_[0];
+}
+
+bool ContactProblem::writes_input() const {
+  const auto found = other_flags.find(CNTC_if_wrtinp);
+  return found != other_flags.end() && found->second > 0;
+}
+
+std::vector<int> ContactProblem::contacts_of(int icp) const {
+  if (!is_wheel() || icp > 0) return {icp};
+  std::vector<int> all(static_cast<std::size_t>(contacts()));
+  std::iota(all.begin(), all.end(), 1);
+  return all;
 }
 
 int ContactProblem::contacts() const {
@@ -388,8 +413,7 @@ std::vector<PointBlock>& ContactProblem::points(int patch) {
 void ContactProblem::find_interior(int patch) {
   if (contacts() == 0) throw Refusal(CNTC_err_icp, "there is no solution yet");
   const Stopwatch stopwatch(time);
-  const bool all = is_wheel() && patch < 0;
-  for (int k = all ? 1 : patch; k <= (all ? contacts() : patch); ++k) {
+  for (const int k : contacts_of(patch)) {
     const Contact found = contact(k);
     Case c = found.data;
     const auto own = points_of_patch_.find(k);

@@ -5,6 +5,8 @@
 #include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/units.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -28,6 +30,7 @@ struct CalculationTime {
 /// Outcome of a calculation.
 struct Calculation {
   int code = 0;                      ///< 0, elements in contact at a border, or an error's
+  bool is_skipped = false;           ///< R = 2, 3: nothing was solved
   std::vector<std::string> messages; ///< why it was refused, or what was left out or done differently
 };
 
@@ -37,12 +40,18 @@ struct Contact {
   const Outcome& outcome;
 };
 
+/// A profile that was given by its points.
+struct GivenProfile {
+  std::vector<ProfilePoint> points = {};
+  std::filesystem::path file = {}; ///< that has them; empty until they are written
+};
+
 /// One contact problem of module 3, or a wheel on its rail: what has been set so far, in CONTACT's units, and what was
 /// found last. Its users hold its mutex.
 class ContactProblem {
 public:
-  /// With the defaults of defaults.hpp. `number` is icp, -1 for a wheel.
-  explicit ContactProblem(int number);
+  /// With the defaults of defaults.hpp. `element` is ire, `number` icp, -1 for a wheel.
+  ContactProblem(int element, int number);
 
   bool is_wheel() const { return number_ < 0; }
   contact_program::WheelRailData& wheel() { return *data.wheel_rail; }
@@ -51,7 +60,8 @@ public:
   /// A wheel's profile or the rail's as it is used. Throws Refusal if there is none or it cannot be read.
   contact_program::ProfileShape profile(bool of_wheel);
 
-  Calculation calculate();
+  /// `begins` is told of the case that is going to be solved, or skipped.
+  Calculation calculate(const std::function<void(const Case&)>& begins);
   /// Fields inside the bodies below the contacts: of all, or of one patch. Throws Refusal and Error.
   void find_interior(int patch);
 
@@ -59,8 +69,15 @@ public:
   int calculations() const { return calculations_; }
   /// Returns whether what was solved last was a left wheel.
   bool was_left() const { return is_wheel() && solved_.wheel_rail && solved_.wheel_rail->digits.is_left(); }
+  /// Returns whether cases are to be written as an input file has them, WRTINP.
+  bool writes_input() const;
+  /// The case that was solved last, and its outcome; none after a calculation that could not end.
+  const Case& solved() const { return solved_; }
+  const Outcome* outcome() const { return outcome_ ? &*outcome_ : nullptr; }
   /// Number of contacts: of a wheel its patches.
   int contacts() const;
+  /// The contacts of a call: all of a wheel for -1, else this one.
+  std::vector<int> contacts_of(int icp) const;
   /// The contact of this problem, or a patch, from 1. Throws Refusal if there is none.
   Contact contact(int patch) const;
   /// Throws Refusal unless this is a wheel that has been solved.
@@ -83,6 +100,7 @@ public:
   double creep_x = 0, creep_y = 0;       ///< and CKSI and CETA,
   double ratio_x = 0, ratio_y = 0;       ///< or FX and FY over FSTAT FN, of which F takes some
   double time_step = default_of("DT");   ///< [s]
+  GivenProfile given_rail, given_wheel;  ///< no points where the profile has a file
   std::map<int, int> other_flags;        ///< by code: those that change no result
 
 private:
@@ -96,7 +114,7 @@ private:
   int code_of_solution() const;
   std::size_t index(int patch) const;
 
-  int number_;
+  int element_, number_;
   contact_program::CaseSolver contact_;
   contact_program::WheelRailSolver wheel_;
   int calculations_ = 0;

@@ -1,3 +1,4 @@
+#include "compat/contact/plastic_deformation.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
@@ -37,14 +38,21 @@ Value rigid_slip(const Outcome& o, bool in_x, double factor) {
   };
 }
 
-/// Where a layer yields, and how far it has: tau_c = tau_c0 + k_tau u_pl.
-Value yield_stress(const Contact& c, double unit) {
+/// Where a layer yields after what it has yielded, tau_c = tau_c0 + k_tau u_pl; 0 where it never does.
+Value yield_stress(const Contact& c, double pressure) {
   if (c.data.digits.mater != Bulk::layer) throw Refusal(CNTC_err_other, "there is no layer, M = 4");
-  const double begin = c.data.material->model_data[2], slope = c.data.material->model_data[3];
-  const auto& plastic = c.outcome.solution.tangential.tractions.plastic_deformation;
-  return [begin, slope, &plastic, unit](std::size_t k) {
-    return unit * (begin + slope * (plastic.empty() ? 0 : plastic[k] * mm_per_m));
+  const InterfaceLayer& layer = c.outcome.step.bodies.layer;
+  const auto& plastic = c.outcome.solution.slip_friction.deformation;
+  const double untouched = layer.yields() ? layer.yield_stress : 0;
+  return [&layer, &plastic, untouched, pressure](std::size_t k) {
+    return pressure * (plastic.empty() ? untouched : layer.yield_stress_after(plastic[k]));
   };
+}
+
+Value plastic(const Contact& c, bool in_x, double length) {
+  const auto found = plastic_deformation(c.data, c.outcome);
+  if (!found) throw Refusal(CNTC_err_other, "the direction of plastic deformation of cases before is not kept");
+  return [field = in_x ? found->x : found->y, length](std::size_t k) { return length * field[k]; };
 }
 
 /// Of one of CNTC_fld_...
@@ -73,7 +81,7 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   case CNTC_fld_un:
     return scaled(n.displacement, length);
   case CNTC_fld_taucrt:
-    return yield_stress(c, 1 / p.units.pressure());
+    return yield_stress(c, pressure);
   case CNTC_fld_sx:
     return scaled(t.sx, slip);
   case CNTC_fld_sy:
@@ -88,7 +96,7 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
     return scaled(code == CNTC_fld_temp1 ? o.temperature->body1 : o.temperature->body2, 1);
   case CNTC_fld_uplsx:
   case CNTC_fld_uplsy:
-    throw Refusal(CNTC_err_other, "the direction of a layer's plastic deformation is not kept");
+    return plastic(c, code == CNTC_fld_uplsx, length);
   default:
     throw Refusal(CNTC_err_other, "field " + std::to_string(code) + " does not exist");
   }

@@ -92,6 +92,12 @@ void set_most_elements(ContactProblem& p, int value) {
   p.data.solver.npot_max = std::clamp(value, 100, 1000000);
 }
 
+/// O_s: CONTACT takes 3 for 2.
+void set_interior_level(ContactProblem& p, int value) {
+  if (value < 0 || value > 4) throw Refusal(CNTC_err_other, "O_s = " + std::to_string(value) + " does not exist");
+  p.data.interior_level = value == 3 ? 2 : value;
+}
+
 void set_units(ContactProblem& p, int value) {
   if (value != CNTC_un_cntc && value != CNTC_un_spck && value != CNTC_un_si)
     throw Refusal(CNTC_err_other, "units " + std::to_string(value) + " are not supported");
@@ -122,6 +128,12 @@ constexpr Flag flags[] = {
     {CNTC_ic_heat, refuse_read_only, get_digit<&Digits::heat>},
     {CNTC_ic_iestim, set_digit<&Digits::iestim>, get_digit<&Digits::iestim>},
     {CNTC_ic_return, set_digit<&Digits::solve>, get_digit<&Digits::solve>},
+    {CNTC_ic_matfil, set_digit<&Digits::matfil>, get_digit<&Digits::matfil>},
+    {CNTC_ic_output, set_digit<&Digits::output>, get_digit<&Digits::output>},
+    {CNTC_ic_flow, set_digit<&Digits::flow>, get_digit<&Digits::flow>},
+    {CNTC_ic_sbsfil, [](ContactProblem& p, int v) { p.data.subs_file = chosen<SubsFile>(v); },
+     [](const ContactProblem& p) { return number(p.data.subs_file); }},
+    {CNTC_ic_sbsout, set_interior_level, [](const ContactProblem& p) { return p.data.interior_level; }},
     {CNTC_ic_sens, [](ContactProblem& p, int v) { p.sensitivity.of = std::clamp(v, 0, 3); },
      [](const ContactProblem& p) { return p.sensitivity.of; }},
     {CNTC_ic_ifmeth, [](ContactProblem& p, int v) { angles_of(p).method = std::clamp(v, 0, 1); },
@@ -137,12 +149,9 @@ constexpr Flag flags[] = {
     {CNTC_if_ncase, refuse_read_only, [](const ContactProblem& p) { return p.calculations(); }},
 };
 
-/// What CONTACT prints and traces, and files that are not written.
-constexpr int without_effect[] = {CNTC_ic_xflow,  CNTC_ic_output, CNTC_ic_flow,   CNTC_ic_matfil,
-                                  CNTC_ic_sbsout, CNTC_ic_sbsfil, CNTC_if_wrtinp, CNTC_if_idebug,
-                                  CNTC_if_licdbg, CNTC_if_openmp, CNTC_if_timers};
-/// Of these, those that ask for files.
-constexpr int of_files[] = {CNTC_ic_matfil, CNTC_ic_sbsfil, CNTC_if_wrtinp};
+/// Flags without effect on results: whether a case is written as input, and what CONTACT traces.
+constexpr int other_flags[] = {CNTC_if_wrtinp, CNTC_ic_xflow,  CNTC_if_idebug,
+                               CNTC_if_licdbg, CNTC_if_openmp, CNTC_if_timers};
 
 bool has(std::span<const int> list, int code) {
   return std::find(list.begin(), list.end(), code) != list.end();
@@ -159,15 +168,13 @@ void set_flag(ContactProblem& p, int code, int value) {
     flag->set(p, value);
     return;
   }
-  if (!has(without_effect, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
+  if (!has(other_flags, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
   p.other_flags[code] = value;
-  if (has(of_files, code) && value > 0)
-    throw Refusal(CNTC_err_other, "flag " + std::to_string(code) + ": the library writes no file but this one");
 }
 
 int flag_of(const ContactProblem& p, int code) {
   if (const Flag* flag = find(code)) return flag->get(p);
-  if (!has(without_effect, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
+  if (!has(other_flags, code)) throw Refusal(CNTC_err_other, "there is no flag " + std::to_string(code));
   const auto found = p.other_flags.find(code);
   return found == p.other_flags.end() ? default_flag(code) : found->second;
 }

@@ -1,4 +1,5 @@
 #include "compat/contact/input.hpp"
+#include "compat/contact/wheel_rail/pair_file.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
@@ -24,24 +25,41 @@ int told(int code, int* ierror) {
   return code;
 }
 
-void read_profiles(contact_program::WheelRailData& d) {
-  if (!is_variable(d.rail)) d.rail.curve = read_profile_curve(d.rail, ProfileRole::rail);
-  if (!is_variable(d.wheel)) d.wheel.curve = read_profile_curve(d.wheel, ProfileRole::wheel);
+/// Reads a profile that a file has named; others have their curves, or vary.
+void read_profile(contact_program::ProfileRecord& record, ProfileRole role) {
+  if (!record.curve && !record.file.empty() && !is_variable(record)) record.curve = read_profile_curve(record, role);
 }
 
-/// Module 1: the first case of an input file.
-void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
+/// The first case of an input file.
+Case first_case(std::istream& stream, const std::string& name) {
+  contact_program::InputReader reader(stream, name);
+  const Case* c = reader.next();
+  if (!c || !c->wheel_rail) throw Refusal(CNTC_err_input, name + ": has no case of module 1");
+  return *c;
+}
+
+/// Module 1: what a file of one of CNTC_inp_... has. A file that is refused changes nothing.
+void read_file(ContactProblem& p, const std::filesystem::path& path, int kind) {
   std::ifstream stream(path);
   if (!stream) throw Refusal(CNTC_err_input, path.string() + ": cannot be read");
   try {
-    contact_program::InputReader reader(stream, path.string());
-    const Case* c = reader.next();
-    if (!c || !c->wheel_rail) throw Refusal(CNTC_err_input, path.string() + ": has no case of module 1");
-    p.data = *c;
-    read_profiles(p.wheel());
+    Case c = kind == CNTC_inp_spck ? contact_program::read_pair(stream, path.string(), p.data)
+                                   : first_case(stream, path.string());
+    auto& rail = c.wheel_rail->rail;
+    auto& wheel = c.wheel_rail->wheel;
+    read_profile(rail, ProfileRole::rail);
+    read_profile(wheel, ProfileRole::wheel);
+    if (rail.file != p.wheel().rail.file) p.given_rail = {};
+    if (wheel.file != p.wheel().wheel.file) p.given_wheel = {};
+    p.data = std::move(c);
   } catch (const Error& error) {
     throw Refusal(CNTC_err_input, error.what());
   }
+}
+
+/// The first case of an input file, with its positions and points.
+void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
+  read_file(p, path, CNTC_inp_modul1);
   const auto& d = p.wheel();
   (p.data.digits.norm == contact_program::Normal::force ? p.vertical_force : p.z) = d.position.z;
   (d.digits.force == contact_program::TotalForce::force_x ? p.force_x : p.vpitch) = d.velocity.vpitch;
@@ -110,11 +128,14 @@ int cntc_readinpfile(int* ire, int* inp_type, const char* c_fname, int* len_fnam
   const int code =
       guarded({"cntc_readinpfile", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
         const int kind = integer("inp_type", inp_type);
-        if (kind != CNTC_inp_modul1)
-          throw Refusal(CNTC_err_input,
-                        "inp_type = " + std::to_string(kind) + ": must be " + std::to_string(CNTC_inp_modul1));
-        const auto folder = Registry::instance().working_folder();
-        read_wheel(p, folder / text("c_fname", c_fname, len_fname));
+        if (kind != CNTC_inp_modul1 && kind != CNTC_inp_spck)
+          throw Refusal(CNTC_err_input, "inp_type = " + std::to_string(kind) + ": must be " +
+                                            std::to_string(CNTC_inp_modul1) + " or " + std::to_string(CNTC_inp_spck));
+        const auto path = Registry::instance().working_folder() / text("c_fname", c_fname, len_fname);
+        if (kind == CNTC_inp_modul1)
+          read_wheel(p, path);
+        else
+          read_file(p, path, kind);
       });
   return told(code, ierror);
 }

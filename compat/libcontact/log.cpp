@@ -28,6 +28,12 @@ void Log::write_once(const std::string& message) noexcept {
   }
 }
 
+bool Log::write(const std::string& results) {
+  const std::lock_guard lock(mutex_);
+  file_ << results << std::flush;
+  return file_.is_open() && file_.good();
+}
+
 void Log::close() {
   const std::lock_guard lock(mutex_);
   file_.close();

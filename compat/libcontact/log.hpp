@@ -10,7 +10,8 @@
 
 namespace microslip::libcontact {
 
-/// The log file that the interface defines. Each message is written once; any thread may write.
+/// The log file that the interface defines, which has the results that flags ask for as well. Each message is written
+/// once; any thread may write.
 class Log {
 public:
   /// Begins a file; the messages so far count as not written. False if it cannot be written: then nothing is.
@@ -23,6 +24,8 @@ public:
     } catch (const std::exception&) {
     }
   }
+  /// Writes results. False if that is impossible.
+  bool write(const std::string& results);
   void close();
 
 private:

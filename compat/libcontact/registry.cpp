@@ -27,7 +27,10 @@ bool Registry::begin(const std::string& working_folder, const std::string& folde
   const std::filesystem::path experiment = name.empty() ? "contact_addon" : name;
   started_ = true;
   working_folder_ = working_folder.empty() ? experiment.parent_path() : std::filesystem::path(working_folder);
-  return log_.open(std::filesystem::path(folder) / (experiment.filename().string() + ".out"));
+  output_folder_ = folder;
+  const std::string file = experiment.filename().string();
+  cases_.set_path(output_folder_ / (file + ".inp"));
+  return log_.open(output_folder_ / (file + ".out"));
 }
 
 void Registry::add(int number, int module) {
@@ -68,6 +71,7 @@ void Registry::remove_all() {
 
 void Registry::stop() {
   started_ = false;
+  cases_.close();
   log_.close();
 }
 
@@ -81,13 +85,18 @@ std::shared_ptr<ContactProblem> Registry::problem(int number, int module, int ic
   if (!started_) begin("", "", "");
   const int key = is_wheel ? -1 : icp;
   auto& problem = of.problems[key];
-  if (!problem) problem = std::make_shared<ContactProblem>(key);
+  if (!problem) problem = std::make_shared<ContactProblem>(number, key);
   return problem;
 }
 
 std::filesystem::path Registry::working_folder() {
   const std::lock_guard lock(mutex_);
   return working_folder_;
+}
+
+std::filesystem::path Registry::output_folder() {
+  const std::lock_guard lock(mutex_);
+  return output_folder_;
 }
 
 } // namespace microslip::libcontact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/libcontact/case_file.hpp"
 #include "compat/libcontact/contact_problem.hpp"
 #include "compat/libcontact/log.hpp"
 
@@ -13,7 +14,7 @@
 namespace microslip::libcontact {
 
 /// The result elements that there are, by their numbers. This is the library's only state beyond a call: the interface
-/// names result elements by numbers that its caller chooses, and has one log for all of them.
+/// names result elements by numbers that its caller chooses, and has one log, and one input file, for all of them.
 ///
 /// The registry's mutex is held for look-ups only; work on a problem requires the mutex of the problem. A problem
 /// that is finalized while a thread works on it lives until that thread is done.
@@ -40,7 +41,10 @@ public:
   std::shared_ptr<ContactProblem> problem(int element, int module, int icp);
   /// Folder of profiles.
   std::filesystem::path working_folder();
+  /// Folder of the log and all other files.
+  std::filesystem::path output_folder();
   Log& log() { return log_; }
+  CaseFile& cases() { return cases_; }
 
 private:
   struct Element {
@@ -55,9 +59,10 @@ private:
 
   std::mutex mutex_;
   bool started_ = false;
-  std::filesystem::path working_folder_;
+  std::filesystem::path working_folder_, output_folder_;
   std::map<int, Element> elements_;
   Log log_;
+  CaseFile cases_;
 };
 
 } // namespace microslip::libcontact

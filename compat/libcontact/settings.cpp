@@ -27,7 +27,7 @@ void set_solver(ContactProblem& p, int method, std::span<const int> counts, std:
     p.sensitivity.relative_step = std::clamp(numbers[0], 1e-8, 0.1);
     return;
   }
-  s.method = static_cast<SolverChoice>(method);
+  s.method = p.data.digits.gausei = static_cast<SolverChoice>(method);
   s.eps = std::max(least, numbers[0]);
   constexpr int SolverData::*limits[] = {&SolverData::maxgs, &SolverData::maxin, &SolverData::maxnr,
                                          &SolverData::maxout};
@@ -80,12 +80,16 @@ std::vector<double> model_data(const Units& u, Bulk model, std::span<const doubl
 
 /// CDAMPN, CDAMPT, DFNMAX, DFTMAX.
 void set_damping(ContactProblem& p, int method, std::span<const double> v) {
-  if (method == 0) p.data.damping.reset();
+  if (method == 0) {
+    p.data.damping.reset();
+    p.data.digits.damping = Damping::none;
+  }
   if (method != 2) return;
   require_count("rparam", v.size(), 4, 4);
   for (const double value : v)
     if (!(value >= 0)) throw Refusal(CNTC_err_other, "data of damping must not be negative");
   p.data.damping = DampingData{v[0], v[1], v[2], v[3]};
+  p.data.digits.damping = Damping::read;
 }
 
 void set_material(ContactProblem& p, int method, std::span<const double> v) {

@@ -53,9 +53,14 @@ ProfileRole role_of(int type) {
   return type == wheel_profile ? ProfileRole::wheel : ProfileRole::rail;
 }
 
+GivenProfile& given_profile_of(ContactProblem& p, int type) {
+  return type == wheel_profile ? p.given_wheel : p.given_rail;
+}
+
 /// Reads a profile at once, so that this call tells what is wrong with it. A profile that was refused is none.
 template <class Read> void set_profile(ContactProblem& p, int type, ProfileRecord record, Read read) {
   profile_of(p, type) = {};
+  given_profile_of(p, type) = {};
   try {
     record.curve = read(record);
   } catch (const Error& error) {
@@ -67,6 +72,7 @@ template <class Read> void set_profile(ContactProblem& p, int type, ProfileRecor
 void set_profile_file(ContactProblem& p, const std::string& name, std::span<const int> choices,
                       std::span<const double> numbers) {
   ProfileRecord record = profile_record(p.units, choices, numbers);
+  record.name = name;
   record.file = (Registry::instance().working_folder() / name).string();
   const bool is_known = !choices.empty() && (choices[0] == rail_profile || choices[0] == wheel_profile);
   const int type = is_known ? choices[0] : type_of(name);
@@ -83,8 +89,8 @@ void set_profile_values(ContactProblem& p, std::span<const double> values, std::
   for (std::size_t k = 0; k + 1 < values.size(); k += 2) points.push_back({values[k], values[k + 1]});
   ProfileRecord record = profile_record(p.units, choices, numbers);
   record.file = type == wheel_profile ? "the wheel's profile" : "the rail's profile";
-  set_profile(p, type, record,
-              [&](const ProfileRecord& r) { return profile_curve_through(std::move(points), r, role_of(type)); });
+  set_profile(p, type, record, [&](const ProfileRecord& r) { return profile_curve_through(points, r, role_of(type)); });
+  given_profile_of(p, type).points = std::move(points);
 }
 
 /// GAUGHT, dummy, GAUGWD or GAUGHT, RAILY0, RAILZ0; CANT, NOMRAD and, if it is there, CURV.
@@ -171,8 +177,10 @@ void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
 
 void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
+  const bool bends = method >= 4;
   p.wheel().deflection = {};
-  if (method < 4) return; // what is given for no deflection does not matter
+  p.wheel().digits.ewheel = bends ? WheelsetSource::all_flexible : WheelsetSource::all;
+  if (!bends) return; // what is given for no deflection does not matter
   require_count("rparam", v.size(), 12, 12);
   const double l = p.units.length, s = p.units.speed;
   p.wheel().deflection = {v[0] * l, v[1] * l, v[2] * l, v[3], v[4],  v[5],

@@ -7,6 +7,48 @@ void WheelRailReader::read() {
   data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
   check_digits(c_.digits);
   check_kept(data.digits);
+  read_settings(data);
+  read_track(data);
+  read_wheelset(data);
+  c_.wheel_rail = data;
+  read_points(words_, c_);
+}
+
+void WheelRailReader::read_pair() {
+  WheelRailData data = *c_.wheel_rail;
+  const Digits before = c_.digits;
+  const WheelRailDigits own_before = data.digits;
+  data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
+  const WheelRailDigits own = data.digits;
+  if (own.ztrack != TrackSource::keep && own.ztrack != TrackSource::all)
+    words_.fail("digit Z", number(own.ztrack), "must be 0 or 3");
+  if (own.ewheel != WheelsetSource::keep && own.ewheel != WheelsetSource::all)
+    words_.fail("digit E", number(own.ewheel), "must be 0 or 3");
+  c_.digits.pvtime = before.pvtime;
+  c_.digits.tang = before.tang;
+  c_.digits.norm = before.norm;
+  c_.digits.stress = before.stress;
+  c_.digits.heat = before.heat;
+  c_.digits.iestim = before.iestim;
+  data.digits.config = own_before.config;
+  data.digits.force = own_before.force;
+  check_digits(c_.digits);
+  read_settings(data);
+  if (own.ztrack == TrackSource::all) {
+    data.track = contact_program::read_track(words_, data.digits.is_roller());
+    data.rail = read_profile_record(words_, folder_);
+  }
+  if (own.ewheel == WheelsetSource::all) {
+    data.wheelset = contact_program::read_wheelset(words_);
+    data.wheel = read_profile_record(words_, folder_);
+  }
+  data.digits.ztrack = own_before.ztrack;
+  data.digits.ewheel = own_before.ewheel;
+  c_.wheel_rail = data;
+}
+
+/// Records in front of the track's.
+void WheelRailReader::read_settings(WheelRailData& data) {
   if (data.digits.reads_grid()) data.search = data.digits.discns;
   read_solver(words_, c_.digits.gausei, c_.solver);
   sequence_.has_solver = true;
@@ -15,10 +57,6 @@ void WheelRailReader::read() {
   read_damping(words_, c_);
   if (c_.digits.heat == Heat::read) c_.heat = read_heat(words_, c_.digits.mater);
   if (data.digits.reads_grid()) data.grid = read_patch_rules(words_);
-  read_track(data);
-  read_wheelset(data);
-  c_.wheel_rail = data;
-  read_points(words_, c_);
 }
 
 /// Values that only module 3 has, and digits that cannot be combined.

@@ -15,10 +15,13 @@ public:
 
   /// Into the sequence's last case.
   void read();
+  /// Into it, what a vehicle code does not give: read_pair of pair_file.hpp behind the line MODULE.
+  void read_pair();
 
 private:
   void check_digits(const Digits& digits) const;
   void check_kept(const WheelRailDigits& digits);
+  void read_settings(WheelRailData& data);
   void read_friction(const WheelRailDigits& digits);
   void read_material(const Digits& digits);
   void read_track(WheelRailData& data);

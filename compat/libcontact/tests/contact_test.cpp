@@ -5,6 +5,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "tests/contact_input_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -110,6 +111,27 @@ TEST_F(ContactProblems, RollSteadily) {
   double force = 0;
   for (const double p : pn) force += p * 0.01;
   EXPECT_NEAR(force, 1000, 1e-6 * 1000);
+}
+
+/// Of a shift the deformation is against the slip and along the traction; of one more only its length is known.
+TEST_F(ContactProblems, HaveLayersThatYield) {
+  ASSERT_EQ(set_up_sphere(7, 1), 0);
+  ASSERT_EQ(set(cntc_setmaterialparameters, 7, 1, 4, {0.28, 0.28, 82000, 82000, 8200, 0.02, 60, 500}), 0);
+  ASSERT_EQ(set_flag(7, 1, CNTC_ic_tang, 1), 0);
+  ASSERT_EQ(calculate(7, 1), 0) << library_.log();
+  const Values x = field(7, 1, CNTC_fld_uplsx, 441), y = field(7, 1, CNTC_fld_uplsy, 441),
+               px = field(7, 1, CNTC_fld_px, 441), py = field(7, 1, CNTC_fld_py, 441),
+               yield = field(7, 1, CNTC_fld_taucrt, 441);
+  ASSERT_EQ(x.size(), 441u) << library_.log();
+  EXPECT_GT(*std::max_element(yield.begin(), yield.end()), 60);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    EXPECT_NEAR(std::hypot(x[k], y[k]), (yield[k] - 60) / 500, 1e-12);
+    EXPECT_NEAR(x[k] * py[k], y[k] * px[k], 1e-9);
+    EXPECT_GE(x[k] * px[k], 0);
+  }
+  ASSERT_EQ(set_flag(7, 1, CNTC_ic_pvtime, 0), 0);
+  ASSERT_EQ(calculate(7, 1), 0);
+  EXPECT_EQ(field(7, 1, CNTC_fld_uplsx, 441), Values()) << "-99";
 }
 
 TEST_F(ContactProblems, AreHertzs) {

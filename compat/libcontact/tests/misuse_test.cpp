@@ -222,7 +222,6 @@ TEST_F(Misuse, OfWhatIsNotSupported) {
   ASSERT_EQ(set_flag(1, whole, CNTC_ic_discns, 7), 0);
   EXPECT_EQ(calculate(1), CNTC_err_other);
   expect_in_log("D = 7");
-  EXPECT_EQ(set_flag(1, whole, CNTC_if_wrtinp, 1), CNTC_err_other);
   ASSERT_EQ(set_flag(1, whole, CNTC_ic_discns, 2), 0);
   EXPECT_EQ(calculate(1), 0);
 }

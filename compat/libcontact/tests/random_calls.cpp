@@ -1,11 +1,11 @@
 // All functions by chance, in any order, with elements that have been made and without, with null pointers, lengths
 // that do not fit and numbers from 0 to NaN: no crash, no code that does not exist, and the library works afterwards.
 //
-//   libcontact_random_calls [--seed N] [--rounds N | --seconds S | --round K]
+//   libcontact_random_calls [--seed N] [--rounds N | --seconds S | --round K] [--calls N]
 //
-// A round is a separate process, whose calls depend on the seed and its number only. The first that fails ends the
-// program, which prints how to make it again: --round K runs it in this process and prints each call before
-// it is made, and which of its numbers are other than those that programs give.
+// A round is a separate process with N calls, whose calls depend on the seed and its number only. The first that fails
+// ends the program, which prints how to make it again: --round K runs it in this process and prints each call before
+// it is made, and which of its numbers are other than those that programs give. Rounds that are given up are named.
 
 #include "compat/libcontact/tests/calls.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -139,11 +139,15 @@ template <class... Places> std::function<int(Arguments&)> with_arguments(int (*f
 #define LIBCONTACT_FUNCTION(name)                                                                                      \
   { #name, with_arguments(name) }
 const Function functions[] = {
+    LIBCONTACT_FUNCTION(cntc_initializefirst),
+    LIBCONTACT_FUNCTION(cntc_initializefirst_new),
     LIBCONTACT_FUNCTION(cntc_initialize),
     LIBCONTACT_FUNCTION(cntc_setfileunits),
     LIBCONTACT_FUNCTION(cntc_setglobalflags),
     LIBCONTACT_FUNCTION(cntc_getmaxnumthreads),
     LIBCONTACT_FUNCTION(cntc_readinpfile),
+    LIBCONTACT_FUNCTION(cntc_finalize),
+    LIBCONTACT_FUNCTION(cntc_finalizelast),
     LIBCONTACT_FUNCTION(cntc_setflags),
     LIBCONTACT_FUNCTION(cntc_getflags),
     LIBCONTACT_FUNCTION(cntc_setmetadata),
@@ -175,6 +179,7 @@ const Function functions[] = {
     LIBCONTACT_FUNCTION(cntc_getcalculationtime),
     LIBCONTACT_FUNCTION(cntc_resetcalculationtime),
     LIBCONTACT_FUNCTION(cntc_getprofilevalues),
+    LIBCONTACT_FUNCTION(cntc_getprofilevalues_new),
     LIBCONTACT_FUNCTION(cntc_getwheelsetposition),
     LIBCONTACT_FUNCTION(cntc_getwheelsetvelocity),
     LIBCONTACT_FUNCTION(cntc_getnumcontactpatches),
@@ -229,9 +234,8 @@ public:
     begin(number % 4);
   }
 
-  void run() {
-    constexpr int calls = 300;
-    for (int k = 0; k < calls; ++k)
+  void run(unsigned calls) {
+    for (unsigned k = 0; k < calls; ++k)
       if (chance_.one_in(3))
         call_with_any_arguments();
       else
@@ -287,22 +291,28 @@ private:
     return numbers;
   }
 
-  /// An input file with the wheel's case, in the current folder.
+  /// An input file with the wheel's case, or that of Simpack's pair, in the current folder.
   void read_a_file() {
-    std::ofstream("wheel.inp") << " 1 MODULE\n 1203100\n 0022033\n 0000321\n 999 20 25 1 1e-5\n .3 .3\n"
-                               << " .28 .28 82000. 82000.\n .5 .5 1. 90d 8. 4.\n 14. 0 1435. .05\n '" << profiles
-                               << "60e1.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1360. -70. 460.\n '" << profiles
+    const bool is_pair = chance_.one_in(2);
+    std::ofstream("wheel.inp") << (is_pair ? " 11" : " 1")
+                               << " MODULE\n 1203100\n 0022033\n 0000321\n 999 20 25 1 1e-5\n"
+                               << " .3 .3\n .28 .28 82000. 82000.\n .5 .5 1. 90d 8. 4.\n 14. 0 1435. .05\n '"
+                               << profiles << "60e1.prr' 0 1. 0.\n"
+                               << (is_pair ? "" : " 0 0 0 0 0 0\n") << " 1360. -70. 460.\n '" << profiles
                                << "s1002.prw' 0 1. 0.\n 0 " << perhaps(3) << " " << perhaps(80000)
                                << " 0 0 0\n 30000. 0 0 0 0 " << perhaps(-65.2) << "\n";
     const std::string name = "wheel.inp";
-    int ire = wheel, kind = CNTC_inp_modul1, length = size_of(name), error = 0;
+    int ire = wheel, kind = is_pair ? CNTC_inp_spck : CNTC_inp_modul1, length = size_of(name), error = 0;
     give("cntc_readinpfile", [&] { return cntc_readinpfile(&ire, &kind, name.c_str(), &length, &error); });
   }
 
   void set_a_flag(int ire, int icp) {
-    static constexpr int flags[] = {CNTC_ic_config, CNTC_ic_pvtime, CNTC_ic_bound,  CNTC_ic_tang,   CNTC_ic_norm,
-                                    CNTC_ic_force,  CNTC_ic_discns, CNTC_ic_inflcf, CNTC_ic_exrhs,  CNTC_ic_iestim,
-                                    CNTC_ic_return, CNTC_ic_sens,   CNTC_ic_ifmeth, CNTC_ic_npomax, CNTC_if_units};
+    static constexpr int flags[] = {
+        CNTC_ic_config, CNTC_ic_pvtime, CNTC_ic_bound,  CNTC_ic_tang,   CNTC_ic_norm,   CNTC_ic_force,  CNTC_ic_frclaw,
+        CNTC_ic_discns, CNTC_ic_inflcf, CNTC_ic_mater,  CNTC_ic_exrhs,  CNTC_ic_xflow,  CNTC_ic_heat,   CNTC_ic_iestim,
+        CNTC_ic_output, CNTC_ic_flow,   CNTC_ic_return, CNTC_ic_matfil, CNTC_ic_sens,   CNTC_ic_ifmeth, CNTC_ic_ifvari,
+        CNTC_ic_sbsout, CNTC_ic_sbsfil, CNTC_ic_npomax, CNTC_if_idebug, CNTC_if_licdbg, CNTC_if_wrtinp, CNTC_if_openmp,
+        CNTC_if_timers, CNTC_if_ncase,  CNTC_if_units};
     const int flag = chance_.of(flags);
     const int value = flag == CNTC_if_units ? CNTC_un_cntc + static_cast<int>(chance_.below(4))
                                             : static_cast<int>(chance_.below(7)) - 1;
@@ -477,11 +487,18 @@ private:
   bool tells_;
 };
 
-int run_round(unsigned seed, unsigned round, bool tells) {
+/// What the options say.
+struct Options {
+  unsigned seed = 1, rounds = 20, round = 0, calls = 300;
+  double seconds = 0;
+  bool is_one = false;
+};
+
+int run_round(const Options& o, unsigned round) {
   try {
     const TemporaryFolder folder; // for the log
     std::filesystem::current_path(folder.path());
-    Round(seed, round, tells).run();
+    Round(o.seed, round, o.is_one).run(o.calls);
     std::filesystem::current_path("/");
     return 0;
   } catch (const std::exception& fault) {
@@ -494,24 +511,18 @@ enum class End { well, given_up, failed };
 
 /// In a separate process. One that takes long is given up: some wheels that lie far from how wheels lie on rails,
 /// such as one turned on its side, keep the search for their contact busy for minutes.
-End end_of(unsigned seed, unsigned round) {
+End end_of(const Options& o, unsigned round) {
   constexpr rlimit most_seconds{20, 30}; // of the processor
   const pid_t child = fork();
   if (child == 0) {
     setrlimit(RLIMIT_CPU, &most_seconds);
-    std::exit(run_round(seed, round, false)); // with the search for leaks
+    std::exit(run_round(o, round)); // with the search for leaks
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child) return End::failed;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return End::given_up;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? End::well : End::failed;
 }
-
-struct Options {
-  unsigned seed = 1, rounds = 20, round = 0;
-  double seconds = 0;
-  bool is_one = false;
-};
 
 Options options_of(const std::vector<std::string>& words) {
   Options o;
@@ -529,23 +540,27 @@ Options options_of(const std::vector<std::string>& words) {
       o.seconds = number;
     else if (name == "--round")
       o.round = count, o.is_one = true;
+    else if (name == "--calls")
+      o.calls = count;
     else
-      throw std::invalid_argument("unknown option " + name + "; --seed, --rounds, --seconds and --round are known");
+      throw std::invalid_argument("unknown option " + name +
+                                  "; --seed, --rounds, --seconds, --round and --calls are known");
   }
   return o;
 }
 
 int run(const Options& o) {
-  if (o.is_one) return run_round(o.seed, o.round, true);
+  if (o.is_one) return run_round(o, o.round);
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   unsigned round = 0, given_up = 0;
   for (; o.seconds > 0 ? seconds() < o.seconds : round < o.rounds; ++round) {
-    const End end = end_of(o.seed, round);
-    given_up += end == End::given_up;
-    if (end != End::failed) continue;
-    std::printf("failed; the same calls again: libcontact_random_calls --seed %u --round %u\n", o.seed, round);
-    return 1;
+    const End end = end_of(o, round);
+    if (end == End::well) continue;
+    std::printf("%s; the same calls again: libcontact_random_calls --seed %u --round %u --calls %u\n",
+                end == End::failed ? "failed" : "given up", o.seed, round, o.calls);
+    if (end == End::failed) return 1;
+    ++given_up;
   }
   std::printf("%u rounds of calls of libcontact by chance, seed %u, %u given up: ok\n", round, o.seed, given_up);
   return 0;

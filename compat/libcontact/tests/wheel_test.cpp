@@ -260,6 +260,47 @@ TEST_P(Wheels, ReadAnInputFile) {
   EXPECT_EQ(list(cntc_getglobalforces, 3, whole, 24), list(cntc_getglobalforces, 1, whole, 24));
 }
 
+int read_file(int ire, int kind, const std::string& name) {
+  int length = size_of(name), error = 1;
+  const int code = cntc_readinpfile(&ire, &kind, name.c_str(), &length, &error);
+  return error == code ? code : 12345;
+}
+
+/// The file of CONTACT's interface to Simpack has what does not move; digits of what does stay, whatever it has.
+TEST_P(Wheels, ReadThePairOfSimpack) {
+  const std::string settings = " 999 20 25 1 1e-5\n .25 .25\n .28 .28 82000. 82000.\n .4 .4 1. 90d 8. 4.\n",
+                    track = " 14. 0 1435. .05\n '" + profiles + "60e1.prr' 0 1. 0.\n",
+                    wheelset = " 1360. -70. 460.\n '" + profiles + "s1002.prw' 0 1. 0.\n";
+  const std::string all = (folder_.path() / "pair.inp").string(), some = (folder_.path() / "settings.inp").string();
+  std::ofstream(all) << " 11 MODULE\n " << (GetParam() ? 0 : 1) << "001010\n 0022033\n 0000021\n"
+                     << settings << track << wheelset;
+  std::ofstream(some) << " 11 MODULE\n 1001010\n 0022000\n 0000021\n" << settings;
+  const auto forces = [](int ire) {
+    EXPECT_EQ(set_wheel_state(ire, 3), 0);
+    EXPECT_EQ(calculate(ire), 0);
+    return list(cntc_getglobalforces, ire, whole, 24);
+  };
+  ASSERT_EQ(set(cntc_setfrictionmethod, 1, whole, 0, {.25, .25}), 0);
+  ASSERT_EQ(set(cntc_setpotcontact, 1, whole, -1, {.4, .4, 1.5707963267948966, 8, 4}), 0);
+  const Values wanted = forces(1);
+  int four = 4;
+  double force = 80e3;
+  ASSERT_EQ(set_flag(4, whole, CNTC_ic_config, GetParam() ? 1 : 0), 0);
+  ASSERT_EQ(cntc_setverticalforce(&four, &force), 0);
+  ASSERT_EQ(read_file(4, CNTC_inp_spck, all), 0) << library_.log();
+  EXPECT_EQ(forces(4), wanted);
+  ASSERT_EQ(set_up_wheel(5, GetParam()), 0);
+  ASSERT_EQ(read_file(5, CNTC_inp_spck, some), 0) << library_.log();
+  EXPECT_EQ(forces(5), wanted);
+  EXPECT_EQ(read_file(5, CNTC_inp_modul1, all), CNTC_err_input);
+  EXPECT_EQ(read_file(5, CNTC_inp_vamp, all), CNTC_err_input);
+  std::ofstream(some) << " 11 MODULE\n 1001010\n 0022010\n 0000021\n" << settings;
+  EXPECT_EQ(read_file(5, CNTC_inp_spck, some), CNTC_err_input) << "Z = 1";
+  std::ofstream(some) << " 3 MODULE\n";
+  EXPECT_EQ(read_file(5, CNTC_inp_spck, some), CNTC_err_input);
+  EXPECT_EQ(forces(5), wanted) << "what is refused changes nothing";
+}
+
 /// The force that is given is the contact's and its damping, C (F - F')/dt with dt = DX/VELOC.
 TEST_P(Wheels, AreDamped) {
   ASSERT_EQ(set(cntc_setmaterialparameters, 1, whole, 12, {1e-4, 2e-4, 1e30, 1e30}), 0) << library_.log();
