@@ -12,6 +12,7 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
+constexpr double mm = 1e-3;
 
 } // namespace
 
@@ -103,9 +104,10 @@ void InputReader::check_kept(Case& c) {
 
 void InputReader::read_kinematics(Case& c) {
   const Digits& d = c.digits;
-  c.normal = d.norm == Normal::force ? words_.positive("FN") : words_.real("PEN");
-  c.x = words_.real(d.force != Prescribed::creepages ? "FX" : "CKSI");
-  c.y = words_.real(d.force == Prescribed::force_x_and_y ? "FY" : "CETA");
+  c.load = d.norm == Normal::force ? NormalLoad{NormalLoad::Given::force, words_.positive("FN")}
+                                   : NormalLoad{NormalLoad::Given::approach, words_.real("PEN") * mm};
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{words_.real("CKSI")}) : ForceRatio{words_.real("FX")};
+  c.y = d.force != Prescribed::force_x_and_y ? SlipOrForce(Slip{words_.real("CETA")}) : ForceRatio{words_.real("FY")};
   c.phi = words_.real("CPHI");
   c.spin_x = words_.optional_real("SPINXO", 0);
   c.spin_y = words_.optional_real("SPINYO", 0);
@@ -190,12 +192,9 @@ void InputReader::read_potential(Case& c) {
     c.potential = read_potential_contact(words_);
     if (c.potential->is_hertzian()) now_->has_geometry = false;
   }
-  if (d.discns != GridSource::keep && c.potential->is_hertzian() && d.norm == Normal::approach && !(c.normal > 0))
-    words_.fail("PEN", c.normal, "must be > 0 with Hertz's geometry, IPOTCN < 0");
-  if (d.discns != GridSource::keep) {
-    c.formed_norm = d.norm;
-    c.formed_normal = c.normal;
-  }
+  if (d.discns != GridSource::keep && c.potential->is_hertzian() && d.norm == Normal::approach && !(c.load.value > 0))
+    words_.fail("PEN", c.load.value / mm, "must be > 0 with Hertz's geometry, IPOTCN < 0");
+  if (d.discns != GridSource::keep) c.formed = c.load;
   const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
                              d.bound == PressureModel::half_ellipses;
   if (needs_ellipse && !c.potential->is_hertzian())

@@ -79,7 +79,8 @@ constexpr Refusal refusals[] = {
      }},
     {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5, as in CONTACT",
      [](const Case& c) {
-       return c.potential->is_line() && (c.formed_norm == Normal::approach || c.digits.norm == Normal::approach);
+       return c.potential->is_line() &&
+              (c.formed.given == NormalLoad::Given::approach || c.digits.norm == Normal::approach);
      }},
     {"IPLAN = 4", "weighted interaction of sub-patches, with other than M = 0 and B = 0",
      [](const Case& c) {

@@ -172,7 +172,7 @@ void check_contact(const Case& c) {
                              d.bound == PressureModel::half_ellipses;
   if (needs_ellipse && !p.is_hertzian())
     throw Refusal(CNTC_err_discr, written(d.bound) + " must go with Hertz's geometry, cntc_sethertzcontact");
-  if (p.is_hertzian() && !(c.normal > 0))
+  if (p.is_hertzian() && !(c.load.value > 0))
     throw Refusal(CNTC_err_discr, "Hertz's geometry needs an approach, or a force, above 0");
   if (c.geometry.base == Base::by_element && !p.is_hertzian() && c.geometry.values.size() != p.elements())
     throw Refusal(CNTC_err_discr, "the undeformed distance is that of another number of elements");
@@ -205,8 +205,9 @@ void check_wheel(const Case& c) {
     throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
   if (w.digits.is_roller() && w.track.roller_radius == 0)
     throw Refusal(CNTC_err_other, "NOMRAD of the track is the radius of rollers and must not be 0");
-  if (c.digits.norm == Normal::force && !(w.position.z > 0))
-    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(w.position.z) + " N: must be above 0");
+  const auto* force = std::get_if<VerticalForce>(&w.position.vertical);
+  if (force && !(force->fz > 0))
+    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(force->fz) + " N: must be above 0");
 }
 
 /// What a reader of input files would refuse.
@@ -239,19 +240,21 @@ Case ContactProblem::completed() const {
     c.digits.pvtime = Continuation::nothing;
     c.digits.iestim = InitialGuess::nothing;
   }
+  constexpr double mm = 1e-3;
   const bool by_force = d.norm == Normal::force;
   if (is_wheel()) {
     WheelRailData& w = *c.wheel_rail;
-    w.position.z = by_force ? vertical_force : z;
-    w.velocity.vpitch = w.digits.force == TotalForce::force_x ? force_x : vpitch;
+    w.position.vertical = by_force ? Vertical(VerticalForce{vertical_force}) : VerticalPosition{z};
+    w.velocity.pitch =
+        w.digits.force == TotalForce::force_x ? PitchDrive(LongitudinalForce{force_x}) : PitchVelocity{vpitch};
     if (w.digits.is_roller()) w.track.cant = 0; // as CONTACT does
     return c;
   }
-  c.normal = by_force ? normal_force : approach;
-  c.formed_norm = d.norm;
-  c.formed_normal = c.normal;
-  c.x = d.force == Prescribed::creepages ? creep_x : ratio_x;
-  c.y = d.force == Prescribed::force_x_and_y ? ratio_y : creep_y;
+  c.load = by_force ? NormalLoad{NormalLoad::Given::force, normal_force}
+                    : NormalLoad{NormalLoad::Given::approach, approach * mm};
+  c.formed = c.load;
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{creep_x}) : ForceRatio{ratio_x};
+  c.y = d.force == Prescribed::force_x_and_y ? SlipOrForce(ForceRatio{ratio_y}) : Slip{creep_y};
   return c;
 }
 

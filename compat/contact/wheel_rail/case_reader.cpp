@@ -1,12 +1,21 @@
 #include "compat/contact/wheel_rail/case_reader.hpp"
 
 namespace microslip::contact_program {
+namespace {
+
+/// The alternative of PitchDrive that a case with this digit has.
+std::size_t drive_of(TotalForce digit) {
+  if (digit == TotalForce::force_x) return PitchDrive(LongitudinalForce{}).index();
+  return digit == TotalForce::moment_y ? PitchDrive(PitchMoment{}).index() : PitchDrive(PitchVelocity{}).index();
+}
+
+} // namespace
 
 void WheelRailReader::read() {
   WheelRailData data = c_.wheel_rail.value_or(WheelRailData());
   data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
   check_digits(c_.digits);
-  check_kept(data.digits);
+  check_kept(data);
   if (data.digits.reads_grid()) data.search = data.digits.discns;
   read_solver(words_, c_.digits.gausei, c_.solver);
   sequence_.has_solver = true;
@@ -35,8 +44,9 @@ void WheelRailReader::check_digits(const Digits& d) const {
 }
 
 /// What is to be kept must be there. The first case of a sequence cannot continue anything.
-void WheelRailReader::check_kept(const WheelRailDigits& own) {
+void WheelRailReader::check_kept(const WheelRailData& data) {
   Digits& d = c_.digits;
+  const WheelRailDigits& own = data.digits;
   const auto need = [&](bool keeps, bool has, auto digit, const char* what) {
     sequence_.need(words_, keeps, has, written(digit), what);
   };
@@ -47,6 +57,10 @@ void WheelRailReader::check_kept(const WheelRailDigits& own) {
   need(!own.reads_grid(), has, own.discns, "the discretisation");
   need(own.ztrack != TrackSource::all, has, own.ztrack, "the rail's profile");
   need(!own.reads_wheel(), has, own.ewheel, "the wheel's profile");
+  need(own.ewheel == WheelsetSource::keep, data.position.by_force() == (d.norm == Normal::force), d.norm,
+       d.norm == Normal::force ? "a vertical force" : "a vertical position");
+  need(!own.reads_velocity(), data.velocity.pitch.index() == drive_of(own.force), own.force,
+       "what drives the wheelset about its axle");
   need(d.heat == Heat::keep, c_.heat.has_value(), d.heat, "the heat parameters");
   need(keeps_points(d), !c_.points.empty(), d.stress, "the points of the interior field");
   if (d.damping == Damping::keep && !c_.damping) d.damping = Damping::none;
@@ -101,7 +115,7 @@ void WheelRailReader::read_wheelset(WheelRailData& data) {
   }
   if (own.ewheel == WheelsetSource::keep) return;
   data.position = read_position(words_, c_.digits.norm);
-  if (own.ewheel == WheelsetSource::position) return;
+  if (!own.reads_velocity()) return;
   data.velocity = read_velocity(words_, own);
   if (own.reads_flexibility()) data.deflection = read_deflection(words_);
 }

@@ -18,7 +18,7 @@ public:
 
 private:
   void check_digits(const Digits& digits) const;
-  void check_kept(const WheelRailDigits& digits);
+  void check_kept(const WheelRailData& data);
   void read_friction(const WheelRailDigits& digits);
   void read_material(const Digits& digits);
   void read_track(WheelRailData& data);

@@ -77,7 +77,7 @@ void mirror_slip(std::vector<double>& slip, int mx) {
 
 /// Of a patch as a separate case: what the fields and the totals show.
 void mirror(Case& c) {
-  c.y *= -1;
+  number_of(c.y) *= -1;
   c.phi *= -1;
   c.spin_y *= -1;
   if (!c.potential) return;

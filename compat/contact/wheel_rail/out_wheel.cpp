@@ -180,7 +180,7 @@ std::string kinematics(const Case& patch, const Outcome& o, bool is_left) {
   const double dq = shifts ? 1 : o.step.motion.step * per_m;
   std::string text = " KINEMATIC CONSTANTS\n     CHI         DQ          VELOC       CKSI        CETA        CPHI\n  " +
                      general({(is_left ? -1 : 1) * patch.rolling->chi, dq}, 12, 4) +
-                     significant({patch.rolling->veloc, patch.x, patch.y, patch.phi}) + "\n\n";
+                     significant({patch.rolling->veloc, number_of(patch.x), number_of(patch.y), patch.phi}) + "\n\n";
   const double spin_y = (is_left ? -1 : 1) * patch.spin_y;
   if (any_of({patch.spin_x, patch.spin_y}))
     text += "     SPINXO      SPINYO\n" + columns({patch.spin_x, spin_y}) + "\n";

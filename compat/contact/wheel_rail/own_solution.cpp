@@ -128,7 +128,7 @@ WheelState<double> own_state(const Case& c, double distance) {
   s.lateral_velocity = -mm * d.velocity.vy;
   s.vertical_velocity = -mm * d.velocity.vz;
   s.roll_velocity = d.velocity.vroll;
-  s.pitch_velocity = -d.velocity.vpitch;
+  s.pitch_velocity = -d.velocity.pitch_rate();
   s.yaw_velocity = -d.velocity.vyaw;
   s.curvature = -per_m * d.track.curvature;
   s.deflection.longitudinal_velocity = mm * (f.vx - down * f.vpitch - aside * f.vyaw);
@@ -146,10 +146,10 @@ public:
       : case_(c), data_(*c.wheel_rail),
         solver_(own_bodies(c, wheel.placement), {.theory = Theory::exact, .shape = own_shape(c)}),
         state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
-    if (c.digits.norm == Normal::force)
-      vertical_force_ = data_.position.z;
+    if (const auto* force = std::get_if<VerticalForce>(&data_.position.vertical))
+      vertical_force_ = force->fz;
     else
-      state_.vertical = -mm * data_.position.z;
+      state_.vertical = -mm * std::get<VerticalPosition>(data_.position.vertical).z;
     state_.rail.vertical -= mm * wheel.dz_rail;
     if (data_.digits.force == TotalForce::force_x) find_pitch_velocity();
     if (data_.digits.force == TotalForce::rail_deflection) find_deflection();
@@ -182,7 +182,8 @@ private:
 
   /// F = 1: FX_WS, on the rail along the wheelset's x.
   void find_pitch_velocity() {
-    const double wanted = data_.velocity.vpitch, free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
+    const double wanted = std::get<LongitudinalForce>(data_.velocity.pitch).fx;
+    const double free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
     state_.pitch_velocity = free;
     const Rotation<double> axes = rotation_about_x(state_.roll) * rotation_about_z(state_.yaw);
     find(state_.pitch_velocity, 1e-4 * free, *vertical_force_, [&] { return -dot(axes.ex, solution_.force) - wanted; });
@@ -217,8 +218,8 @@ void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatc
   };
   add("YCP(R)", "mm", l.rail.y, side * own.rail_y * per_m);
   add("DELTCP(TR)", "rad", l.angle, own.angle);
-  add("CKSI", "-", theirs.contact.x, -own.creepage.longitudinal);
-  add("CETA", "-", theirs.contact.y, own.creepage.lateral);
+  add("CKSI", "-", slip_of(theirs.contact.x), -own.creepage.longitudinal);
+  add("CETA", "-", slip_of(theirs.contact.y), own.creepage.lateral);
   add("CPHI", "rad/mm", theirs.contact.phi, own.creepage.spin * mm);
   add("FN", "N", t.fn, own.normal_force);
   add("FX", "N", t.fx, -own.fx);

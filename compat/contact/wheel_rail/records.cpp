@@ -114,13 +114,26 @@ WheelsetPosition read_position(Words& words, Normal norm) {
   WheelsetPosition p;
   p.s = words.real("S_WS");
   p.y = words.real("Y_WS");
-  p.z = words.real(norm == Normal::force ? "FZ" : "Z_WS");
+  if (norm == Normal::force)
+    p.vertical = VerticalForce{words.real("FZ")};
+  else
+    p.vertical = VerticalPosition{words.real("Z_WS")};
   p.roll = words.angle("ROLL_WS");
   p.yaw = words.angle("YAW_WS");
   p.pitch = words.angle("PITCH_WS");
   words.end_record();
   return p;
 }
+
+namespace {
+
+PitchDrive read_pitch_drive(Words& words, TotalForce digit) {
+  if (digit == TotalForce::force_x) return LongitudinalForce{words.real("FX_WS")};
+  if (digit == TotalForce::moment_y) return PitchMoment{words.real("MY_WS")};
+  return PitchVelocity{words.angle("VPITCH_WS")};
+}
+
+} // namespace
 
 WheelsetVelocity read_velocity(Words& words, const WheelRailDigits& digits) {
   WheelsetVelocity v;
@@ -129,8 +142,7 @@ WheelsetVelocity read_velocity(Words& words, const WheelRailDigits& digits) {
   v.vz = words.real("VZ_WS");
   v.vroll = words.angle("VROLL_WS");
   v.vyaw = words.angle("VYAW_WS");
-  const bool is_force = digits.force == TotalForce::force_x || digits.force == TotalForce::moment_y;
-  v.vpitch = is_force ? words.real(digits.force == TotalForce::force_x ? "FX_WS" : "MY_WS") : words.angle("VPITCH_WS");
+  v.pitch = read_pitch_drive(words, digits.force);
   words.end_record();
   return v;
 }

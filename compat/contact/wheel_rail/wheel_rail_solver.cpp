@@ -211,9 +211,9 @@ WheelGeometry WheelRailSolver::geometry_over(const Case& right, const RailDeflec
 
 Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
   WheelGeometry geometry = geometry_over(right, deflection);
-  Outcome outcome = right.digits.norm == Normal::force
-                        ? find_height(right, geometry, progress)
-                        : solve_at(right, geometry, right.wheel_rail->position.z, progress);
+  const auto* position = std::get_if<VerticalPosition>(&right.wheel_rail->position.vertical);
+  Outcome outcome =
+      position ? solve_at(right, geometry, position->z, progress) : find_height(right, geometry, progress);
   if (!outcome.wheel) return outcome;
   outcome.wheel->dy_rail = deflection.dy;
   outcome.wheel->dz_rail = deflection.dz;
@@ -228,15 +228,15 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
   std::optional<RootSearch> search;
   std::optional<double> depth;
   double dy = 0;
+  const auto* force = std::get_if<VerticalForce>(&right.wheel_rail->position.vertical);
   for (int k = 0;; ++k) {
-    Outcome outcome = right.digits.norm == Normal::force
-                          ? solve_placed(right, {dy, under_force(right.wheel_rail->position.z)}, progress)
-                          : find_settlement(right, dy, depth, progress);
+    Outcome outcome = force ? solve_placed(right, {dy, under_force(force->fz)}, progress)
+                            : find_settlement(right, dy, depth, progress);
     if (!outcome.wheel) return outcome;
-    const PrescribedForce force = side_spring(right, *outcome.wheel);
-    if (ends(force, k, search ? search->width() : std::nullopt, least_step)) return outcome;
-    if (!search) search.emplace(std::copysign(support.first_step, force.missing()));
-    dy = search->next(dy, force.missing());
+    const PrescribedForce on_spring = side_spring(right, *outcome.wheel);
+    if (ends(on_spring, k, search ? search->width() : std::nullopt, least_step)) return outcome;
+    if (!search) search.emplace(std::copysign(support.first_step, on_spring.missing()));
+    dy = search->next(dy, on_spring.missing());
   }
 }
 
@@ -246,7 +246,7 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
 Outcome WheelRailSolver::find_settlement(const Case& right, double dy, std::optional<double>& depth,
                                          const Progress& progress) {
   constexpr double share_of_tolerance = 0.1; // so that the search for dy sees a smooth force
-  const double height = right.wheel_rail->position.z;
+  const double height = std::get<VerticalPosition>(right.wheel_rail->position.vertical).z;
   const RailSupport& support = right.wheel_rail->support;
   const LeastGap gap = geometry_over(right, {dy, 0}).least_gap_at_zero();
   ++effort_.geometry;
@@ -273,7 +273,7 @@ Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& 
   Case now = right;
   WheelRailData& data = *now.wheel_rail;
   const double speed = data.digits.is_roller() ? data.velocity.vs * data.track.roller_radius : data.velocity.vs;
-  double& vpitch = data.velocity.vpitch;
+  double& vpitch = data.velocity.pitch.emplace<PitchVelocity>().rate;
   vpitch = -speed / data.wheelset.nominal_radius;
   RootSearch search(1e-4 * vpitch);
   for (int k = 0;; ++k) {
@@ -472,7 +472,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
   Outcome outcome;
   WheelOutcome wheel;
   wheel.z = z;
-  wheel.vpitch = right.wheel_rail->velocity.vpitch;
+  wheel.vpitch = right.wheel_rail->velocity.pitch_rate();
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const PatchFrame& frame = frames[k];
     wheel.patches.push_back(solve_patch(right, frame, geometry, z, tracks_[k], progress));
@@ -500,7 +500,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
 }
 
 Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry, const Progress& progress) {
-  const double target = right.wheel_rail->position.z;
+  const double target = std::get<VerticalForce>(right.wheel_rail->position.vertical).fz;
   if (!(target > 0)) throw Error("FZ", target, "N", "positive");
   const LeastGap gap = geometry.least_gap_at_zero();
   ++effort_.geometry;

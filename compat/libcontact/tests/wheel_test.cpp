@@ -65,7 +65,8 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const auto& patch = w.patches[static_cast<std::size_t>(icp) - 1];
       const auto& totals = patch.solution->totals;
       EXPECT_EQ(scalars(cntc_getcontactforces, 1, icp), (Values{totals.fn, totals.fx, totals.fy, totals.mz}));
-      EXPECT_EQ(scalars(cntc_getcreepages, 1, icp), (Values{patch.contact.x, patch.contact.y, patch.contact.phi}));
+      EXPECT_EQ(scalars(cntc_getcreepages, 1, icp),
+                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), patch.contact.phi}));
       EXPECT_EQ(scalars(cntc_getmaximumpressure, 1, icp), Values{totals.peak_pressure});
       const Values pn = field(1, icp, CNTC_fld_pn, elements(1, icp));
       ASSERT_EQ(pn.size(), patch.solution->solution.normal.pressure.size());
