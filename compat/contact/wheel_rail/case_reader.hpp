@@ -17,8 +17,7 @@ public:
   void read();
 
 private:
-  void check_digits(const Digits& digits) const;
-  void check_kept(const WheelRailData& data);
+  void check_kept(const WheelRailData& data) const;
   void read_friction(const WheelRailDigits& digits);
   void read_material(const Digits& digits);
   void read_track(WheelRailData& data);
