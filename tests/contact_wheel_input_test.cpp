@@ -146,6 +146,10 @@ TEST(ContactWheelInput, ErrorsNameFileLineAndField) {
                  a + "12: NOMRADW = -1: must be in [0.001, 1e+20]");
   expect_message(with(first_wheel, " 1203000", " 2203000"), a + "2: digit C of CPBTNFS = 2: must be one of 0, 1, 4, 5");
   expect_message(with(first_wheel, " 1203000", " 1223000"), a + "4: digit B = 2: must be 0, 1, 5 or 6 in module 1");
+  const std::string by_force = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 -.16 "}});
+  expect_message(by_force, a + "15: FZ = -0.16: must be > 0");
+  const std::string on_roller = with(first_wheel, {{" 1203000", " 5203000"}, {"-1. 200. 0. 0. ", "-1. 200. 0. 0. "}});
+  expect_message(on_roller, a + "15: NOMRADR = 0: must not be 0");
   expect_message(with(first_wheel, " 0022033", " 0122033"),
                  a + "4: case 1: digit L = 1 keeps the friction law, which no earlier case has given");
   expect_message(with(first_wheel, " 0022033", " 0022032"),

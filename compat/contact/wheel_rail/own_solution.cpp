@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/own_solution.hpp"
 
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
 #include "microslip/error.hpp"
@@ -59,7 +60,7 @@ std::vector<InclinedFriction> own_friction(const Case& c) {
   if (!c.digits.has_friction()) return {{0, 1}}; // nothing slides
   if (friction.stations.empty()) return {{0, friction.sets[0][0]}};
   if (d.digits.varfrc == FrictionStations::along_track) return {{0, friction_at(friction, d.position.s)[0]}};
-  const WheelRailData right = d.digits.is_left() ? mirrored(d) : d;
+  const WheelRailData right = *right_hand(c).wheel_rail;
   const double roll = right.position.roll + right.deflection.droll;
   std::vector<InclinedFriction> own;
   for (std::size_t k = friction.stations.size(); k-- > 0;)

@@ -38,15 +38,6 @@ double tape_height(const WheelsetDimensions& wheelset, const ProfileCurve& wheel
 
 } // namespace
 
-WheelRailData mirrored(WheelRailData d) {
-  for (double* odd : {&d.track.curvature, &d.rail_position.dy, &d.rail_position.roll, &d.rail_position.vy,
-                      &d.rail_position.vroll, &d.support.fy, &d.position.y, &d.position.roll, &d.position.yaw,
-                      &d.velocity.vy, &d.velocity.vroll, &d.velocity.vyaw, &d.deflection.dy, &d.deflection.droll,
-                      &d.deflection.dyaw, &d.deflection.vy, &d.deflection.vroll, &d.deflection.vyaw})
-    *odd = -*odd;
-  return d;
-}
-
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
 }

@@ -7,9 +7,6 @@
 
 namespace microslip::contact_program {
 
-/// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
-WheelRailData mirrored(WheelRailData data);
-
 /// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [mm].
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
 
@@ -18,7 +15,7 @@ struct RailDeflection {
   double dy = 0, dz = 0;
 };
 
-/// A right wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
+/// A wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
 struct Placement {
   ProfileShape rail_profile, wheel_profile;
   Frame<double> rail;     ///< the rail's profile

@@ -28,13 +28,6 @@ GridOrigin origin_of(const Digits& digits) {
   return digits.tang == Tangential::transient ? GridOrigin::moving : GridOrigin::reference;
 }
 
-/// The case of a right wheel that is the mirror image of a left one's.
-Case right_hand(const Case& c) {
-  Case right = c;
-  if (c.wheel_rail->digits.is_left()) right.wheel_rail = mirrored(*c.wheel_rail);
-  return right;
-}
-
 /// The force of a patch, and its moment about the origin of some axes that lie in the track's.
 Wrench wrench(const Frame<double>& axes, const Vec& at, const Vec& force, const Vec& moment) {
   return {axes.axes.back(force), axes.axes.back(cross(at - axes.origin, force) + moment)};
@@ -326,7 +319,7 @@ void WheelRailSolver::move_origins(GridOrigin origin) {
 void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress& progress) {
   wheel.effort = effort_;
   is_left_ = c.wheel_rail->digits.is_left();
-  if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
+  if (is_left_) mirror_back(wheel);
   for (WheelPatch& patch : wheel.patches) {
     patch.contact.digits.stress = c.digits.stress;
     Outcome& o = *patch.solution;
@@ -439,6 +432,7 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   patch.reference = frame.reference;
   patch.grid = frame.grid;
   patch.s_rail = frame.s_rail;
+  if (const auto& curve = placement.wheel_profile.curve) patch.s_wheel = -curve->nearest_s_at_y(patch.location.wheel.y);
   PatchMotion motion;
   if (right.digits.has_friction()) motion = motion_of(right, placement, frame, distance);
   patch.contact = patch_case(right, frame, distance, motion, patch.location);
@@ -501,7 +495,6 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
 
 Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry, const Progress& progress) {
   const double target = std::get<VerticalForce>(right.wheel_rail->position.vertical).fz;
-  if (!(target > 0)) throw Error("FZ", target, "N", "positive");
   const LeastGap gap = geometry.least_gap_at_zero();
   ++effort_.geometry;
   ForceSearch search(target, gap.gap);

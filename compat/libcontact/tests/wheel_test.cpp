@@ -104,6 +104,18 @@ TEST_P(Wheels, HaveForcesInTheAxesOfTheirProfiles) {
   EXPECT_NEAR(l[35], 460, 1e-9);
 }
 
+/// F = 3: the rail has moved as far to the right as its spring gives way to the force to the right.
+TEST_P(Wheels, MoveARailOnASpring) {
+  constexpr double stiffness = 5e4; // N/mm
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_force, 3), 0);
+  ASSERT_EQ(set(cntc_settrackdimensions, 1, 32, {stiffness, 0, 0, 0}), 0);
+  ASSERT_EQ(set_wheel_state(1, GetParam() ? 3 : -3), 0);
+  ASSERT_EQ(calculate(1), 0) << library_.log();
+  const double force = list(cntc_getglobalforces, 1, whole, 24)[1];
+  EXPECT_GT(std::abs(force), 1000);
+  EXPECT_NEAR(stiffness * list(cntc_getcontactlocation, 1, 1, 38)[17], force, 1e-4 * std::abs(force));
+}
+
 TEST_P(Wheels, TakeProfilesFromArrays) {
   ASSERT_EQ(set_wheel_state(1, 3), 0);
   ASSERT_EQ(calculate(1), 0);
