@@ -36,8 +36,7 @@ struct Marker {
 };
 
 Marker marker_of(const Frame<double>& frame) {
-  const Vec3<double>& across = frame.axes.ey;
-  return {frame.origin, std::atan2(across.z, across.y), -std::asin(across.x)};
+  return {frame.origin, roll_of(frame.axes), -std::asin(frame.axes.ey.x)};
 }
 
 /// The file's text; all its lines have the same number of columns.

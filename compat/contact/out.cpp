@@ -203,8 +203,8 @@ std::string contact_text(const Case& c, const Outcome& o) {
   }
   if (prints(c, 1)) text += out_totals(c, o, false);
   if (prints(c, 2)) text += sensitivities(c, o) + out_statistics(o, false);
-  if (prints(c, 3)) text += out_form(c, o, false);
-  if (prints(c, 5)) text += out_elements(c, o, false);
+  if (prints(c, 3)) text += out_form(c, o);
+  if (prints(c, 5)) text += out_elements(c, o);
   return text + out_interior(c, o);
 }
 

@@ -149,6 +149,11 @@ void mirror_back(WheelOutcome& wheel) {
   }
 }
 
+Outcome mirrored(Outcome patch) {
+  mirror(patch);
+  return patch;
+}
+
 void mirror_back(CarriedTractions& carried) {
   auto& [grid, tractions] = carried.tractions;
   mirror(tractions, grid.mx);

@@ -13,6 +13,8 @@ namespace microslip::contact_program {
 Case right_hand(Case c);
 /// Result for a left wheel, from that for the right one. The profiles' own y stays as of the right one.
 void mirror_back(WheelOutcome& wheel);
+/// A patch as the other wheel has it.
+Outcome mirrored(Outcome patch);
 /// The same of what a patch has gone on from.
 void mirror_back(CarriedTractions& carried);
 

@@ -3,6 +3,7 @@
 #include "compat/contact/fortran.hpp"
 #include "compat/contact/out_sections.hpp"
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/wheel_rail/left_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -219,8 +220,9 @@ std::string patch_text(const Case& c, const WheelPatch& patch, int number) {
   }
   if (prints(c, 1)) text += out_totals(patch.contact, o, true);
   if (prints(c, 2)) text += out_statistics(o, true);
-  if (prints(c, 3)) text += out_form(patch.contact, o, left);
-  if (prints(c, 5)) text += "\n" + out_elements(patch.contact, o, left);
+  const Outcome& drawn = left ? mirrored(o) : o; // CONTACT has the elements of the mirror image
+  if (prints(c, 3)) text += out_form(patch.contact, drawn);
+  if (prints(c, 5)) text += "\n" + out_elements(patch.contact, drawn);
   return text + out_interior(patch.contact, o);
 }
 

@@ -68,6 +68,10 @@ std::vector<InclinedFriction> own_friction(const Case& c) {
   return own;
 }
 
+TrackSide side_of(const WheelRailData& d) {
+  return d.digits.is_left() ? TrackSide::left : TrackSide::right;
+}
+
 WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
   const WheelRailData& d = *c.wheel_rail;
   Track track;
@@ -91,7 +95,7 @@ WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
           .wheel = own_profile(placement.wheel_profile, ProfileRole::wheel),
           .track = track,
           .wheelset = wheelset,
-          .side = d.digits.is_left() ? TrackSide::left : TrackSide::right,
+          .side = side_of(d),
           .material = combined_material(c),
           .friction = own_friction(c),
           .strength = {},
@@ -209,11 +213,11 @@ private:
 };
 
 void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatch& theirs, const WheelRailPatch& own,
-               bool is_left) {
+               TrackSide track_side) {
   const PrintedTotals& t = theirs.solution->totals;
   const PatchLocation& l = theirs.location;
   const double element = theirs.solution->step.grid.element_area() * per_m * per_m;
-  const double side = is_left ? -1 : 1; // of a profile's y, which ours has to the field side
+  const double side = track_side == TrackSide::left ? -1 : 1; // of a profile's y, which ours has to the field side
   const auto add = [&](const char* name, const char* unit, double program, double of_own) {
     numbers.push_back({name, unit, number, program, of_own});
   };
@@ -260,7 +264,7 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
     if (own.patches.size() != wheel.patches.size()) return comparison;
     for (std::size_t k = 0; k < wheel.patches.size(); ++k) // ours from the gauge side, CONTACT's from the field side
       add_patch(comparison.numbers, static_cast<int>(k) + 1, wheel.patches[k], own.patches[own.patches.size() - 1 - k],
-                d.digits.is_left());
+                side_of(d));
   } catch (const Error& error) {
     comparison.reasons.emplace_back(error.what());
   }

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double mm = 1e-3;
 
-double roll_of(const Rotation<double>& axes) {
-  return std::atan2(axes.ey.z, axes.ey.y);
-}
-
 /// One set of a patch in a plane; rows of a curved one have separate sets where friction varies with the
 /// inclination.
 FrictionData friction_of(const Case& c, const PatchLocation& location, const PatchFrame& frame) {

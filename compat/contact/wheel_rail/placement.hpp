@@ -5,10 +5,17 @@
 #include "microslip/railway/geometry/frame.hpp"
 #include "microslip/railway/profile/profile_dimensions.hpp"
 
+#include <cmath>
+
 namespace microslip::contact_program {
 
 /// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [mm].
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
+
+/// Angle about x by which axes are turned.
+inline double roll_of(const Rotation<double>& axes) {
+  return std::atan2(axes.ey.z, axes.ey.y);
+}
 
 /// Displacement of a rail on springs from its position [mm], towards the field side and down.
 struct RailDeflection {

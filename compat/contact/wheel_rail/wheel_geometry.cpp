@@ -5,17 +5,9 @@
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/error.hpp"
 
-#include <cmath>
 #include <string>
 
 namespace microslip::contact_program {
-namespace {
-
-double roll_of(const Frame<double>& frame) {
-  return std::atan2(frame.axes.ey.z, frame.axes.ey.y);
-}
-
-} // namespace
 
 double place_on_track(const WheelRailData& data) {
   return data.digits.is_roller() ? 0 : data.position.s;
@@ -27,7 +19,7 @@ WheelGeometry::WheelGeometry(const WheelRailData& right, ProfileShape rail, Prof
       deflection_(deflection) {
   const Placement at_zero = placement(0);
   const Vec3<double>& place = at_zero.rail.origin;
-  rail_in_track_ = std::make_shared<ProfileCurve>(rail_.curve->moved(roll_of(at_zero.rail), place.y, place.z));
+  rail_in_track_ = std::make_shared<ProfileCurve>(rail_.curve->moved(roll_of(at_zero.rail.axes), place.y, place.z));
   const bool brute_force = right.search == ContactSearch::brute_force || right.search == ContactSearch::steep;
   if (brute_force || wheel_.varies())
     brute_force_.emplace(at_zero, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
