@@ -2,7 +2,6 @@
 #include "compat/contact/out.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
-#include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>

@@ -36,14 +36,7 @@ bool is_elastic_half_space(const Case& c) {
   return c.digits.mater == Bulk::elastic && c.digits.bound == PressureModel::half_space;
 }
 
-/// A value of a digit, or of a number beside it, that is not supported.
-struct Refusal {
-  const char* digit;
-  const char* meaning;
-  bool (*applies)(const Case& c);
-};
-
-constexpr Refusal refusals[] = {
+constexpr Unsupported refusals[] = {
     {"B = 4", "two half ellipses, SDEC, without IPOTCN = -6 and N = 1",
      [](const Case& c) {
        return c.digits.bound == PressureModel::half_ellipses &&
@@ -98,10 +91,15 @@ bool covers_less(const InfluenceTable& table, const ElementGrid& grid) {
 
 } // namespace
 
-std::vector<std::string> unsupported(const Case& c) {
+std::vector<std::string> applying(std::span<const Unsupported> table, const Case& c) {
   std::vector<std::string> reasons;
-  for (const auto& [digit, meaning, applies] : refusals)
+  for (const auto& [digit, meaning, applies] : table)
     if (applies(c)) reasons.push_back(std::string(digit) + " (" + meaning + ")");
+  return reasons;
+}
+
+std::vector<std::string> unsupported(const Case& c) {
+  std::vector<std::string> reasons = applying(refusals, c);
   if (!c.material->missing_table.empty())
     reasons.push_back("C = 9 (CFNAME = '" + c.material->missing_table + "' cannot be read)");
   return reasons;

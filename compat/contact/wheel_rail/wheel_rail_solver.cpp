@@ -2,13 +2,13 @@
 
 #include "compat/contact/prescribed_forces.hpp"
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/support.hpp"
 #include "compat/contact/wheel_rail/force_search.hpp"
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
-#include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 
@@ -176,7 +176,7 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   const WheelRailData& data = *right.wheel_rail;
   effort_ = {};
   if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
-  for (Track& track : tracks_) track.is_new = true;
+  for (TrackedPatch& track : tracks_) track.is_new = true;
   if (c.digits.pvtime != Continuation::repeated) origins_ = std::exchange(tracks_, {});
   move_origins(origin_of(c.digits));
   Outcome outcome = data.digits.force == TotalForce::force_x           ? find_pitch_velocity(right, progress)
@@ -282,7 +282,7 @@ Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& 
 void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<PatchFrame>& frames, double place,
                                GridOrigin origin) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    Track& track = tracks_[k];
+    TrackedPatch& track = tracks_[k];
     track.origin = origin;
     track.x = frames[k].reference.origin.x;
     track.place = place + track.x;
@@ -302,7 +302,7 @@ void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<Patc
 /// Tractions of the case before as seen from where this case's elements count from, if it goes on from them.
 void WheelRailSolver::move_origins(GridOrigin origin) {
   if (origin == GridOrigin::reference) return;
-  for (Track& track : origins_) {
+  for (TrackedPatch& track : origins_) {
     const auto along = [&](GridOrigin from) {
       return from == GridOrigin::fixed ? track.place : from == GridOrigin::moving ? track.x : 0.0;
     };
@@ -364,10 +364,10 @@ std::vector<std::vector<WheelRailSolver::Part>> WheelRailSolver::parts_of(const 
 std::optional<Vec> WheelRailSolver::force_before(const std::vector<PatchFrame>& frames, std::size_t k,
                                                  Continuation from) const {
   std::optional<Vec> sum;
-  const auto overlaps = [](const Track& origin, const PatchFrame& frame) {
+  const auto overlaps = [](const TrackedPatch& origin, const PatchFrame& frame) {
     return std::min(origin.y1, frame.y1) > std::max(origin.y0, frame.y0);
   };
-  for (const Track& origin : origins_) {
+  for (const TrackedPatch& origin : origins_) {
     if (!overlaps(origin, frames[k])) continue;
     double all = 0, own = 0;
     for (const auto& [y, load] : origin.rows) {
@@ -385,8 +385,8 @@ std::optional<Vec> WheelRailSolver::force_before(const std::vector<PatchFrame>& 
 }
 
 /// A patch that this case has not had yet.
-WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
-  Track track;
+WheelRailSolver::TrackedPatch WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
+  TrackedPatch track;
   track.parts = parts;
   const bool is_one = parts.size() == 1 && parts[0] == Part{.origin = parts[0].origin};
   track.solver = is_one ? origins_[parts[0].origin].solver : std::make_shared<CaseSolver>();
@@ -402,12 +402,12 @@ WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& par
 void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits& digits) {
   const bool has_history = digits.has_history();
   const auto parts = parts_of(frames, has_history);
-  std::vector<Track> now;
-  for (Track& track : tracks_) track.taken = false;
+  std::vector<TrackedPatch> now;
+  for (TrackedPatch& track : tracks_) track.taken = false;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    Track* best = nullptr;
+    TrackedPatch* best = nullptr;
     double most = 0;
-    for (Track& track : tracks_) {
+    for (TrackedPatch& track : tracks_) {
       const double common = std::min(track.y1, frames[k].y1) - std::max(track.y0, frames[k].y0);
       if (!track.taken && track.parts == parts[k] && common > most) {
         best = &track;
@@ -424,7 +424,7 @@ void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits
 }
 
 WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry,
-                                        double z, Track& track, const Progress& progress) {
+                                        double z, TrackedPatch& track, const Progress& progress) {
   const Placement placement = geometry.placement(z);
   const UndeformedDistance distance = geometry.distance(frame, z);
   WheelPatch patch;
