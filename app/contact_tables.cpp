@@ -109,8 +109,8 @@ void print_location(const contact_program::WheelPatch& patch) {
   places.print();
   if (!patch.contact.digits.has_friction()) return;
   motion.add("VELOC [mm/s]", patch.contact.rolling->veloc);
-  motion.add("CKSI", patch.contact.x);
-  motion.add("CETA", patch.contact.y);
+  motion.add("CKSI", contact_program::number_of(patch.contact.x));
+  motion.add("CETA", contact_program::number_of(patch.contact.y));
   motion.add("CPHI [rad/mm]", patch.contact.phi);
   motion.print();
 }

@@ -2,7 +2,6 @@
 #include "compat/contact/out.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
-#include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/error.hpp"
 
 #include <cmath>
@@ -18,13 +17,18 @@ namespace {
 using namespace microslip;
 using namespace microslip::contact_program;
 
+bool is_sound(const Vertical& vertical) {
+  const auto* position = std::get_if<VerticalPosition>(&vertical);
+  return position ? std::isfinite(position->z) : std::get<VerticalForce>(vertical).fz > 0;
+}
+
 /// What holds for every wheel on a rail.
 bool is_sound(const WheelRailData& d, const FrictionData& friction) {
   const bool has_stations =
       friction.stations.empty() ? friction.sets.size() == 1 : friction.stations.size() == friction.sets.size();
   return has_stations && d.grid.dx > 0 && d.grid.ds > 0 && d.grid.d_comb <= d.grid.d_sep && !d.rail.file.empty() &&
          !d.wheel.file.empty() && d.wheelset.nominal_radius > 0 && d.search != ContactSearch::keep &&
-         d.search != ContactSearch::form && std::isfinite(d.position.z);
+         d.search != ContactSearch::form && is_sound(d.position.vertical);
 }
 
 /// What holds for every case that the reader hands out.
@@ -37,7 +41,8 @@ bool is_sound(const Case& c) {
   const bool has_heights = p.is_hertzian() || c.geometry.base != Base::by_element || c.geometry.values.size() == count;
   const bool has_rolling = !c.digits.rolls() || (c.rolling && c.rolling->dq > 0 && c.rolling->veloc > 0);
   return has_heights && has_rolling && c.friction.law != Law::keep && c.extra != ExtraSlip::keep &&
-         std::isfinite(c.normal) && std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.phi);
+         std::isfinite(c.load.value) && std::isfinite(number_of(c.x)) && std::isfinite(number_of(c.y)) &&
+         std::isfinite(c.phi);
 }
 
 /// A case on a small grid is a problem that makes sense, or is refused.

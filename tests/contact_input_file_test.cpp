@@ -25,8 +25,9 @@ TEST(ContactInputFile, ReadsEveryRecordOfACase) {
   EXPECT_EQ(number(c.digits.output), 3);
   EXPECT_EQ(c.solver.maxnr, 30);
   EXPECT_EQ(c.solver.eps, 1e-7);
-  EXPECT_EQ(c.normal, 9.1954);
-  EXPECT_EQ(c.x, -0.5);
+  EXPECT_EQ(c.load.given, NormalLoad::Given::force);
+  EXPECT_EQ(c.load.value, 9.1954);
+  EXPECT_EQ(std::get<ForceRatio>(c.x).value, -0.5);
   ASSERT_EQ(c.friction.sets.size(), 1u);
   EXPECT_EQ(c.friction.sets[0][0], 0.4);
   EXPECT_EQ(c.material->poisson1, 0.42);
@@ -66,7 +67,7 @@ TEST(ContactInputFile, StaysInTheModuleIfReturnSaysSo) {
   const std::string staying = with(first_shift, "0000331", "0000330");
   const auto cases = read_cases(staying + first_shift.substr(first_shift.find('\n') + 1) + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 2u);
-  EXPECT_EQ(cases[1].x, -0.5);
+  EXPECT_EQ(number_of(cases[1].x), -0.5);
 }
 
 TEST(ContactInputFile, SequencesKnowNothingOfEachOther) {
@@ -235,7 +236,7 @@ TEST(ContactInputFile, SequencesOfBothModulesKnowNothingOfEachOther) {
   EXPECT_FALSE(cases[0].wheel_rail);
   EXPECT_TRUE(cases[1].wheel_rail);
   EXPECT_EQ(cases[2].number, 3);
-  EXPECT_EQ(cases[2].x, -0.4);
+  EXPECT_EQ(number_of(cases[2].x), -0.4);
   EXPECT_EQ(cases[2].friction.sets[0][0], 0.4);
 }
 

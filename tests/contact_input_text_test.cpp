@@ -87,7 +87,7 @@ TEST(ContactInputText, IsReadAgainAsItWas) {
       while (const Case* c = reader.next()) {
         const bool has_own_file = c->material && c->material->coefficients == Coefficients::from_file;
         const bool has_other_grid = c->potential && c->potential->is_hertzian() &&
-                                    (c->formed_norm != c->digits.norm || c->formed_normal != c->normal);
+                                    (c->formed.given != c->load.given || c->formed.value != c->load.value);
         if (has_own_file || has_other_grid) {
           EXPECT_THROW(input_text(*c), Error);
           continue;
@@ -106,7 +106,7 @@ TEST(ContactInputText, IsReadAgainAsItWas) {
 
 TEST(ContactInputText, RefusesWhatAFileCannotHave) {
   Case c = first_case(first_shift);
-  c.x = std::numeric_limits<double>::infinity();
+  c.x = Slip{std::numeric_limits<double>::infinity()};
   EXPECT_THROW(input_text(c), Error);
   Case wheel = first_case(first_wheel);
   EXPECT_NE(input_text(wheel).find("rail.prr'"), std::string::npos);

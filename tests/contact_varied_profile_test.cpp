@@ -105,7 +105,7 @@ TEST_F(VariedProfiles, OnARampTheWheelTouchesAhead) {
   const double lift = 100 * (std::sqrt(1.01) - 1);
   const WheelOutcome w = wheel(with(on_slices, place, " 0 0 " + std::to_string(0.16 - lift) + " 0 0 0"));
   EXPECT_NEAR(w.patches.at(0).location.track.x, 10 / std::sqrt(1.01), 5e-3);
-  EXPECT_NEAR(w.patches.at(0).contact.normal, 0.16, 2e-4);
+  EXPECT_NEAR(w.patches.at(0).contact.load.value, 0.16e-3, 2e-7);
 }
 
 /// Waves of a rail: on their crest it is higher by their amplitude, and 2 pi/L times that steep in between.

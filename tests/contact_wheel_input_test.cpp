@@ -34,8 +34,8 @@ TEST(ContactWheelInput, ReadsARecordPerConcept) {
   EXPECT_EQ(d.track.rail_y0, 200);
   EXPECT_EQ(d.rail.file, "folder/rail.prr");
   EXPECT_EQ(d.wheelset.flange_back_position, -100);
-  EXPECT_EQ(d.position.z, 0.16);
-  EXPECT_EQ(d.velocity.vpitch, -1);
+  EXPECT_EQ(std::get<VerticalPosition>(d.position.vertical).z, 0.16);
+  EXPECT_EQ(std::get<PitchVelocity>(d.velocity.pitch).rate, -1);
   EXPECT_EQ(c.solver.npot_max, 2000000);
   EXPECT_EQ(c.digits.norm, Normal::approach);
 }
@@ -100,11 +100,23 @@ TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
   ASSERT_EQ(cases.size(), 4u);
   EXPECT_TRUE(cases[1].wheel_rail->digits.is_left());
   EXPECT_EQ(cases[1].wheel_rail->search, ContactSearch::locus);
-  EXPECT_EQ(cases[1].wheel_rail->position.z, 5e3);
+  EXPECT_EQ(std::get<VerticalForce>(cases[1].wheel_rail->position.vertical).fz, 5e3);
   EXPECT_EQ(cases[1].digits.norm, Normal::force);
   EXPECT_EQ(cases[1].wheel_rail->velocity.vs, 100);
   EXPECT_EQ(cases[1].wheel_rail->rail.file, "folder/rail.prr");
   EXPECT_EQ(cases[2].sequence, (std::pair<int, int>{2, 1}));
+}
+
+TEST(ContactWheelInput, APositionIsNotKeptAsAForceNorAVelocityAsOne) {
+  const std::string a = "folder/a.inp:";
+  const auto next = [](const std::string& first, const std::string& second) {
+    return first_wheel + " 1 MODULE\n " + first + "\n " + second + "\n 0100331\n";
+  };
+  expect_message(next("1203100", "0111000"),
+                 a + "19: case 2: digit N = 1 keeps a vertical force, which no earlier case has given");
+  expect_message(
+      next("1203010", "0111001"),
+      a + "19: case 2: digit F = 1 keeps what drives the wheelset about its axle, which no earlier case has given");
 }
 
 TEST(ContactWheelInput, RollersAndDeflectionsHaveRecordsOfTheirOwn) {
@@ -134,6 +146,10 @@ TEST(ContactWheelInput, ErrorsNameFileLineAndField) {
                  a + "12: NOMRADW = -1: must be in [0.001, 1e+20]");
   expect_message(with(first_wheel, " 1203000", " 2203000"), a + "2: digit C of CPBTNFS = 2: must be one of 0, 1, 4, 5");
   expect_message(with(first_wheel, " 1203000", " 1223000"), a + "4: digit B = 2: must be 0, 1, 5 or 6 in module 1");
+  const std::string by_force = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 -.16 "}});
+  expect_message(by_force, a + "15: FZ = -0.16: must be > 0");
+  const std::string on_roller = with(first_wheel, {{" 1203000", " 5203000"}, {"-1. 200. 0. 0. ", "-1. 200. 0. 0. "}});
+  expect_message(on_roller, a + "15: NOMRADR = 0: must not be 0");
   expect_message(with(first_wheel, " 0022033", " 0122033"),
                  a + "4: case 1: digit L = 1 keeps the friction law, which no earlier case has given");
   expect_message(with(first_wheel, " 0022033", " 0022032"),

@@ -4,12 +4,14 @@
 #include "compat/contact/geometry.hpp"
 #include "compat/contact/influence_file.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
+#include "microslip/contact/normal_load.hpp"
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace microslip::contact_program {
@@ -77,6 +79,30 @@ struct DampingData {
   double normal_limit = 0, tangential_limit = 0; ///< DFNMAX, DFTMAX: the most that a rate counts [N/s]
 };
 
+/// CKSI or CETA [-], in a shift the distance [mm].
+struct Slip {
+  double value = 0;
+};
+/// FX or FY over FSTAT FN.
+struct ForceRatio {
+  double value = 0;
+};
+/// What is given along an axis.
+using SlipOrForce = std::variant<Slip, ForceRatio>;
+
+/// The slip where it is given, else 0.
+inline double slip_of(const SlipOrForce& given) {
+  const auto* slip = std::get_if<Slip>(&given);
+  return slip ? slip->value : 0;
+}
+/// The value of whichever is given.
+inline double& number_of(SlipOrForce& either) {
+  return std::visit([](auto& given) -> double& { return given.value; }, either);
+}
+inline double number_of(const SlipOrForce& either) {
+  return std::visit([](const auto& given) { return given.value; }, either);
+}
+
 /// A case in CONTACT's units: its digits, and the data that hold for it, whether read or kept. One of module 1 has
 /// `wheel_rail`; grid, distance and motion are then those of each of its patches, and not known yet.
 struct Case {
@@ -87,8 +113,9 @@ struct Case {
   bool names_element = false;            ///< whether it, or a case before, has an RE other than the first case's
 
   Digits digits = {};
-  double normal = 0;             ///< PEN [mm] or FN [N]
-  double x = 0, y = 0, phi = 0;  ///< CKSI or FX, CETA or FY, CPHI [rad/mm], for a shift [mm], [rad]; FX over FSTAT FN
+  NormalLoad load = {};          ///< PEN or FN, in SI
+  SlipOrForce x = {}, y = {};    ///< CKSI or FX, CETA or FY
+  double phi = 0;                ///< CPHI [rad/mm], for a shift [rad]
   double spin_x = 0, spin_y = 0; ///< SPINXO, SPINYO [mm]
   SolverData solver = {};
   FrictionData friction = {};
@@ -96,8 +123,7 @@ struct Case {
   std::optional<MaterialData> material = {};
   std::optional<DampingData> damping = {}; ///< none with M2 = 0
   std::optional<PotentialContact> potential = {};
-  Normal formed_norm = Normal::force; ///< N when the potential contact was formed,
-  double formed_normal = 0;           ///< and PEN or FN
+  NormalLoad formed = {}; ///< PEN or FN when the potential contact was formed
   Geometry geometry = {};
   std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9)
   ExtraSlip extra = ExtraSlip::none;   ///< never keep

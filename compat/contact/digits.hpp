@@ -196,6 +196,11 @@ struct Digits {
   bool rolls() const { return tang == Tangential::transient || tang == Tangential::steady; }
   /// Returns whether tractions depend on the ones before: in shifts and transient rolling.
   bool has_history() const { return tang == Tangential::shift || tang == Tangential::transient; }
+  /// Returns whether the pressure is that of Hertz's ellipse, or of two half ones.
+  bool takes_ellipse() const {
+    return bound == PressureModel::elliptic || bound == PressureModel::parabolic ||
+           bound == PressureModel::half_ellipses;
+  }
   bool is_fastrip() const {
     return mater == Bulk::fastrip || mater == Bulk::fastrip_first || mater == Bulk::fastrip_first_bounded;
   }

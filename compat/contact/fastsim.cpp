@@ -85,8 +85,7 @@ public:
     const Digits& d = case_.digits;
     const bool shifts = d.tang == Tangential::shift;
     const double unit = shifts ? mm : 1, turn = shifts ? 1 : 1 / mm;
-    const Creepage creepage = {d.force != Prescribed::creepages ? 0 : unit * case_.x,
-                               d.force == Prescribed::force_x_and_y ? 0 : unit * case_.y, turn * case_.phi};
+    const Creepage creepage = {unit * slip_of(case_.x), unit * slip_of(case_.y), turn * case_.phi};
     if (d.force == Prescribed::creepages) return solution(solve(creepage), creepage);
     PrescribedForces prescribed;
     if (step_.force_x) prescribed.x = *step_.force_x * normal_force_;

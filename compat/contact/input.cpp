@@ -1,5 +1,6 @@
 #include "compat/contact/input.hpp"
 
+#include "compat/contact/rules.hpp"
 #include "compat/contact/wheel_rail/case_reader.hpp"
 #include "io/file_beside.hpp"
 #include "microslip/elasticity/material.hpp"
@@ -12,6 +13,7 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
+constexpr double mm = 1e-3;
 
 } // namespace
 
@@ -33,6 +35,7 @@ const Case* InputReader::next() {
     WheelRailReader(words_, folder_.string(), *now_).read();
   else
     read_case(c);
+  if (const auto broken = broken_rule(c)) words_.fail(broken->text);
   now_->has_case = true;
   in_module_ = c.digits.stays_in_module();
   return &c;
@@ -53,7 +56,7 @@ int InputReader::read_module() {
 
 void InputReader::read_case(Case& c) {
   c.digits = read_digits(words_, c.damping ? Damping::keep : Damping::none);
-  check_digits(c);
+  now_->check_digits(words_);
   check_kept(c);
   read_solver(words_, c.digits.gausei, c.solver);
   now_->has_solver = true;
@@ -63,7 +66,6 @@ void InputReader::read_case(Case& c) {
     read_rolling(c);
     read_material(c);
   }
-  check_read(c);
   read_damping(words_, c);
   if (c.digits.heat == Heat::read) c.heat = read_heat(words_, c.digits.mater);
   read_potential(c);
@@ -73,39 +75,19 @@ void InputReader::read_case(Case& c) {
   read_points(words_, c);
 }
 
-/// Digits that cannot be combined.
-void InputReader::check_digits(const Case& c) {
+/// What this module's digits keep must be there.
+void InputReader::check_kept(const Case& c) {
   const Digits& d = c.digits;
-  if (d.heat != Heat::none && d.has_history()) words_.fail("digit H", number(d.heat), "must be 0 with T = 1 or 2");
-  if (d.mater == Bulk::viscoelastic && d.has_history())
-    words_.fail("digit M", number(d.mater), "must go with T = 3 (or 0)");
-}
-
-/// What is to be kept must be there. The first case of a sequence cannot continue anything.
-void InputReader::check_kept(Case& c) {
-  Digits& d = c.digits;
-  const auto need = [&](bool keeps, bool has, auto digit, const char* what) {
-    now_->need(words_, keeps, has, written(digit), what);
-  };
-  need(d.gausei == SolverChoice::keep, now_->has_solver, d.gausei, "the solvers' parameters");
-  need(d.frclaw == Law::keep, now_->has_friction, d.frclaw, "the friction law");
-  need(!d.reads_material(), c.material.has_value(), d.inflcf, "the material");
-  need(d.discns != GridSource::read, c.potential.has_value(), d.discns, "the potential contact");
-  need(d.exrhs == ExtraSlip::keep, now_->has_case, d.exrhs, "the extra rigid slip");
-  need(d.heat == Heat::keep, c.heat.has_value(), d.heat, "the heat parameters");
-  need(keeps_points(d), !c.points.empty(), d.stress, "the points of the interior field");
-  if (d.damping == Damping::keep && !c.damping) d.damping = Damping::none;
-  if (!now_->has_case) {
-    d.pvtime = Continuation::nothing;
-    d.iestim = InitialGuess::nothing;
-  }
+  now_->need(words_, d.discns != GridSource::read, c.potential.has_value(), written(d.discns), "the potential contact");
+  now_->need(words_, d.exrhs == ExtraSlip::keep, now_->has_case, written(d.exrhs), "the extra rigid slip");
 }
 
 void InputReader::read_kinematics(Case& c) {
   const Digits& d = c.digits;
-  c.normal = d.norm == Normal::force ? words_.positive("FN") : words_.real("PEN");
-  c.x = words_.real(d.force != Prescribed::creepages ? "FX" : "CKSI");
-  c.y = words_.real(d.force == Prescribed::force_x_and_y ? "FY" : "CETA");
+  c.load = d.norm == Normal::force ? NormalLoad{NormalLoad::Given::force, words_.positive("FN")}
+                                   : NormalLoad{NormalLoad::Given::approach, words_.real("PEN") * mm};
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{words_.real("CKSI")}) : ForceRatio{words_.real("FX")};
+  c.y = d.force != Prescribed::force_x_and_y ? SlipOrForce(Slip{words_.real("CETA")}) : ForceRatio{words_.real("FY")};
   c.phi = words_.real("CPHI");
   c.spin_x = words_.optional_real("SPINXO", 0);
   c.spin_y = words_.optional_real("SPINYO", 0);
@@ -138,8 +120,7 @@ void InputReader::read_material(Case& c) {
   MaterialData m;
   m.coefficients = d.inflcf;
   if (d.inflcf == Coefficients::angle_corrected) {
-    m.correction.method = words_.integer("IF_METH", 0, 1);
-    m.correction.variant = words_.integer("VARIANT", 1, 4);
+    read_correction(words_, m.correction);
     const int count = words_.integer("NN", 2, most_angles);
     words_.end_record();
     auto& angles = m.correction.angles;
@@ -175,47 +156,20 @@ std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::
   return table = read_influence_file(stream, path).in_si(shear_modulus);
 }
 
-/// What C = 0 or 1 has not read must be there from before.
-void InputReader::check_read(const Case& c) {
-  const Digits& d = c.digits;
-  if (d.mater != Bulk::elastic && c.material->model != d.mater)
-    words_.fail("digit M", number(d.mater), "must go with C >= 2, which reads its data");
-  if (d.rolls() && !c.rolling)
-    words_.fail("digit T", number(d.tang), "must go with C >= 2, which reads CHI, DQ and VELOC");
-}
-
 void InputReader::read_potential(Case& c) {
   const Digits& d = c.digits;
   if (d.discns == GridSource::read) {
     c.potential = read_potential_contact(words_);
     if (c.potential->is_hertzian()) now_->has_geometry = false;
   }
-  if (d.discns != GridSource::keep && c.potential->is_hertzian() && d.norm == Normal::approach && !(c.normal > 0))
-    words_.fail("PEN", c.normal, "must be > 0 with Hertz's geometry, IPOTCN < 0");
-  if (d.discns != GridSource::keep) {
-    c.formed_norm = d.norm;
-    c.formed_normal = c.normal;
-  }
-  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
-                             d.bound == PressureModel::half_ellipses;
-  if (needs_ellipse && !c.potential->is_hertzian())
-    words_.fail("digit B", number(d.bound), "must go with Hertz's geometry, IPOTCN < 0");
-}
-
-/// Returns whether the undeformed distance stays; then it must fit the elements.
-bool InputReader::keeps_geometry(Case& c) {
-  const DistanceSource digit = c.digits.rznorm;
-  if (digit == DistanceSource::read) return false;
-  now_->need(words_, true, now_->has_geometry, written(digit), "the undeformed distance");
-  if (c.geometry.base == Base::by_element && c.geometry.values.size() != c.potential->elements())
-    words_.fail("case " + std::to_string(c.number) + ": digit " + written(digit) +
-                " keeps the undeformed distance of " + std::to_string(c.geometry.values.size()) +
-                " elements, and there are " + std::to_string(c.potential->elements()));
-  return true;
+  if (d.discns != GridSource::keep) c.formed = c.load;
 }
 
 void InputReader::read_geometry(Case& c) {
-  if (c.potential->is_hertzian() || keeps_geometry(c)) return;
+  if (c.potential->is_hertzian()) return;
+  const DistanceSource digit = c.digits.rznorm;
+  now_->need(words_, digit != DistanceSource::read, now_->has_geometry, written(digit), "the undeformed distance");
+  if (digit != DistanceSource::read) return;
   c.geometry = contact_program::read_geometry(words_, *c.potential);
   now_->has_geometry = true;
 }
@@ -233,11 +187,8 @@ void InputReader::read_friction_by_rows(Case& c) {
 void InputReader::read_extra_slip(Case& c) {
   const Digits& d = c.digits;
   if (d.exrhs != ExtraSlip::keep) c.extra = d.exrhs;
-  const std::size_t count = 2 * c.potential->elements();
-  if (d.exrhs == ExtraSlip::by_element) c.extra_slip = words_.reals("EXRHS", count);
+  if (d.exrhs == ExtraSlip::by_element) c.extra_slip = words_.reals("EXRHS", 2 * c.potential->elements());
   if (c.extra != ExtraSlip::by_element) c.extra_slip.clear();
-  if (c.extra == ExtraSlip::by_element && c.extra_slip.size() != count)
-    words_.fail("digit E", number(d.exrhs), "keeps the extra rigid slip of another number of elements");
 }
 
 } // namespace microslip::contact_program

@@ -33,16 +33,13 @@ public:
 private:
   int read_module();
   void read_case(Case& c);
-  void check_digits(const Case& c);
-  void check_kept(Case& c);
+  void check_kept(const Case& c);
   void read_kinematics(Case& c);
   void read_friction(Case& c);
   void read_rolling(Case& c);
   void read_material(Case& c);
   std::shared_ptr<const InfluenceTable> coefficients_from(const std::string& file, const MaterialData& m);
-  void check_read(const Case& c);
   void read_potential(Case& c);
-  bool keeps_geometry(Case& c);
   void read_geometry(Case& c);
   void read_friction_by_rows(Case& c);
   void read_extra_slip(Case& c);

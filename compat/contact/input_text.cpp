@@ -5,12 +5,33 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <span>
 
 #include <fmt/format.h>
 
 namespace microslip::contact_program {
 namespace {
+
+/// The number of millimetres that is read as this length [m] again.
+double millimetres(double length) {
+  constexpr double per_m = 1e3, mm = 1e-3;
+  const double near = length * per_m, infinity = std::numeric_limits<double>::infinity();
+  for (const double one : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
+    if (one * mm == length) return one;
+  return near;
+}
+
+double number_of(const Vertical& vertical) {
+  const auto* force = std::get_if<VerticalForce>(&vertical);
+  return force ? force->fz : std::get<VerticalPosition>(vertical).z;
+}
+
+double number_of(const PitchDrive& drive) {
+  if (const auto* force = std::get_if<LongitudinalForce>(&drive)) return force->fx;
+  if (const auto* moment = std::get_if<PitchMoment>(&drive)) return moment->my;
+  return std::get<PitchVelocity>(drive).rate;
+}
 
 bool is_used(const WheelDeflection& d) {
   for (const double value : {d.dx, d.dy, d.dz, d.droll, d.dyaw, d.dpitch, d.vx, d.vy, d.vz, d.vroll, d.vyaw, d.vpitch})
@@ -46,7 +67,8 @@ private:
     add_third_control();
     add_solver();
     const bool of_force = d.norm == Normal::force;
-    add({case_.normal, case_.x, case_.y, case_.phi, case_.spin_x, case_.spin_y},
+    add({of_force ? case_.load.value : millimetres(case_.load.value), contact_program::number_of(case_.x),
+         contact_program::number_of(case_.y), case_.phi, case_.spin_x, case_.spin_y},
         of_force ? "FN, KSI, ETA, PHI, SPINXO, SPINYO" : "PEN, KSI, ETA, PHI, SPINXO, SPINYO");
     if (!case_.friction.by_row) add_friction_set(case_.friction.sets.at(0));
     if (d.rolls()) {
@@ -204,7 +226,7 @@ private:
 
   void add_potential() {
     const PotentialContact& p = *case_.potential;
-    if (p.is_hertzian() && (case_.formed_norm != case_.digits.norm || case_.formed_normal != case_.normal))
+    if (p.is_hertzian() && (case_.formed.given != case_.load.given || case_.formed.value != case_.load.value))
       throw Error("an input file cannot have Hertz's grid of one case and the force of another in one case");
     add_integers({number(p.kind)}, "IPOTCN");
     text_ += fmt::format(" {} {}", p.mx, p.my);
@@ -268,10 +290,10 @@ private:
         "FBDIST, FBPOS, NOMRADW, YTAPE");
     add_profile(w.wheel);
     const WheelsetPosition& p = w.position;
-    add({p.s, p.y, p.z, p.roll, p.yaw, p.pitch},
+    add({p.s, p.y, number_of(p.vertical), p.roll, p.yaw, p.pitch},
         case_.digits.norm == Normal::force ? "S, Y, FZ, ROLL, YAW, PITCH" : "S, Y, Z, ROLL, YAW, PITCH");
     const WheelsetVelocity& v = w.velocity;
-    add({v.vs, v.vy, v.vz, v.vroll, v.vyaw, v.vpitch},
+    add({v.vs, v.vy, v.vz, v.vroll, v.vyaw, number_of(v.pitch)},
         w.digits.force == TotalForce::force_x    ? "VS, VY, VZ, VROLL, VYAW, FX"
         : w.digits.force == TotalForce::moment_y ? "VS, VY, VZ, VROLL, VYAW, MY"
                                                  : "VS, VY, VZ, VROLL, VYAW, VPITCH");

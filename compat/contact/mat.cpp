@@ -36,13 +36,8 @@ struct Marker {
   double roll = 0, yaw = 0;
 };
 
-/// Of a left wheel, whose mirror image `frame` is, the left one's.
-Marker marker_of(const Frame<double>& frame, bool is_left) {
-  const double side = is_left ? -1 : 1;
-  const Vec3<double>& across = frame.axes.ey;
-  return {{frame.origin.x, side * frame.origin.y, frame.origin.z},
-          side * std::atan2(across.z, across.y),
-          -side * std::asin(across.x)};
+Marker marker_of(const Frame<double>& frame) {
+  return {frame.origin, roll_of(frame.axes), -std::asin(frame.axes.ey.x)};
 }
 
 /// The file's text; all its lines have the same number of columns.
@@ -79,9 +74,8 @@ private:
     Numbers rail(columns_, 0), wheel, contact;
     if (of_wheel) {
       const WheelRailData& d = *of_wheel->c.wheel_rail;
-      const bool left = d.digits.is_left();
-      const Marker r = marker_of(of_wheel->wheel.placement.rail, left),
-                   w = marker_of(of_wheel->wheel.placement.wheel, left);
+      const Placement& placed = of_wheel->wheel.placement;
+      const Marker r = marker_of(placed.rail), w = marker_of(placed.wheel);
       const bool roller = d.digits.is_roller();
       const Numbers first = {0,      roller ? 0 : d.position.s,         d.position.pitch, r.origin.y, r.origin.z,
                              r.roll, roller ? d.track.roller_radius : 0};
@@ -116,7 +110,7 @@ private:
     if (of_wheel) {
       const WheelRailData& d = *of_wheel->c.wheel_rail;
       config = {double(number(d.digits.config)), double(number(d.search)),
-                of_wheel->wheel.placement.wheel_on_axle.origin.y};
+                std::abs(of_wheel->wheel.placement.wheel_on_axle.origin.y)};
     }
     comment("   MX    MY     XL            YL            DX            DY            CHI           DQ            C1    "
             "        "
@@ -192,16 +186,13 @@ private:
     const NormalSolution& n = outcome_.solution.normal;
     const TangentialSolution& t = outcome_.solution.tangential;
     const bool shifts = !case_.digits.rolls();
-    const PressureModel b = case_.digits.bound;
-    const bool is_given =
-        b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses;
     constexpr int slip = 2;
     return {outcome_.step.gap[k] * per_m,
             coefficient(k),
             n.pressure[k] * mega,
             t.tractions.px[k] * mega,
             t.tractions.py[k] * mega,
-            is_given ? 0 : n.displacement[k] * per_m,
+            case_.digits.takes_ellipse() ? 0 : n.displacement[k] * per_m,
             t.ux[k] * per_m,
             t.uy[k] * per_m,
             state == slip ? std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1) : 0};

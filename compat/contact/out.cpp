@@ -170,7 +170,7 @@ std::string kinematics(const Case& c, const Outcome& o) {
   constexpr double per_m = 1e3;
   text += rolls ? general({c.rolling->chi, o.step.motion.step * per_m}, 12, 4) + significant(c.rolling->veloc)
                 : decimal(1, 8, 3) + "    " + significant(1);
-  text += significant({c.x, c.y, c.phi}) + "\n\n";
+  text += significant({number_of(c.x), number_of(c.y), c.phi}) + "\n\n";
   if (c.spin_x != 0 || c.spin_y != 0) text += "     SPINXO      SPINYO\n" + columns({c.spin_x, c.spin_y}) + "\n";
   return text;
 }
@@ -203,8 +203,8 @@ std::string contact_text(const Case& c, const Outcome& o) {
   }
   if (prints(c, 1)) text += out_totals(c, o, false);
   if (prints(c, 2)) text += sensitivities(c, o) + out_statistics(o, false);
-  if (prints(c, 3)) text += out_form(c, o, false);
-  if (prints(c, 5)) text += out_elements(c, o, false);
+  if (prints(c, 3)) text += out_form(c, o);
+  if (prints(c, 5)) text += out_elements(c, o);
   return text + out_interior(c, o);
 }
 

@@ -49,19 +49,9 @@ double limit_of(const Case& c, const Outcome& o) {
   return c.friction.by_row || o.step.friction.empty() ? 1 : o.step.friction[0].static_coefficient();
 }
 
-/// Elements' columns and rows as CONTACT counts and draws them.
-struct Picture {
-  const Outcome& outcome;
-  bool is_left;
-
-  const ElementGrid& grid() const { return outcome.step.grid; }
-  int row(int j) const { return is_left ? grid().my - 1 - j : j; }
-  std::size_t element(int i, int j) const {
-    return static_cast<std::size_t>(row(j)) * static_cast<std::size_t>(grid().mx) + static_cast<std::size_t>(i);
-  }
-  double y(int j) const { return (is_left ? -1 : 1) * grid().y(row(j)) * per_m; }
-  double x(int i) const { return grid().x(i) * per_m; }
-};
+std::size_t element(const ElementGrid& grid, int i, int j) {
+  return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.mx) + static_cast<std::size_t>(i);
+}
 
 /// The part of an axis that is drawn: what is in contact and one more on either side; all where that is nearly all.
 struct Window {
@@ -80,12 +70,12 @@ struct Window {
 struct Windows {
   Window x, y;
 
-  explicit Windows(const Picture& p) {
-    const int mx = p.grid().mx, my = p.grid().my;
+  explicit Windows(const Outcome& o) {
+    const int mx = o.step.grid.mx, my = o.step.grid.my;
     int i0 = mx, i1 = -1, j0 = my, j1 = -1;
     for (int j = 0; j < my; ++j)
       for (int i = 0; i < mx; ++i) {
-        if (element_state(p.outcome, p.element(i, j)) == 0) continue;
+        if (element_state(o, element(o.step.grid, i, j)) == 0) continue;
         i0 = std::min(i0, i), i1 = std::max(i1, i);
         j0 = std::min(j0, j), j1 = std::max(j1, j);
       }
@@ -134,25 +124,25 @@ struct RigidSlip {
   }
 };
 
-std::string element_line(const Case& c, const Outcome& o, const Picture& p, int i, int j) {
-  const std::size_t k = p.element(i, j);
-  const double sign = p.is_left ? -1 : 1;
+std::string element_line(const Case& c, const Outcome& o, int i, int j) {
+  const std::size_t k = element(o.step.grid, i, j);
+  const double x = o.step.grid.x(i) * per_m, y = o.step.grid.y(j) * per_m;
   const TangentialSolution& t = o.solution.tangential;
   const double pressure = o.solution.normal.pressure[k] * mega;
   const double distance = (o.step.gap.empty() ? 0 : o.step.gap[k] - o.solution.normal.approach) * per_m;
   const double px = o.step.frictionless ? 0 : t.tractions.px[k] * mega;
   constexpr double rounding = 1e-10; // of the other component
-  const double py = o.step.frictionless ? 0 : without_noise(sign * t.tractions.py[k] * mega, rounding * std::abs(px));
+  const double py = o.step.frictionless ? 0 : without_noise(t.tractions.py[k] * mega, rounding * std::abs(px));
   const double argument = std::atan2(py, px) * 180 / std::numbers::pi;
-  std::string line = " " + general(p.x(i), 12, 4);
+  std::string line = " " + general(x, 12, 4);
   if (o.step.frictionless)
     return line + general({distance, pressure, std::hypot(px, py)}, 12, 4) + decimal(argument, 10, 1) + "\n";
   const double unit = c.digits.tang == Tangential::shift ? per_m : 1;
   line += general({distance, pressure, t.bound[k] * mega, std::hypot(px, py)}, 11, 3);
   line += decimal(argument, 10, 1) + "  ";
-  const RigidSlip w(c, o, p.x(i), p.grid().y(p.row(j)) * per_m, k);
+  const RigidSlip w(c, o, x, y, k);
   const bool slides = t.state[k] == CellState::slip;
-  line += general({slides ? unit * std::hypot(t.sx[k], t.sy[k]) : 0, w.x, sign * w.y}, 11, 3);
+  line += general({slides ? unit * std::hypot(t.sx[k], t.sy[k]) : 0, w.x, w.y}, 11, 3);
   if (o.temperature) line += general({o.temperature->body1[k], o.temperature->body2[k]}, 11, 4);
   return line + "\n";
 }
@@ -304,17 +294,16 @@ std::string out_statistics(const Outcome& o, bool is_patch) {
   return text + "\n";
 }
 
-std::string out_form(const Case& c, const Outcome& outcome, bool is_left) {
+std::string out_form(const Case& c, const Outcome& outcome) {
   constexpr char letters[] = {'.', '*', 'S', '|'};
   constexpr int most_with_gaps = 45;
-  const Picture picture{outcome, is_left};
-  const auto& [x, y] = Windows(picture);
+  const auto& [x, y] = Windows(outcome);
   const std::string gap = x.count() <= most_with_gaps ? " " : "";
   std::string text = "\n FORM OF THE CONTACT, ADHESION AND SLIP-AREA`S:\n";
   for (int j = y.last; j >= y.first; --j) {
     fmt::format_to(std::back_inserter(text), "{:6}  ", j + 1);
     for (int i = x.first; i <= x.last; ++i) {
-      const int state = element_state(outcome, picture.element(i, j));
+      const int state = element_state(outcome, element(outcome.step.grid, i, j));
       const bool is_corner = (i == x.first || i == x.last) && (j == y.first || j == y.last);
       text += gap;
       text += state == 0 && is_corner ? 'o' : letters[state];
@@ -326,19 +315,20 @@ std::string out_form(const Case& c, const Outcome& outcome, bool is_left) {
   return text + "\n";
 }
 
-std::string out_elements(const Case& c, const Outcome& outcome, bool is_left) {
+std::string out_elements(const Case& c, const Outcome& outcome) {
   constexpr int all = 6;
-  const Picture picture{outcome, is_left};
+  constexpr double rounding = 1e-12; // [mm], of the middle row
   const ElementGrid& grid = outcome.step.grid;
   std::string text = element_head(c, outcome);
   for (int j = 0; j < grid.my; ++j) {
     bool is_first = true;
     for (int i = 0; i < grid.mx; ++i) {
-      if (!prints(c, all) && element_state(outcome, picture.element(i, j)) == 0) continue;
+      if (!prints(c, all) && element_state(outcome, element(grid, i, j)) == 0) continue;
       if (is_first)
-        text += fmt::format("\n Y = {} ROW{:3} OF THE POTENTIAL CONTACT\n\n", general(picture.y(j), 12, 4), j + 1);
+        text += fmt::format("\n Y = {} ROW{:3} OF THE POTENTIAL CONTACT\n\n",
+                            general(without_noise(grid.y(j) * per_m, rounding), 12, 4), j + 1);
       is_first = false;
-      text += element_line(c, outcome, picture, i, j);
+      text += element_line(c, outcome, i, j);
     }
   }
   return text;

@@ -37,10 +37,10 @@ const char* simplified_name(Bulk model);
 std::string out_totals(const Case& c, const Outcome& outcome, bool is_patch);
 /// CONTACT STATISTICS.
 std::string out_statistics(const Outcome& outcome, bool is_patch);
-/// FORM OF THE CONTACT, ADHESION AND SLIP-AREA`S. Of a left wheel CONTACT prints the mirror image.
-std::string out_form(const Case& c, const Outcome& outcome, bool is_left);
-/// QUANTITIES DISTRIBUTED OVER THE CONTACT AREA, the same.
-std::string out_elements(const Case& c, const Outcome& outcome, bool is_left);
+/// FORM OF THE CONTACT, ADHESION AND SLIP-AREA`S.
+std::string out_form(const Case& c, const Outcome& outcome);
+/// QUANTITIES DISTRIBUTED OVER THE CONTACT AREA.
+std::string out_elements(const Case& c, const Outcome& outcome);
 /// SUBSURFACE STRESSES, as O_s asks for them.
 std::string out_interior(const Case& c, const Outcome& outcome);
 

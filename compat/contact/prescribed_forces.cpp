@@ -39,7 +39,7 @@ std::vector<PrescribedForce> forces_of_contact(const Case& c, const Outcome& o) 
   const Digits& d = c.digits;
   const double share = std::max(c.solver.eps, rounding);
   const bool is_solved = d.bound == PressureModel::half_space || d.bound == PressureModel::thin_sheet;
-  if (d.norm == Normal::force && is_solved) forces.push_back({"FN", c.normal, o.totals.fn, share * c.normal});
+  if (d.norm == Normal::force && is_solved) forces.push_back({"FN", c.load.value, o.totals.fn, share * c.load.value});
   if (!d.has_friction()) return forces;
   const auto tangential = [&](const char* name, const std::optional<double>& given, double found) {
     const double limit = o.solution.normal_force;
@@ -61,12 +61,12 @@ bool PrescribedForce::is_reached() const {
 }
 
 PrescribedForce vertical_force(const Case& c, const WheelOutcome& wheel) {
-  const double given = c.wheel_rail->position.z; // FZ stands there
+  const double given = std::get<VerticalForce>(c.wheel_rail->position.vertical).fz;
   return {"FZ", given, wheel.track.force.z, c.solver.eps * given};
 }
 
 PrescribedForce pulling_force(const Case& c, const WheelOutcome& wheel) {
-  const double given = c.wheel_rail->velocity.vpitch; // FX_WS stands there
+  const double given = std::get<LongitudinalForce>(c.wheel_rail->velocity.pitch).fx;
   return {"FX_WS", given, wheel.wheelset.force.x,
           c.solver.eps * least_friction(c.friction) * std::abs(wheel.track.force.z)};
 }

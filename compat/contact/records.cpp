@@ -1,5 +1,7 @@
 #include "compat/contact/records.hpp"
 
+#include "compat/contact/rules.hpp"
+
 #include <cmath>
 
 namespace microslip::contact_program {
@@ -66,8 +68,22 @@ void CaseSequence::need(const Words& words, bool keeps, bool has, const std::str
                ", which no earlier case has given");
 }
 
-bool keeps_points(const Digits& d) {
-  return d.stress == InteriorPoints::stored || d.stress == InteriorPoints::stored_again;
+void CaseSequence::check_digits(const Words& words) {
+  Digits& d = last.digits;
+  if (const auto broken = rule_broken_by_digits(last)) words.fail(broken->text);
+  const auto check = [&](bool keeps, bool has, auto digit, const char* what) {
+    need(words, keeps, has, written(digit), what);
+  };
+  const bool keeps_points = d.stress == InteriorPoints::stored || d.stress == InteriorPoints::stored_again;
+  check(d.gausei == SolverChoice::keep, has_solver, d.gausei, "the solvers' parameters");
+  check(d.frclaw == Law::keep, has_friction, d.frclaw, "the friction law");
+  check(!d.reads_material(), last.material.has_value(), d.inflcf, "the material");
+  check(d.heat == Heat::keep, last.heat.has_value(), d.heat, "the heat parameters");
+  check(keeps_points, !last.points.empty(), d.stress, "the points of the interior field");
+  if (d.damping == Damping::keep && !last.damping) d.damping = Damping::none;
+  if (has_case) return;
+  d.pvtime = Continuation::nothing;
+  d.iestim = InitialGuess::nothing;
 }
 
 void read_solver(Words& words, SolverChoice method, SolverData& s) {
@@ -115,6 +131,11 @@ FrictionData read_friction_stations(Words& words, Law law, FrictionStations by) 
   const auto memory = read_memory(words, law);
   for (auto& set : friction.sets) set.insert(set.end(), memory.begin(), memory.end());
   return friction;
+}
+
+void read_correction(Words& words, AngleCorrection& correction) {
+  correction.method = words.integer("IF_METH", 0, 1);
+  correction.variant = words.integer("VARIANT", 1, 4);
 }
 
 void read_elasticity(Words& words, MaterialData& m) {

@@ -17,10 +17,10 @@ struct CaseSequence {
 
   /// Throws Error for a digit that keeps something which is not there.
   void need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const;
+  /// Checks the digits of the case being read that both modules have, by the rules and for what they keep. The first
+  /// case of a sequence cannot continue anything.
+  void check_digits(const Words& words);
 };
-
-/// Returns whether the points of the interior field are those of an earlier case.
-bool keeps_points(const Digits& digits);
 
 void read_solver(Words& words, SolverChoice method, SolverData& solver);
 /// A set of friction data, by the law, and MEMDST, MEM_S0 behind it where the law has them.
@@ -29,6 +29,8 @@ std::vector<double> read_friction_set(Words& words, Law law);
 FrictionData read_friction_stations(Words& words, Law law, FrictionStations by);
 /// POISS and GG of both bodies.
 void read_elasticity(Words& words, MaterialData& material);
+/// IF_METH and VARIANT of C = 4.
+void read_correction(Words& words, AngleCorrection& correction);
 /// Additions of B = 1 and M to them.
 void read_model(Words& words, const Digits& digits, MaterialData& material);
 /// M2: CDAMPN CDAMPT DFNMAX DFTMAX, or none, or what there is.

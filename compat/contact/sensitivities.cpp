@@ -9,14 +9,14 @@ namespace {
 
 using Outputs = std::array<double, 4>;
 
-constexpr double per_m = 1e3;
+constexpr double mm = 1e-3, per_m = 1e3;
 
 /// The case with the creepages that were found, so that none of its inputs is a tangential force.
 Case with_creepages(Case c, const Outcome& outcome) {
   const double unit = c.digits.tang == Tangential::shift ? per_m : 1;
   const Creepage& found = outcome.solution.tangential.creepage;
-  if (c.digits.force != Prescribed::creepages) c.x = unit * found.longitudinal - c.phi * c.spin_y;
-  if (c.digits.force == Prescribed::force_x_and_y) c.y = unit * found.lateral + c.phi * c.spin_x;
+  if (std::holds_alternative<ForceRatio>(c.x)) c.x = Slip{unit * found.longitudinal - c.phi * c.spin_y};
+  if (std::holds_alternative<ForceRatio>(c.y)) c.y = Slip{unit * found.lateral + c.phi * c.spin_x};
   c.digits.force = Prescribed::creepages;
   c.digits.stress = InteriorPoints::none;
   c.damping.reset();
@@ -24,11 +24,21 @@ Case with_creepages(Case c, const Outcome& outcome) {
   return c;
 }
 
-/// The same with the approach that was found instead of a force.
-Case with_approach(Case c, const Outcome& outcome) {
+/// Gives an input of a case, all of which are distances or creepages, another value.
+using Input = void (*)(Case& c, double value);
+
+void set_approach(Case& c, double millimetres) {
   c.digits.norm = Normal::approach;
-  c.normal = outcome.totals.approach;
-  return c;
+  c.load = {NormalLoad::Given::approach, millimetres * mm};
+}
+void set_slip_x(Case& c, double value) {
+  c.x = Slip{value};
+}
+void set_slip_y(Case& c, double value) {
+  c.y = Slip{value};
+}
+void set_spin(Case& c, double value) {
+  c.phi = value;
 }
 
 /// Solves a case again and again with one of its numbers moved, always from the same tractions.
@@ -36,14 +46,13 @@ class Differences {
 public:
   explicit Differences(const CarriedTractions& start) : start_(start) {}
 
-  /// Central; zeros where the case cannot be solved.
-  Outputs by(Case c, double Case::*input, double step) {
+  /// Central about the input's value; zeros where the case cannot be solved.
+  Outputs by(Case c, Input set, double middle, double step) {
     Outputs slope{};
     if (!(step > 0)) return slope;
-    const double middle = c.*input;
-    c.*input = middle + step;
+    set(c, middle + step);
     const auto above = outputs(c);
-    c.*input = middle - step;
+    set(c, middle - step);
     const auto below = outputs(c);
     for (std::size_t k = 0; above && below && k < slope.size(); ++k)
       slope[k] = ((*above)[k] - (*below)[k]) / (2 * step);
@@ -89,15 +98,17 @@ Sensitivities find_sensitivities(const Case& c, const Outcome& outcome, const Se
     for (std::size_t k = 0; k < outputs; ++k) table[k][input] = slope[k];
   };
   if (choice.of < 2 || outcome.solution.contact_elements == 0) return table;
-  const Case by_creepages = with_creepages(c, outcome), by_approach = with_approach(by_creepages, outcome);
+  const Case by_creepages = with_creepages(c, outcome);
+  const double approach = outcome.totals.approach;
   const bool of_both = choice.of > 2 && c.digits.has_friction();
   Differences differences(start);
-  set_column(0, differences.by(by_approach, &Case::normal, choice.relative_step * by_approach.normal), of_both ? 4 : 1);
+  set_column(0, differences.by(by_creepages, set_approach, approach, choice.relative_step * approach), of_both ? 4 : 1);
   if (!of_both) return table;
   const CreepageSteps steps = steps_of(c, outcome, choice.relative_step);
-  set_column(1, differences.by(by_creepages, &Case::x, steps.of(by_creepages.x, steps.sliding)), 4);
-  set_column(2, differences.by(by_creepages, &Case::y, steps.of(by_creepages.y, steps.sliding)), 4);
-  set_column(3, differences.by(by_creepages, &Case::phi, steps.of(by_creepages.phi, steps.sliding / steps.length)), 4);
+  const double x = slip_of(by_creepages.x), y = slip_of(by_creepages.y), spin = by_creepages.phi;
+  set_column(1, differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding)), 4);
+  set_column(2, differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding)), 4);
+  set_column(3, differences.by(by_creepages, set_spin, spin, steps.of(spin, steps.sliding / steps.length)), 4);
   return table;
 }
 
@@ -106,11 +117,12 @@ Sensitivities printed_sensitivities(const Case& c, const Outcome& outcome, const
   if (!c.digits.has_friction() || outcome.solution.contact_elements == 0) return table;
   const Case by_creepages = with_creepages(c, outcome);
   const CreepageSteps steps = steps_of(c, outcome, SensitivityChoice().relative_step);
+  const double x = slip_of(by_creepages.x), y = slip_of(by_creepages.y);
   Differences differences(start);
   if (c.digits.force != Prescribed::creepages)
-    table[1][1] = differences.by(by_creepages, &Case::x, steps.of(by_creepages.x, steps.sliding))[1];
+    table[1][1] = differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding))[1];
   if (c.digits.force == Prescribed::force_x_and_y)
-    table[2][2] = differences.by(by_creepages, &Case::y, steps.of(by_creepages.y, steps.sliding))[2];
+    table[2][2] = differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding))[2];
   return table;
 }
 

@@ -57,11 +57,6 @@ GapCurvatures gap_of(const PotentialContact& p, const CombinedMaterial& material
   }
 }
 
-NormalLoad load_of(Normal norm, double value) {
-  if (norm == Normal::force) return {NormalLoad::Given::force, value};
-  return {NormalLoad::Given::approach, value * mm};
-}
-
 /// The ellipse, or the strip, for a load.
 HertzianShape shape_of(const PotentialContact& p, const CombinedMaterial& material, const GapCurvatures& gap,
                        const NormalLoad& load) {
@@ -200,8 +195,8 @@ GivenPressure hertzian_pressure(const Case& c, const ContactStep& step) {
 
 /// B = 4.
 GivenPressure half_elliptic_pressure(const Case& c, const ElementGrid& grid) {
-  const HalfEllipses contact = half_ellipses(*c.potential, c.normal);
-  GivenPressure given{{}, 0, c.normal, {}};
+  const HalfEllipses contact = half_ellipses(*c.potential, c.load.value);
+  GivenPressure given{{}, 0, c.load.value, {}};
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) given.pressure.push_back(contact.pressure(grid.x(i), grid.y(j)));
   return given;
@@ -247,9 +242,9 @@ std::optional<GivenPressure> given_pressure(const Case& c, const ContactStep& st
 
 void set_hertzian_geometry(const Case& c, ContactStep& step) {
   const PotentialContact& p = *c.potential;
-  const NormalLoad formed = load_of(c.formed_norm, c.formed_normal);
   const GapCurvatures gap = *gap_curvatures(c);
-  step.grid = require_memory(ContactProblem::normal, hertzian_grid(p, shape_of(p, step.bodies.material, gap, formed)));
+  step.grid =
+      require_memory(ContactProblem::normal, hertzian_grid(p, shape_of(p, step.bodies.material, gap, c.formed)));
   const ElementGrid& grid = step.grid;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
@@ -332,11 +327,11 @@ void set_motion(const Case& c, ContactStep& step) {
                                                     : ContactMotion::steady;
   // With the spin about (x0, y0): w = (xi - phi (y - y0), eta + phi (x - x0)).
   const double unit = shifts ? mm : 1, turn = shifts ? 1 : per_mm;
-  const double xi = d.force != Prescribed::creepages ? 0 : c.x, eta = d.force == Prescribed::force_x_and_y ? 0 : c.y;
+  const double xi = slip_of(c.x), eta = slip_of(c.y);
   motion.creepage = {unit * (xi + c.phi * c.spin_y), unit * (eta - c.phi * c.spin_x), turn * c.phi};
   const double scale = set_friction(c, step);
-  if (d.force != Prescribed::creepages) step.force_x = c.x * scale;
-  if (d.force == Prescribed::force_x_and_y) step.force_y = c.y * scale;
+  if (const auto* force = std::get_if<ForceRatio>(&c.x)) step.force_x = force->value * scale;
+  if (const auto* force = std::get_if<ForceRatio>(&c.y)) step.force_y = force->value * scale;
   motion.tolerance = std::clamp(c.solver.eps, 1e-10, 1e-8);
   step.start = start_of(d.pvtime);
   step.warm_start = d.iestim != InitialGuess::nothing;
@@ -429,8 +424,7 @@ std::optional<HertzianShape> hertzian_shape(const Case& c, const ContactStep& st
 }
 
 std::optional<GapCurvatures> gap_curvatures(const Case& c) {
-  if (c.potential->is_hertzian())
-    return gap_of(*c.potential, combined_material(c), load_of(c.formed_norm, c.formed_normal));
+  if (c.potential->is_hertzian()) return gap_of(*c.potential, combined_material(c), c.formed);
   const Geometry& g = c.geometry;
   if (g.base != Base::quadratic || g.planform != Planform::all) return {};
   const auto& b = g.values;
@@ -479,7 +473,7 @@ RowInclination row_inclination(const AngleCorrection& correction, const ElementG
 ContactStep contact_step(const Case& c) {
   ContactStep step;
   step.bodies = bodies_of(c);
-  step.load = load_of(c.digits.norm, c.normal);
+  step.load = c.load;
   if (c.potential->is_hertzian()) {
     set_hertzian_geometry(c, step);
   } else {

@@ -36,14 +36,7 @@ bool is_elastic_half_space(const Case& c) {
   return c.digits.mater == Bulk::elastic && c.digits.bound == PressureModel::half_space;
 }
 
-/// A value of a digit, or of a number beside it, that is not supported.
-struct Refusal {
-  const char* digit;
-  const char* meaning;
-  bool (*applies)(const Case& c);
-};
-
-constexpr Refusal refusals[] = {
+constexpr Unsupported refusals[] = {
     {"B = 4", "two half ellipses, SDEC, without IPOTCN = -6 and N = 1",
      [](const Case& c) {
        return c.digits.bound == PressureModel::half_ellipses &&
@@ -79,7 +72,8 @@ constexpr Refusal refusals[] = {
      }},
     {"N = 0", "approach given for a Hertzian line contact, IPOTCN = -4 or -5, as in CONTACT",
      [](const Case& c) {
-       return c.potential->is_line() && (c.formed_norm == Normal::approach || c.digits.norm == Normal::approach);
+       return c.potential->is_line() &&
+              (c.formed.given == NormalLoad::Given::approach || c.digits.norm == Normal::approach);
      }},
     {"IPLAN = 4", "weighted interaction of sub-patches, with other than M = 0 and B = 0",
      [](const Case& c) {
@@ -97,10 +91,15 @@ bool covers_less(const InfluenceTable& table, const ElementGrid& grid) {
 
 } // namespace
 
-std::vector<std::string> unsupported(const Case& c) {
+std::vector<std::string> applying(std::span<const Unsupported> table, const Case& c) {
   std::vector<std::string> reasons;
-  for (const auto& [digit, meaning, applies] : refusals)
+  for (const auto& [digit, meaning, applies] : table)
     if (applies(c)) reasons.push_back(std::string(digit) + " (" + meaning + ")");
+  return reasons;
+}
+
+std::vector<std::string> unsupported(const Case& c) {
+  std::vector<std::string> reasons = applying(refusals, c);
   if (!c.material->missing_table.empty())
     reasons.push_back("C = 9 (CFNAME = '" + c.material->missing_table + "' cannot be read)");
   return reasons;

@@ -172,9 +172,9 @@ std::string solution(const Case& c, const HertzContact& hertz) {
 std::string to_toml(const Case& c, const std::string& title) {
   check(c);
   const GapCurvatures gap = curvatures(c);
-  const bool by_force = c.digits.norm == Normal::force;
-  const double load = by_force ? c.normal : c.normal * mm;
+  const bool by_force = c.load.given == NormalLoad::Given::force;
   const CombinedMaterial material = combined_material(c);
+  const double load = c.load.value;
   const HertzContact hertz = by_force ? hertz_from_load(gap, material, load) : hertz_from_approach(gap, material, load);
   std::string text = "title = \"" + title + "\"\n\n" + bodies(c, gap) + "\n[load]\n" +
                      line(by_force ? "normal_force" : "approach", load) + "\n[friction]\n" + friction(c) +

@@ -1,6 +1,7 @@
 #include "compat/libcontact/contact_problem.hpp"
 
 #include "compat/contact/out_sections.hpp"
+#include "compat/contact/rules.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/defaults.hpp"
 #include "compat/libcontact/refusal.hpp"
@@ -169,22 +170,6 @@ bool is_missing(const ProfileRecord& profile) {
   return !profile.curve && !is_variable(profile);
 }
 
-void check_contact(const Case& c) {
-  const Digits& d = c.digits;
-  if (!c.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
-  const PotentialContact& p = *c.potential;
-  const bool needs_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
-                             d.bound == PressureModel::half_ellipses;
-  if (needs_ellipse && !p.is_hertzian())
-    throw Refusal(CNTC_err_discr, written(d.bound) + " must go with Hertz's geometry, cntc_sethertzcontact");
-  if (p.is_hertzian() && !(c.normal > 0))
-    throw Refusal(CNTC_err_discr, "Hertz's geometry needs an approach, or a force, above 0");
-  if (c.geometry.base == Base::by_element && !p.is_hertzian() && c.geometry.values.size() != p.elements())
-    throw Refusal(CNTC_err_discr, "the undeformed distance is that of another number of elements");
-  if (c.extra == ExtraSlip::by_element && c.extra_slip.size() != 2 * p.elements())
-    throw Refusal(CNTC_err_discr, "the extra rigid slip is that of another number of elements");
-}
-
 /// Refuses elements so small that the search over the profiles would need more memory than a host has to spare.
 void check_sizes(const WheelRailData& w) {
   constexpr double most_on_line = 1e6, most_on_surface = 2e7, other_width = 200; // points, mm
@@ -198,31 +183,29 @@ void check_sizes(const WheelRailData& w) {
     throw Refusal(CNTC_err_discr, "DX or DS is too small for the search over the profiles");
 }
 
-void check_wheel(const Case& c) {
-  const PressureModel b = c.digits.bound;
-  const WheelRailData& w = *c.wheel_rail;
+void check_wheel(const WheelRailData& w) {
   if (is_missing(w.rail)) throw Refusal(CNTC_err_profil, "there is no rail profile");
   if (is_missing(w.wheel)) throw Refusal(CNTC_err_profil, "there is no wheel profile");
-  if (b == PressureModel::elliptic || b == PressureModel::parabolic || b == PressureModel::half_ellipses)
-    throw Refusal(CNTC_err_other, written(b) + ": must be 0, 5 or 6 in module 1");
   check_sizes(w);
-  if (is_variable(w.rail) && w.track.by_gauge())
-    throw Refusal(CNTC_err_profil, "a rail that varies cannot be placed by the gauge; GAUGHT must be 0");
-  if (w.digits.is_roller() && w.track.roller_radius == 0)
-    throw Refusal(CNTC_err_other, "NOMRAD of the track is the radius of rollers and must not be 0");
-  if (c.digits.norm == Normal::force && !(w.position.z > 0))
-    throw Refusal(CNTC_err_ftot, "FZ = " + std::to_string(w.position.z) + " N: must be above 0");
+}
+
+int code_of(BrokenRule::Subject subject) {
+  switch (subject) {
+  case BrokenRule::Subject::discretisation:
+    return CNTC_err_discr;
+  case BrokenRule::Subject::force:
+    return CNTC_err_ftot;
+  case BrokenRule::Subject::digits:
+    break;
+  }
+  return CNTC_err_other;
 }
 
 /// What a reader of input files would refuse.
 void check(const Case& c) {
-  const Digits& d = c.digits;
-  if (d.heat != Heat::none && d.has_history()) throw Refusal(CNTC_err_other, "H > 0 must go with T = 3 or 0");
-  if (d.mater == Bulk::viscoelastic && d.has_history()) throw Refusal(CNTC_err_other, "M = 1 must go with T = 3 or 0");
-  if (c.wheel_rail)
-    check_wheel(c);
-  else
-    check_contact(c);
+  if (c.wheel_rail) check_wheel(*c.wheel_rail);
+  if (!c.wheel_rail && !c.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
+  if (const auto broken = broken_rule(c)) throw Refusal(code_of(broken->subject), broken->text);
 }
 
 } // namespace
@@ -246,20 +229,22 @@ Case ContactProblem::completed() const {
     c.digits.iestim = InitialGuess::nothing;
   }
   c.digits.exrhs = c.extra;
+  constexpr double mm = 1e-3;
   const bool by_force = d.norm == Normal::force;
   if (is_wheel()) {
     WheelRailData& w = *c.wheel_rail;
     w.digits.discns = w.search;
-    w.position.z = by_force ? vertical_force : z;
-    w.velocity.vpitch = w.digits.force == TotalForce::force_x ? force_x : vpitch;
+    w.position.vertical = by_force ? Vertical(VerticalForce{vertical_force}) : VerticalPosition{z};
+    w.velocity.pitch =
+        w.digits.force == TotalForce::force_x ? PitchDrive(LongitudinalForce{force_x}) : PitchVelocity{vpitch};
     if (w.digits.is_roller()) w.track.cant = 0; // as CONTACT does
     return c;
   }
-  c.normal = by_force ? normal_force : approach;
-  c.formed_norm = d.norm;
-  c.formed_normal = c.normal;
-  c.x = d.force == Prescribed::creepages ? creep_x : ratio_x;
-  c.y = d.force == Prescribed::force_x_and_y ? ratio_y : creep_y;
+  c.load = by_force ? NormalLoad{NormalLoad::Given::force, normal_force}
+                    : NormalLoad{NormalLoad::Given::approach, approach * mm};
+  c.formed = c.load;
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{creep_x}) : ForceRatio{ratio_x};
+  c.y = d.force == Prescribed::force_x_and_y ? SlipOrForce(ForceRatio{ratio_y}) : Slip{creep_y};
   return c;
 }
 

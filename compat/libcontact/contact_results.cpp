@@ -204,8 +204,8 @@ int cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
                     const bool shifts = c.data.digits.tang == Tangential::shift;
                     const double unit = shifts ? 1 / p.units.length : 1, turn = shifts ? 1 : p.units.length;
                     const PrintedTotals& t = c.outcome.totals;
-                    const double x = c.data.digits.force == Prescribed::creepages ? c.data.x : t.x;
-                    const double y = c.data.digits.force == Prescribed::force_x_and_y ? t.y : c.data.y;
+                    const auto *given_x = std::get_if<Slip>(&c.data.x), *given_y = std::get_if<Slip>(&c.data.y);
+                    const double x = given_x ? given_x->value : t.x, y = given_y ? given_y->value : t.y;
                     given("phi", phi) = p.units.body * turn * c.data.phi;
                     given("vy", vy) = p.units.body * unit * y;
                     given("vx", vx) = p.units.body * unit * x;

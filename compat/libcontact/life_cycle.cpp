@@ -61,8 +61,14 @@ void read_file(ContactProblem& p, const std::filesystem::path& path, int kind) {
 void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
   read_file(p, path, CNTC_inp_modul1);
   const auto& d = p.wheel();
-  (p.data.digits.norm == contact_program::Normal::force ? p.vertical_force : p.z) = d.position.z;
-  (d.digits.force == contact_program::TotalForce::force_x ? p.force_x : p.vpitch) = d.velocity.vpitch;
+  if (const auto* force = std::get_if<contact_program::VerticalForce>(&d.position.vertical))
+    p.vertical_force = force->fz;
+  else
+    p.z = std::get<contact_program::VerticalPosition>(d.position.vertical).z;
+  if (const auto* force = std::get_if<contact_program::LongitudinalForce>(&d.velocity.pitch))
+    p.force_x = force->fx;
+  else
+    p.vpitch = d.velocity.pitch_rate();
   p.points(-1) = p.data.points;
   p.data.digits.stress = contact_program::InteriorPoints::none;
 }

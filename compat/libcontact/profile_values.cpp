@@ -68,10 +68,10 @@ std::vector<double> coordinates(const std::vector<CurvePoint>& points) {
 /// In the axes of the track, as the last calculation had it.
 std::vector<double> in_track(const ContactProblem& p, std::vector<CurvePoint> points, const Request& r) {
   const Placement& placed = p.solved_wheel().placement;
-  const double sign = p.was_left() ? -1 : 1;
+  const double side = p.was_left() ? -1 : 1; // of the profiles' y, which is to the field side
   for (auto& point : points) {
-    const auto at = (r.of_wheel ? placed.wheel : placed.rail).outer({0, point.value.y, point.value.z});
-    point.value = {sign * at.y, at.z};
+    const auto at = (r.of_wheel ? placed.wheel : placed.rail).outer({0, side * point.value.y, point.value.z});
+    point.value = {at.y, at.z};
   }
   return coordinates(points);
 }

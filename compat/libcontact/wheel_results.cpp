@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What was found of wheels on rails, module 1. Left wheels are solved as their mirror images; y, FY, angles about x and
-// z and moments about x and z change their signs.
+// What was found of wheels on rails, module 1.
 
 namespace microslip::libcontact {
 namespace {
@@ -13,16 +12,9 @@ namespace {
 using namespace contact_program;
 using Vec = Vec3<double>;
 
-Wrench mirrored(Wrench w) {
-  for (double* odd : {&w.force.y, &w.moment.x, &w.moment.z}) *odd *= -1;
-  return w;
-}
-
-/// In the axes of a body that lies in those of the force; for a left wheel the axes are those of its mirror image.
-Wrench turned(const Wrench& w, const Rotation<double>& axes, bool is_left) {
-  const Wrench right = is_left ? mirrored(w) : w;
-  const Wrench inner{axes.back(right.force), axes.back(right.moment)};
-  return is_left ? mirrored(inner) : inner;
+/// In the axes of a body that lies in those of the force.
+Wrench turned(const Wrench& w, const Rotation<double>& axes) {
+  return {axes.back(w.force), axes.back(w.moment)};
 }
 
 /// Forces and moments in the axes of the track, the wheelset, the rail's and the wheel's profile; moments about the
@@ -31,9 +23,8 @@ std::vector<double> global_forces(const ContactProblem& p, int icp) {
   const WheelOutcome& wheel = p.solved_wheel();
   const Wrench &track = icp < 0 ? wheel.track : p.patch(icp).track,
                &wheelset = icp < 0 ? wheel.wheelset : p.patch(icp).wheelset;
-  const bool is_left = p.was_left();
-  const Wrench rail = turned(track, wheel.placement.rail.axes, is_left);
-  const Wrench on_wheel = turned(wheelset, wheel.placement.wheel_on_axle.axes, is_left);
+  const Wrench rail = turned(track, wheel.placement.rail.axes);
+  const Wrench on_wheel = turned(wheelset, wheel.placement.wheel_on_axle.axes);
   std::vector<double> found;
   for (const Wrench* w : {&track, &wheelset, &rail, &on_wheel}) {
     for (const double force : {w->force.x, w->force.y, w->force.z}) found.push_back(p.units.body * force);
@@ -54,8 +45,8 @@ double roll_of_normal(const Rotation<double>& outer, const Rotation<double>& inn
   return roll_of({outer.back(inner.ex), outer.back(inner.ey), outer.back(inner.ez)});
 }
 
-/// The centre of pressure of a patch, in the track's axes of the right wheel that was solved.
-Vec pressure_centre(const WheelPatch& patch, double sign) {
+/// The centre of pressure of a patch, in the track's axes.
+Vec pressure_centre(const WheelPatch& patch) {
   const Outcome& o = *patch.solution;
   const ElementGrid& g = o.step.grid;
   double sum = 1e-10, sum_x = 0, sum_y = 0;
@@ -64,7 +55,7 @@ Vec pressure_centre(const WheelPatch& patch, double sign) {
       const double pressure = o.solution.normal.pressure[static_cast<std::size_t>(j) * g.mx + i];
       sum += pressure;
       sum_x += pressure * g.x(i) * mm_per_m;
-      sum_y += pressure * sign * g.y(j) * mm_per_m;
+      sum_y += pressure * g.y(j) * mm_per_m;
     }
   return patch.grid.outer({sum_x / sum, sum_y / sum, 0});
 }
@@ -75,29 +66,28 @@ std::vector<double> location(const ContactProblem& p, int icp) {
   const WheelPatch& patch = p.patch(icp);
   const PatchLocation& l = patch.location;
   const Placement& placed = wheel.placement;
-  const double sign = p.was_left() ? -1 : 1, unit = 1 / p.units.length;
-  const Vec centre = pressure_centre(patch, sign), in_wheelset = placed.wheelset.inner(patch.reference.origin);
+  const double unit = 1 / p.units.length;
+  const Vec centre = pressure_centre(patch), in_wheelset = placed.wheelset.inner(patch.reference.origin);
   const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
-  const double s_wheel = placed.wheel_profile.curve ? -placed.wheel_profile.curve->nearest_s_at_y(sign * l.wheel.y) : 0;
   const double on_wheelset = roll_of_normal(placed.wheelset.axes, patch.reference.axes);
   return {// the reference in the axes of the track
           l.track.x * unit, l.track.y * unit, l.track.z * unit, l.angle,
           // of the rail's profile
           l.rail.x * unit, l.rail.y * unit, l.rail.z * unit, patch.s_rail * unit, l.angle_on_rail,
           // and of the wheel's
-          l.wheel.x * unit, l.wheel.y * unit, l.wheel.z * unit, s_wheel * unit, l.angle_on_wheel,
+          l.wheel.x * unit, l.wheel.y * unit, l.wheel.z * unit, patch.s_wheel * unit, l.angle_on_wheel,
           // the centre of pressure, and the deflection of the rail
-          centre.x * unit, sign * centre.y * unit, 0, sign * wheel.dy_rail * unit, wheel.dz_rail * unit, 0,
+          centre.x * unit, centre.y * unit, 0, wheel.dy_rail * unit, wheel.dz_rail * unit, 0,
           // the wheel's profile in the track
-          wheel_in_track.x * unit, sign * wheel_in_track.y * unit, wheel_in_track.z * unit,
-          sign * roll_of(placed.wheel.axes), sign * yaw_of(placed.wheel.axes),
+          wheel_in_track.x * unit, wheel_in_track.y * unit, wheel_in_track.z * unit, roll_of(placed.wheel.axes),
+          yaw_of(placed.wheel.axes),
           // the rail's
-          sign * placed.rail.origin.y * unit, placed.rail.origin.z * unit, sign * roll_of(placed.rail.axes), 0,
+          placed.rail.origin.y * unit, placed.rail.origin.z * unit, roll_of(placed.rail.axes), 0,
           // the reference in the wheelset
-          in_wheelset.x * unit, sign * in_wheelset.y * unit, in_wheelset.z * unit, sign * on_wheelset,
+          in_wheelset.x * unit, in_wheelset.y * unit, in_wheelset.z * unit, on_wheelset,
           // the wheel's profile in it
-          wheel_in_wheelset.x * unit, sign * wheel_in_wheelset.y * unit, wheel_in_wheelset.z * unit,
-          sign * roll_of(placed.wheel_on_axle.axes), sign * yaw_of(placed.wheel_on_axle.axes)};
+          wheel_in_wheelset.x * unit, wheel_in_wheelset.y * unit, wheel_in_wheelset.z * unit,
+          roll_of(placed.wheel_on_axle.axes), yaw_of(placed.wheel_on_axle.axes)};
 }
 
 /// With zeros behind them, as CONTACT gives.

@@ -163,7 +163,7 @@ void set_position(ContactProblem& p, int method, std::span<const double> v) {
   require_count("rparam", v.size(), 6, 6);
   const double l = p.units.length;
   p.z = v[2] * l;
-  p.wheel().position = {v[0] * l, v[1] * l, 0, v[3], v[4], v[5]};
+  p.wheel().position = {v[0] * l, v[1] * l, {}, v[3], v[4], v[5]};
 }
 
 void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
@@ -172,7 +172,7 @@ void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
   const double s = p.units.speed;
   const double along = p.wheel().digits.is_roller() ? v[0] : v[0] * s; // of rollers the rate of rotation
   p.vpitch = v[5];
-  p.wheel().velocity = {along, v[1] * s, v[2] * s, v[3], v[4], 0};
+  p.wheel().velocity = {along, v[1] * s, v[2] * s, v[3], v[4], {}};
 }
 
 void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {

@@ -93,8 +93,9 @@ std::vector<RunPatch> patches_of(const RunCase& self) {
   std::vector<RunPatch> patches;
   if (self.outcome.wheel)
     for (const auto& p : self.outcome.wheel->patches)
-      patches.push_back({p.location, p.contact.rolling ? p.contact.rolling->veloc : 0, p.contact.x, p.contact.y,
-                         p.contact.phi, p.previous, p.solution});
+      patches.push_back({p.location, p.contact.rolling ? p.contact.rolling->veloc : 0,
+                         contact_program::slip_of(p.contact.x), contact_program::slip_of(p.contact.y), p.contact.phi,
+                         p.previous, p.solution});
   return patches;
 }
 

@@ -1,21 +1,29 @@
 #include "compat/contact/wheel_rail/case_reader.hpp"
 
 namespace microslip::contact_program {
+namespace {
+
+/// The alternative of PitchDrive that a case with this digit has.
+std::size_t drive_of(TotalForce digit) {
+  if (digit == TotalForce::force_x) return PitchDrive(LongitudinalForce{}).index();
+  return digit == TotalForce::moment_y ? PitchDrive(PitchMoment{}).index() : PitchDrive(PitchVelocity{}).index();
+}
+
+} // namespace
 
 void WheelRailReader::read() {
-  WheelRailData data = c_.wheel_rail.value_or(WheelRailData());
+  WheelRailData& data = c_.wheel_rail ? *c_.wheel_rail : c_.wheel_rail.emplace();
   data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
-  check_digits(c_.digits);
-  check_kept(data.digits);
+  sequence_.check_digits(words_);
+  check_kept(data);
   read_settings(data);
   read_track(data);
   read_wheelset(data);
-  c_.wheel_rail = data;
   read_points(words_, c_);
 }
 
 void WheelRailReader::read_pair() {
-  WheelRailData data = *c_.wheel_rail;
+  WheelRailData& data = *c_.wheel_rail;
   const Digits before = c_.digits;
   const WheelRailDigits own_before = data.digits;
   data.digits = read_digits(words_, c_.damping ? Damping::keep : Damping::none, c_.digits);
@@ -32,7 +40,7 @@ void WheelRailReader::read_pair() {
   c_.digits.iestim = before.iestim;
   data.digits.config = own_before.config;
   data.digits.force = own_before.force;
-  check_digits(c_.digits);
+  sequence_.check_digits(words_);
   read_settings(data);
   if (own.ztrack == TrackSource::all) {
     data.track = contact_program::read_track(words_, data.digits.is_roller());
@@ -44,7 +52,6 @@ void WheelRailReader::read_pair() {
   }
   data.digits.ztrack = own_before.ztrack;
   data.digits.ewheel = own_before.ewheel;
-  c_.wheel_rail = data;
 }
 
 /// Records in front of the track's.
@@ -59,38 +66,21 @@ void WheelRailReader::read_settings(WheelRailData& data) {
   if (data.digits.reads_grid()) data.grid = read_patch_rules(words_);
 }
 
-/// Values that only module 3 has, and digits that cannot be combined.
-void WheelRailReader::check_digits(const Digits& d) const {
-  const auto fail = [&](auto digit, const char* must) {
-    words_.fail(std::string("digit ") + values_of<decltype(digit)>.name, number(digit), must);
-  };
-  const bool of_ellipse = d.bound == PressureModel::elliptic || d.bound == PressureModel::parabolic ||
-                          d.bound == PressureModel::half_ellipses;
-  if (of_ellipse) fail(d.bound, "must be 0, 1, 5 or 6 in module 1");
-  if (d.inflcf == Coefficients::from_file) fail(d.inflcf, "must be 0 to 4 in module 1");
-  if (d.heat != Heat::none && d.has_history()) fail(d.heat, "must be 0 with T = 1 or 2");
-  if (d.mater == Bulk::viscoelastic && d.has_history()) fail(d.mater, "must go with T = 3 (or 0)");
-}
-
-/// What is to be kept must be there. The first case of a sequence cannot continue anything.
-void WheelRailReader::check_kept(const WheelRailDigits& own) {
-  Digits& d = c_.digits;
+/// What this module's digits keep must be there.
+void WheelRailReader::check_kept(const WheelRailData& data) const {
+  const Normal norm = c_.digits.norm;
+  const WheelRailDigits& own = data.digits;
   const auto need = [&](bool keeps, bool has, auto digit, const char* what) {
     sequence_.need(words_, keeps, has, written(digit), what);
   };
   const bool has = sequence_.has_case;
-  need(d.gausei == SolverChoice::keep, sequence_.has_solver, d.gausei, "the solvers' parameters");
-  need(d.frclaw == Law::keep, sequence_.has_friction, d.frclaw, "the friction law");
-  need(!d.reads_material(), c_.material.has_value(), d.inflcf, "the material");
   need(!own.reads_grid(), has, own.discns, "the discretisation");
   need(own.ztrack != TrackSource::all, has, own.ztrack, "the rail's profile");
   need(!own.reads_wheel(), has, own.ewheel, "the wheel's profile");
-  need(d.heat == Heat::keep, c_.heat.has_value(), d.heat, "the heat parameters");
-  need(keeps_points(d), !c_.points.empty(), d.stress, "the points of the interior field");
-  if (d.damping == Damping::keep && !c_.damping) d.damping = Damping::none;
-  if (has) return;
-  d.pvtime = Continuation::nothing;
-  d.iestim = InitialGuess::nothing;
+  need(own.ewheel == WheelsetSource::keep, data.position.by_force() == (norm == Normal::force), norm,
+       norm == Normal::force ? "a vertical force" : "a vertical position");
+  need(!own.reads_velocity(), data.velocity.pitch.index() == drive_of(own.force), own.force,
+       "what drives the wheelset about its axle");
 }
 
 void WheelRailReader::read_friction(const WheelRailDigits& own) {
@@ -106,20 +96,16 @@ void WheelRailReader::read_friction(const WheelRailDigits& own) {
 }
 
 void WheelRailReader::read_material(const Digits& d) {
-  if (d.reads_material()) {
-    MaterialData m;
-    m.coefficients = d.inflcf;
-    if (d.inflcf == Coefficients::angle_corrected) {
-      m.correction.method = words_.integer("IF_METH", 0, 1);
-      m.correction.variant = words_.integer("VARIANT", 1, 4);
-      words_.end_record();
-    }
-    read_elasticity(words_, m);
-    read_model(words_, d, m);
-    c_.material = m;
-  } else if (d.mater != Bulk::elastic && c_.material->model != d.mater) {
-    words_.fail("digit M", number(d.mater), "must go with C >= 2, which reads its data");
+  if (!d.reads_material()) return;
+  MaterialData m;
+  m.coefficients = d.inflcf;
+  if (d.inflcf == Coefficients::angle_corrected) {
+    read_correction(words_, m.correction);
+    words_.end_record();
   }
+  read_elasticity(words_, m);
+  read_model(words_, d, m);
+  c_.material = m;
 }
 
 void WheelRailReader::read_track(WheelRailData& data) {
@@ -139,7 +125,7 @@ void WheelRailReader::read_wheelset(WheelRailData& data) {
   }
   if (own.ewheel == WheelsetSource::keep) return;
   data.position = read_position(words_, c_.digits.norm);
-  if (own.ewheel == WheelsetSource::position) return;
+  if (!own.reads_velocity()) return;
   data.velocity = read_velocity(words_, own);
   if (own.reads_flexibility()) data.deflection = read_deflection(words_);
 }

@@ -19,8 +19,7 @@ public:
   void read_pair();
 
 private:
-  void check_digits(const Digits& digits) const;
-  void check_kept(const WheelRailDigits& digits);
+  void check_kept(const WheelRailData& data) const;
   void read_settings(WheelRailData& data);
   void read_friction(const WheelRailDigits& digits);
   void read_material(const Digits& digits);

@@ -52,6 +52,7 @@ struct WheelRailDigits {
   bool reads_dimensions() const { return ztrack == TrackSource::dimensions || ztrack == TrackSource::all; }
   bool reads_rail_position() const { return ztrack == TrackSource::deviations || ztrack == TrackSource::all; }
   bool reads_wheel() const { return ewheel == WheelsetSource::all || ewheel == WheelsetSource::all_flexible; }
+  bool reads_velocity() const { return ewheel != WheelsetSource::keep && ewheel != WheelsetSource::position; }
   bool reads_flexibility() const {
     return ewheel == WheelsetSource::flexible || ewheel == WheelsetSource::all_flexible;
   }

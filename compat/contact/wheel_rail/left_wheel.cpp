@@ -1,11 +1,27 @@
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 
+#include "compat/contact/wheel_rail/record_numbers.hpp"
 #include "microslip/contact/mirrored_solution.hpp"
 
 #include <algorithm>
 
 namespace microslip::contact_program {
 namespace {
+
+template <class Record, class Table> void negate_odd(Record& record, const Table& numbers) {
+  for (const auto& number : numbers)
+    if (number.mirrored == Mirrored::odd) record.*number.member = -(record.*number.member);
+}
+
+WheelRailData mirrored(WheelRailData d) {
+  d.track.curvature = -d.track.curvature;
+  negate_odd(d.rail_position, rail_position_numbers);
+  negate_odd(d.support, rail_support_numbers);
+  negate_odd(d.position, wheelset_position_numbers);
+  negate_odd(d.velocity, wheelset_velocity_numbers);
+  negate_odd(d.deflection, wheel_deflection_numbers);
+  return d;
+}
 
 template <class... Fields> void reverse_all(int mx, Fields&... fields) {
   (reverse_rows(fields, mx), ...);
@@ -77,7 +93,7 @@ void mirror_slip(std::vector<double>& slip, int mx) {
 
 /// Of a patch as a separate case: what the fields and the totals show.
 void mirror(Case& c) {
-  c.y *= -1;
+  number_of(c.y) *= -1;
   c.phi *= -1;
   c.spin_y *= -1;
   if (!c.potential) return;
@@ -99,23 +115,43 @@ void mirror(PatchLocation& l) {
   for (double* angle : {&l.angle, &l.angle_on_rail, &l.angle_on_wheel}) *angle *= -1;
 }
 
+/// Coordinates of the body in its axes are mirrored with it, so that the axes stay right-handed.
+void mirror(Frame<double>& frame) {
+  Rotation<double>& axes = frame.axes;
+  for (double* odd : {&frame.origin.y, &axes.ex.y, &axes.ez.y, &axes.ey.x, &axes.ey.z}) *odd *= -1;
+}
+
 void mirror(Wrench& w) {
   for (double* odd : {&w.force.y, &w.moment.x, &w.moment.z}) *odd *= -1;
 }
 
 } // namespace
 
+Case right_hand(Case c) {
+  if (c.wheel_rail->digits.is_left()) c.wheel_rail = mirrored(*c.wheel_rail);
+  return c;
+}
+
 void mirror_back(WheelOutcome& wheel) {
   mirror(wheel.track);
   mirror(wheel.wheelset);
   wheel.dy_rail *= -1;
+  Placement& placed = wheel.placement;
+  for (Frame<double>* frame : {&placed.rail, &placed.wheelset, &placed.wheel_on_axle, &placed.wheel}) mirror(*frame);
   for (WheelPatch& patch : wheel.patches) {
     mirror(patch.location);
+    mirror(patch.reference);
+    mirror(patch.grid);
     mirror(patch.contact);
     mirror(patch.track);
     mirror(patch.wheelset);
     mirror(*patch.solution);
   }
+}
+
+Outcome mirrored(Outcome patch) {
+  mirror(patch);
+  return patch;
 }
 
 void mirror_back(CarriedTractions& carried) {

@@ -3,6 +3,7 @@
 #include "compat/contact/fortran.hpp"
 #include "compat/contact/out_sections.hpp"
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/wheel_rail/left_wheel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +181,7 @@ std::string kinematics(const Case& patch, const Outcome& o, bool is_left) {
   const double dq = shifts ? 1 : o.step.motion.step * per_m;
   std::string text = " KINEMATIC CONSTANTS\n     CHI         DQ          VELOC       CKSI        CETA        CPHI\n  " +
                      general({(is_left ? -1 : 1) * patch.rolling->chi, dq}, 12, 4) +
-                     significant({patch.rolling->veloc, patch.x, patch.y, patch.phi}) + "\n\n";
+                     significant({patch.rolling->veloc, number_of(patch.x), number_of(patch.y), patch.phi}) + "\n\n";
   const double spin_y = (is_left ? -1 : 1) * patch.spin_y;
   if (any_of({patch.spin_x, patch.spin_y}))
     text += "     SPINXO      SPINYO\n" + columns({patch.spin_x, spin_y}) + "\n";
@@ -219,8 +220,9 @@ std::string patch_text(const Case& c, const WheelPatch& patch, int number) {
   }
   if (prints(c, 1)) text += out_totals(patch.contact, o, true);
   if (prints(c, 2)) text += out_statistics(o, true);
-  if (prints(c, 3)) text += out_form(patch.contact, o, left);
-  if (prints(c, 5)) text += "\n" + out_elements(patch.contact, o, left);
+  const Outcome& drawn = left ? mirrored(o) : o; // CONTACT has the elements of the mirror image
+  if (prints(c, 3)) text += out_form(patch.contact, drawn);
+  if (prints(c, 5)) text += "\n" + out_elements(patch.contact, drawn);
   return text + out_interior(patch.contact, o);
 }
 

@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/own_solution.hpp"
 
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
 #include "microslip/error.hpp"
@@ -59,12 +60,16 @@ std::vector<InclinedFriction> own_friction(const Case& c) {
   if (!c.digits.has_friction()) return {{0, 1}}; // nothing slides
   if (friction.stations.empty()) return {{0, friction.sets[0][0]}};
   if (d.digits.varfrc == FrictionStations::along_track) return {{0, friction_at(friction, d.position.s)[0]}};
-  const WheelRailData right = d.digits.is_left() ? mirrored(d) : d;
+  const WheelRailData right = *right_hand(c).wheel_rail;
   const double roll = right.position.roll + right.deflection.droll;
   std::vector<InclinedFriction> own;
   for (std::size_t k = friction.stations.size(); k-- > 0;)
     own.push_back({-(friction.stations[k] + roll), friction.sets[k][0]});
   return own;
+}
+
+TrackSide side_of(const WheelRailData& d) {
+  return d.digits.is_left() ? TrackSide::left : TrackSide::right;
 }
 
 WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
@@ -90,7 +95,7 @@ WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
           .wheel = own_profile(placement.wheel_profile, ProfileRole::wheel),
           .track = track,
           .wheelset = wheelset,
-          .side = d.digits.is_left() ? TrackSide::left : TrackSide::right,
+          .side = side_of(d),
           .material = combined_material(c),
           .friction = own_friction(c),
           .strength = {},
@@ -128,7 +133,7 @@ WheelState<double> own_state(const Case& c, double distance) {
   s.lateral_velocity = -mm * d.velocity.vy;
   s.vertical_velocity = -mm * d.velocity.vz;
   s.roll_velocity = d.velocity.vroll;
-  s.pitch_velocity = -d.velocity.vpitch;
+  s.pitch_velocity = -d.velocity.pitch_rate();
   s.yaw_velocity = -d.velocity.vyaw;
   s.curvature = -per_m * d.track.curvature;
   s.deflection.longitudinal_velocity = mm * (f.vx - down * f.vpitch - aside * f.vyaw);
@@ -146,10 +151,10 @@ public:
       : case_(c), data_(*c.wheel_rail),
         solver_(own_bodies(c, wheel.placement), {.theory = Theory::exact, .shape = own_shape(c)}),
         state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
-    if (c.digits.norm == Normal::force)
-      vertical_force_ = data_.position.z;
+    if (const auto* force = std::get_if<VerticalForce>(&data_.position.vertical))
+      vertical_force_ = force->fz;
     else
-      state_.vertical = -mm * data_.position.z;
+      state_.vertical = -mm * std::get<VerticalPosition>(data_.position.vertical).z;
     state_.rail.vertical -= mm * wheel.dz_rail;
     if (data_.digits.force == TotalForce::force_x) find_pitch_velocity();
     if (data_.digits.force == TotalForce::rail_deflection) find_deflection();
@@ -182,7 +187,8 @@ private:
 
   /// F = 1: FX_WS, on the rail along the wheelset's x.
   void find_pitch_velocity() {
-    const double wanted = data_.velocity.vpitch, free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
+    const double wanted = std::get<LongitudinalForce>(data_.velocity.pitch).fx;
+    const double free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
     state_.pitch_velocity = free;
     const Rotation<double> axes = rotation_about_x(state_.roll) * rotation_about_z(state_.yaw);
     find(state_.pitch_velocity, 1e-4 * free, *vertical_force_, [&] { return -dot(axes.ex, solution_.force) - wanted; });
@@ -207,18 +213,18 @@ private:
 };
 
 void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatch& theirs, const WheelRailPatch& own,
-               bool is_left) {
+               TrackSide track_side) {
   const PrintedTotals& t = theirs.solution->totals;
   const PatchLocation& l = theirs.location;
   const double element = theirs.solution->step.grid.element_area() * per_m * per_m;
-  const double side = is_left ? -1 : 1; // of a profile's y, which ours has to the field side
+  const double side = track_side == TrackSide::left ? -1 : 1; // of a profile's y, which ours has to the field side
   const auto add = [&](const char* name, const char* unit, double program, double of_own) {
     numbers.push_back({name, unit, number, program, of_own});
   };
   add("YCP(R)", "mm", l.rail.y, side * own.rail_y * per_m);
   add("DELTCP(TR)", "rad", l.angle, own.angle);
-  add("CKSI", "-", theirs.contact.x, -own.creepage.longitudinal);
-  add("CETA", "-", theirs.contact.y, own.creepage.lateral);
+  add("CKSI", "-", slip_of(theirs.contact.x), -own.creepage.longitudinal);
+  add("CETA", "-", slip_of(theirs.contact.y), own.creepage.lateral);
   add("CPHI", "rad/mm", theirs.contact.phi, own.creepage.spin * mm);
   add("FN", "N", t.fn, own.normal_force);
   add("FX", "N", t.fx, -own.fx);
@@ -258,7 +264,7 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
     if (own.patches.size() != wheel.patches.size()) return comparison;
     for (std::size_t k = 0; k < wheel.patches.size(); ++k) // ours from the gauge side, CONTACT's from the field side
       add_patch(comparison.numbers, static_cast<int>(k) + 1, wheel.patches[k], own.patches[own.patches.size() - 1 - k],
-                d.digits.is_left());
+                side_of(d));
   } catch (const Error& error) {
     comparison.reasons.emplace_back(error.what());
   }

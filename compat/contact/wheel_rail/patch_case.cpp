@@ -7,9 +7,7 @@
 namespace microslip::contact_program {
 namespace {
 
-double roll_of(const Rotation<double>& axes) {
-  return std::atan2(axes.ey.z, axes.ey.y);
-}
+constexpr double mm = 1e-3;
 
 /// One set of a patch in a plane; rows of a curved one have separate sets where friction varies with the
 /// inclination.
@@ -85,9 +83,9 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   p.friction = friction_of(c, location, frame);
   for (int j = 0; j < static_cast<int>(frame.rows.size()); ++j)
     p.material->correction.angles.emplace_back(frame.row_s(j), frame.angle + frame.row_turn(j));
-  p.normal = distance.approach;
-  p.x = motion.xi;
-  p.y = motion.eta;
+  p.load = {NormalLoad::Given::approach, distance.approach * mm};
+  p.x = Slip{motion.xi};
+  p.y = Slip{motion.eta};
   p.phi = motion.phi;
   const Vec3<double> reference = frame.grid.inner(frame.reference.origin);
   p.spin_x = reference.x;

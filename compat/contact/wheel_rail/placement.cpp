@@ -15,10 +15,6 @@ Profile upright(const ProfileCurve& curve) {
   return Profile(ProfileRole::rail, points, curve.kinks());
 }
 
-double angle_about_x(const Frame<double>& frame) {
-  return std::atan2(frame.axes.ey.z, frame.axes.ey.y);
-}
-
 /// z of the wheel's profile where its radius is the nominal one.
 double tape_height(const WheelsetDimensions& wheelset, const ProfileCurve& wheel) {
   constexpr double none = 999;
@@ -29,15 +25,6 @@ double tape_height(const WheelsetDimensions& wheelset, const ProfileCurve& wheel
 }
 
 } // namespace
-
-WheelRailData mirrored(WheelRailData d) {
-  for (double* odd : {&d.track.curvature, &d.rail_position.dy, &d.rail_position.roll, &d.rail_position.vy,
-                      &d.rail_position.vroll, &d.support.fy, &d.position.y, &d.position.roll, &d.position.yaw,
-                      &d.velocity.vy, &d.velocity.vroll, &d.velocity.vyaw, &d.deflection.dy, &d.deflection.droll,
-                      &d.deflection.dyaw, &d.deflection.vy, &d.deflection.vroll, &d.deflection.vyaw})
-    *odd = -*odd;
-  return d;
-}
 
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track) {
   return gauge_point(upright(rail.moved(-track.cant, 0, 0)), track.gauge_height);
@@ -59,9 +46,9 @@ PlacedRail RailPlacer::place(const WheelRailData& right, std::shared_ptr<const P
   if (rail != rail_) gauge_.reset(), placed_.reset();
   rail_ = std::move(rail);
   const Frame<double> now = frame(right, deflection);
-  const double angle = angle_about_x(now);
+  const double angle = roll_of(now.axes);
   const auto is_there = [&](const Frame<double>& before) {
-    return before.origin.y == now.origin.y && before.origin.z == now.origin.z && angle_about_x(before) == angle;
+    return before.origin.y == now.origin.y && before.origin.z == now.origin.z && roll_of(before.axes) == angle;
   };
   if (!placed_ || !is_there(placed_->frame))
     placed_ = {now, std::make_shared<ProfileCurve>(rail_->moved(angle, now.origin.y, now.origin.z))};

@@ -5,16 +5,19 @@
 #include "microslip/railway/geometry/frame.hpp"
 #include "microslip/railway/profile/profile_dimensions.hpp"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
 namespace microslip::contact_program {
 
-/// The same data seen in a mirror whose plane is the track's centre: of a left wheel those of a right one, and back.
-WheelRailData mirrored(WheelRailData data);
-
 /// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [mm].
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
+
+/// Angle about x by which axes are turned.
+inline double roll_of(const Rotation<double>& axes) {
+  return std::atan2(axes.ey.z, axes.ey.y);
+}
 
 /// Displacement of a rail on springs from its position [mm], towards the field side and down.
 struct RailDeflection {
@@ -45,7 +48,7 @@ private:
   std::optional<PlacedRail> placed_;
 };
 
-/// A right wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
+/// A wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
 struct Placement {
   ProfileShape rail_profile, wheel_profile;
   Frame<double> rail;     ///< the rail's profile

@@ -1,8 +1,10 @@
 #include "compat/contact/wheel_rail/records.hpp"
 
+#include "compat/contact/wheel_rail/record_numbers.hpp"
 #include "io/file_beside.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace microslip::contact_program {
 
@@ -68,7 +70,6 @@ TrackDimensions read_track(Words& words, bool roller) {
   }
   if (roller) {
     t.roller_radius = words.real("NOMRADR");
-    if (t.roller_radius == 0) words.fail("NOMRADR", 0, "must not be 0");
   } else {
     t.cant = words.angle("CANT");
     t.curvature = words.optional_real("CURV", 0);
@@ -77,24 +78,31 @@ TrackDimensions read_track(Words& words, bool roller) {
   return t;
 }
 
+namespace {
+
+template <class Table, class Record> void read_numbers(Words& words, const Table& numbers, Record& record) {
+  for (const auto& [name, member, given, mirrored] : numbers)
+    record.*member = given == Given::angle ? words.angle(name) : words.real(name);
+}
+
+PitchDrive read_pitch_drive(Words& words, TotalForce digit) {
+  if (digit == TotalForce::force_x) return LongitudinalForce{words.real("FX_WS")};
+  if (digit == TotalForce::moment_y) return PitchMoment{words.real("MY_WS")};
+  return PitchVelocity{words.angle("VPITCH_WS")};
+}
+
+} // namespace
+
 RailPosition read_rail_position(Words& words) {
   RailPosition p;
-  p.dy = words.real("DYRAIL");
-  p.dz = words.real("DZRAIL");
-  p.roll = words.angle("DROLLR");
-  p.vy = words.real("VYRAIL");
-  p.vz = words.real("VZRAIL");
-  p.vroll = words.angle("VROLLR");
+  read_numbers(words, rail_position_numbers, p);
   words.end_record();
   return p;
 }
 
 RailSupport read_rail_support(Words& words) {
   RailSupport s;
-  s.ky = words.real("KYRAIL");
-  s.fy = words.real("FYRAIL");
-  s.kz = words.real("KZRAIL");
-  s.fz = words.real("FZRAIL");
+  read_numbers(words, rail_support_numbers, s);
   s.first_step = words.optional_real("DYSTEP0", s.first_step);
   words.end_record();
   return s;
@@ -111,13 +119,15 @@ WheelsetDimensions read_wheelset(Words& words) {
 }
 
 WheelsetPosition read_position(Words& words, Normal norm) {
+  constexpr std::size_t before_vertical = 2;
+  const std::span<const RecordNumber<WheelsetPosition>> numbers(wheelset_position_numbers);
   WheelsetPosition p;
-  p.s = words.real("S_WS");
-  p.y = words.real("Y_WS");
-  p.z = words.real(norm == Normal::force ? "FZ" : "Z_WS");
-  p.roll = words.angle("ROLL_WS");
-  p.yaw = words.angle("YAW_WS");
-  p.pitch = words.angle("PITCH_WS");
+  read_numbers(words, numbers.first(before_vertical), p);
+  if (norm == Normal::force)
+    p.vertical = VerticalForce{words.real("FZ")};
+  else
+    p.vertical = VerticalPosition{words.real("Z_WS")};
+  read_numbers(words, numbers.subspan(before_vertical), p);
   words.end_record();
   return p;
 }
@@ -125,32 +135,20 @@ WheelsetPosition read_position(Words& words, Normal norm) {
 WheelsetVelocity read_velocity(Words& words, const WheelRailDigits& digits) {
   WheelsetVelocity v;
   v.vs = digits.is_roller() ? words.angle("RPITCH") : words.real("VS_WS");
-  v.vy = words.real("VY_WS");
-  v.vz = words.real("VZ_WS");
-  v.vroll = words.angle("VROLL_WS");
-  v.vyaw = words.angle("VYAW_WS");
-  const bool is_force = digits.force == TotalForce::force_x || digits.force == TotalForce::moment_y;
-  v.vpitch = is_force ? words.real(digits.force == TotalForce::force_x ? "FX_WS" : "MY_WS") : words.angle("VPITCH_WS");
+  read_numbers(words, wheelset_velocity_numbers, v);
+  v.pitch = read_pitch_drive(words, digits.force);
   words.end_record();
   return v;
 }
 
 WheelDeflection read_deflection(Words& words) {
+  constexpr std::size_t in_a_record = 6;
+  const std::span<const RecordNumber<WheelDeflection>> numbers(wheel_deflection_numbers);
   WheelDeflection d;
-  d.dx = words.real("DXWHL");
-  d.dy = words.real("DYWHL");
-  d.dz = words.real("DZWHL");
-  d.droll = words.angle("DROLLW");
-  d.dyaw = words.angle("DYAWW");
-  d.dpitch = words.angle("DPITCHW");
-  words.end_record();
-  d.vx = words.real("VXWHL");
-  d.vy = words.real("VYWHL");
-  d.vz = words.real("VZWHL");
-  d.vroll = words.angle("VROLLW");
-  d.vyaw = words.angle("VYAWW");
-  d.vpitch = words.angle("VPITCHW");
-  words.end_record();
+  for (const auto record : {numbers.first(in_a_record), numbers.subspan(in_a_record)}) {
+    read_numbers(words, record, d);
+    words.end_record();
+  }
   return d;
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 
 namespace microslip::contact_program {
 
@@ -70,19 +71,51 @@ struct WheelsetDimensions {
   double tape_circle = 999; ///< y of the wheel's profile where the radius is the nominal one; from 999 on: z = 0
 };
 
+/// N = 0: Z_WS, > 0 below the nominal position.
+struct VerticalPosition {
+  double z = 0;
+};
+/// N = 1: FZ on the rail.
+struct VerticalForce {
+  double fz = 0;
+};
+using Vertical = std::variant<VerticalPosition, VerticalForce>;
+
 /// S Y Z ROLL YAW PITCH.
 struct WheelsetPosition {
   double s = 0; ///< along the track, for rollers the roller's X
   double y = 0;
-  double z = 0; ///< Z_WS, > 0 below the nominal position; FZ with N = 1
+  Vertical vertical = {};
   double roll = 0, yaw = 0, pitch = 0;
+
+  bool by_force() const { return std::holds_alternative<VerticalForce>(vertical); }
 };
 
-/// VS VY VZ VROLL VYAW VPITCH; in a shift the increments.
+/// F = 0 and 3: VPITCH_WS.
+struct PitchVelocity {
+  double rate = 0;
+};
+/// F = 1: FX_WS on the rail.
+struct LongitudinalForce {
+  double fx = 0;
+};
+/// F = 2: MY_WS.
+struct PitchMoment {
+  double my = 0;
+};
+using PitchDrive = std::variant<PitchVelocity, LongitudinalForce, PitchMoment>;
+
+/// VS VY VZ VROLL VYAW, and what drives the wheelset about its axle; in a shift the increments.
 struct WheelsetVelocity {
   double vs = 0; ///< of the wheelset, for rollers the roller's rate of rotation
   double vy = 0, vz = 0, vroll = 0, vyaw = 0;
-  double vpitch = 0; ///< FX_WS with F = 1, MY_WS with F = 2
+  PitchDrive pitch = {};
+
+  /// VPITCH_WS where it is given, else 0.
+  double pitch_rate() const {
+    const auto* given = std::get_if<PitchVelocity>(&pitch);
+    return given ? given->rate : 0;
+  }
 };
 
 /// The wheel off its position in the wheelset, and its velocities.
@@ -113,7 +146,6 @@ TrackDimensions read_track(Words& words, bool roller);
 RailPosition read_rail_position(Words& words);
 RailSupport read_rail_support(Words& words);
 WheelsetDimensions read_wheelset(Words& words);
-/// With N = 1 the third number is FZ.
 WheelsetPosition read_position(Words& words, Normal norm);
 WheelsetVelocity read_velocity(Words& words, const WheelRailDigits& digits);
 WheelDeflection read_deflection(Words& words);

@@ -24,10 +24,10 @@ SurfaceMotion wheel_motion(const WheelRailData& d, const Placement& p, const Vec
   const Rotation<double>& axes = p.wheelset.axes;
   const Vec arm = q - p.wheelset.origin, on_axle = p.wheelset.axes.back(arm);
   const Vec forward = {d.digits.is_roller() ? 0 : v.vs, v.vy, v.vz};
-  const Vec rotation = axes * Vec{v.vroll, v.vpitch, v.vyaw};
+  const Vec rotation = axes * Vec{v.vroll, v.pitch_rate(), v.vyaw};
   const Vec own_rotation{f.vroll, f.vpitch, f.vyaw};
   const Vec own = Vec{f.vx, f.vy, f.vz} + cross(own_rotation, on_axle - p.wheel_on_axle.origin);
-  by_pitch = cross(v.vpitch * axes.ey, arm);
+  by_pitch = cross(v.pitch_rate() * axes.ey, arm);
   return {forward + cross(rotation, arm) + axes * own, rotation + axes * own_rotation};
 }
 

@@ -3,18 +3,11 @@
 #include <cmath>
 
 namespace microslip::contact_program {
-namespace {
-
-double roll_of(const Frame<double>& rail) {
-  return std::atan2(rail.axes.ey.z, rail.axes.ey.y);
-}
-
-} // namespace
 
 std::optional<ProfileCurve> rail_section(const Placement& p, double x) {
   const auto curve = cross_section(*p.rail_profile.surface, ProfileRole::rail, p.place + x);
   if (!curve) return {};
-  return curve->moved(roll_of(p.rail), p.rail.origin.y, p.rail.origin.z);
+  return curve->moved(roll_of(p.rail.axes), p.rail.origin.y, p.rail.origin.z);
 }
 
 std::pair<double, double> whole_extent(const Placement& p, const ProfileCurve& first) {
@@ -35,7 +28,7 @@ std::optional<RailPoint> rail_point(const Placement& p, const Vec3<double>& at) 
   }
   if (!top || top->dv.y == 0) return {};
   return RailPoint{p.rail.outer({on_rail.x, on_rail.y, top->value.z}), top->du.z - top->dv.z * top->du.y / top->dv.y,
-                   std::atan2(top->dv.z, top->dv.y) + roll_of(p.rail)};
+                   std::atan2(top->dv.z, top->dv.y) + roll_of(p.rail.axes)};
 }
 
 } // namespace microslip::contact_program

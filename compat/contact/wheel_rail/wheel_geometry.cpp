@@ -5,7 +5,6 @@
 #include "compat/contact/wheel_rail/varied_rail.hpp"
 #include "microslip/error.hpp"
 
-#include <cmath>
 #include <string>
 
 namespace microslip::contact_program {

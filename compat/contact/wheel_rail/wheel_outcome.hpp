@@ -28,10 +28,9 @@ struct WheelPatch {
   Case contact;                      ///< it as a case of module 3
   std::shared_ptr<Outcome> solution; ///< and what became of it
   Wrench track, wheelset;            ///< its part of the wheel's
-  /// Frame of the right wheel that was solved, a left one's mirror image: PatchFrame's.
-  Frame<double> reference, grid;
-  double s_rail = 0;              ///< [mm]
-  std::vector<int> previous = {}; ///< numbers, from 1, of the patches of the case before that it goes on from
+  Frame<double> reference, grid;     ///< PatchFrame's
+  double s_rail = 0, s_wheel = 0;    ///< of the reference along the profiles, the wheel's from the field side [mm]
+  std::vector<int> previous = {};    ///< numbers, from 1, of the patches of the case before that it goes on from
 };
 
 /// Counts of the solution.
@@ -48,7 +47,7 @@ struct WheelOutcome {
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;
   WheelEffort effort;
-  Placement placement; ///< of the right wheel that was solved, a left one's mirror image
+  Placement placement;
 };
 
 } // namespace microslip::contact_program

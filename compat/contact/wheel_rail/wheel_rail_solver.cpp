@@ -2,13 +2,13 @@
 
 #include "compat/contact/prescribed_forces.hpp"
 #include "compat/contact/set_up.hpp"
+#include "compat/contact/support.hpp"
 #include "compat/contact/wheel_rail/force_search.hpp"
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
-#include "compat/contact/wheel_rail/support.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 
@@ -26,13 +26,6 @@ using Vec = Vec3<double>;
 GridOrigin origin_of(const Digits& digits) {
   if (digits.tang == Tangential::shift) return GridOrigin::fixed;
   return digits.tang == Tangential::transient ? GridOrigin::moving : GridOrigin::reference;
-}
-
-/// The case of a right wheel that is the mirror image of a left one's.
-Case right_hand(const Case& c) {
-  Case right = c;
-  if (c.wheel_rail->digits.is_left()) right.wheel_rail = mirrored(*c.wheel_rail);
-  return right;
 }
 
 /// The force of a patch, and its moment about the origin of some axes that lie in the track's.
@@ -183,7 +176,7 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
   const WheelRailData& data = *right.wheel_rail;
   effort_ = {};
   if (c.digits.pvtime == Continuation::nothing) tracks_.clear();
-  for (Track& track : tracks_) track.is_new = true;
+  for (TrackedPatch& track : tracks_) track.is_new = true;
   if (c.digits.pvtime != Continuation::repeated) origins_ = std::exchange(tracks_, {});
   move_origins(origin_of(c.digits));
   Outcome outcome = data.digits.force == TotalForce::force_x           ? find_pitch_velocity(right, progress)
@@ -212,9 +205,9 @@ WheelGeometry WheelRailSolver::geometry_over(const Case& right, const RailDeflec
 
 Outcome WheelRailSolver::solve_placed(const Case& right, const RailDeflection& deflection, const Progress& progress) {
   WheelGeometry geometry = geometry_over(right, deflection);
-  Outcome outcome = right.digits.norm == Normal::force
-                        ? find_height(right, geometry, progress)
-                        : solve_at(right, geometry, right.wheel_rail->position.z, progress);
+  const auto* position = std::get_if<VerticalPosition>(&right.wheel_rail->position.vertical);
+  Outcome outcome =
+      position ? solve_at(right, geometry, position->z, progress) : find_height(right, geometry, progress);
   if (!outcome.wheel) return outcome;
   outcome.wheel->dy_rail = deflection.dy;
   outcome.wheel->dz_rail = deflection.dz;
@@ -229,15 +222,15 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
   std::optional<RootSearch> search;
   std::optional<double> depth;
   double dy = 0;
+  const auto* force = std::get_if<VerticalForce>(&right.wheel_rail->position.vertical);
   for (int k = 0;; ++k) {
-    Outcome outcome = right.digits.norm == Normal::force
-                          ? solve_placed(right, {dy, under_force(right.wheel_rail->position.z)}, progress)
-                          : find_settlement(right, dy, depth, progress);
+    Outcome outcome = force ? solve_placed(right, {dy, under_force(force->fz)}, progress)
+                            : find_settlement(right, dy, depth, progress);
     if (!outcome.wheel) return outcome;
-    const PrescribedForce force = side_spring(right, *outcome.wheel);
-    if (ends(force, k, search ? search->width() : std::nullopt, least_step)) return outcome;
-    if (!search) search.emplace(std::copysign(support.first_step, force.missing()));
-    dy = search->next(dy, force.missing());
+    const PrescribedForce on_spring = side_spring(right, *outcome.wheel);
+    if (ends(on_spring, k, search ? search->width() : std::nullopt, least_step)) return outcome;
+    if (!search) search.emplace(std::copysign(support.first_step, on_spring.missing()));
+    dy = search->next(dy, on_spring.missing());
   }
 }
 
@@ -247,7 +240,7 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
 Outcome WheelRailSolver::find_settlement(const Case& right, double dy, std::optional<double>& depth,
                                          const Progress& progress) {
   constexpr double share_of_tolerance = 0.1; // so that the search for dy sees a smooth force
-  const double height = right.wheel_rail->position.z;
+  const double height = std::get<VerticalPosition>(right.wheel_rail->position.vertical).z;
   const RailSupport& support = right.wheel_rail->support;
   const LeastGap gap = geometry_over(right, {dy, 0}).least_gap_at_zero();
   ++effort_.geometry;
@@ -274,7 +267,7 @@ Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& 
   Case now = right;
   WheelRailData& data = *now.wheel_rail;
   const double speed = data.digits.is_roller() ? data.velocity.vs * data.track.roller_radius : data.velocity.vs;
-  double& vpitch = data.velocity.vpitch;
+  double& vpitch = data.velocity.pitch.emplace<PitchVelocity>().rate;
   vpitch = -speed / data.wheelset.nominal_radius;
   RootSearch search(1e-4 * vpitch);
   for (int k = 0;; ++k) {
@@ -290,7 +283,7 @@ Outcome WheelRailSolver::find_pitch_velocity(const Case& right, const Progress& 
 void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<PatchFrame>& frames, double place,
                                GridOrigin origin) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    Track& track = tracks_[k];
+    TrackedPatch& track = tracks_[k];
     track.origin = origin;
     track.x = frames[k].reference.origin.x;
     track.place = place + track.x;
@@ -310,7 +303,7 @@ void WheelRailSolver::remember(const WheelOutcome& wheel, const std::vector<Patc
 /// Tractions of the case before as seen from where this case's elements count from, if it goes on from them.
 void WheelRailSolver::move_origins(GridOrigin origin) {
   if (origin == GridOrigin::reference) return;
-  for (Track& track : origins_) {
+  for (TrackedPatch& track : origins_) {
     const auto along = [&](GridOrigin from) {
       return from == GridOrigin::fixed ? track.place : from == GridOrigin::moving ? track.x : 0.0;
     };
@@ -327,7 +320,7 @@ void WheelRailSolver::move_origins(GridOrigin origin) {
 void WheelRailSolver::finish(const Case& c, WheelOutcome& wheel, const Progress& progress) {
   wheel.effort = effort_;
   is_left_ = c.wheel_rail->digits.is_left();
-  if (c.wheel_rail->digits.is_left()) mirror_back(wheel);
+  if (is_left_) mirror_back(wheel);
   for (WheelPatch& patch : wheel.patches) {
     patch.contact.digits.stress = c.digits.stress;
     Outcome& o = *patch.solution;
@@ -372,10 +365,10 @@ std::vector<std::vector<WheelRailSolver::Part>> WheelRailSolver::parts_of(const 
 std::optional<Vec> WheelRailSolver::force_before(const std::vector<PatchFrame>& frames, std::size_t k,
                                                  Continuation from) const {
   std::optional<Vec> sum;
-  const auto overlaps = [](const Track& origin, const PatchFrame& frame) {
+  const auto overlaps = [](const TrackedPatch& origin, const PatchFrame& frame) {
     return std::min(origin.y1, frame.y1) > std::max(origin.y0, frame.y0);
   };
-  for (const Track& origin : origins_) {
+  for (const TrackedPatch& origin : origins_) {
     if (!overlaps(origin, frames[k])) continue;
     double all = 0, own = 0;
     for (const auto& [y, load] : origin.rows) {
@@ -393,8 +386,8 @@ std::optional<Vec> WheelRailSolver::force_before(const std::vector<PatchFrame>& 
 }
 
 /// A patch that this case has not had yet.
-WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
-  Track track;
+WheelRailSolver::TrackedPatch WheelRailSolver::begin_track(const std::vector<Part>& parts, bool has_history) const {
+  TrackedPatch track;
   track.parts = parts;
   const bool is_one = parts.size() == 1 && parts[0] == Part{.origin = parts[0].origin};
   track.solver = is_one ? origins_[parts[0].origin].solver : std::make_shared<CaseSolver>();
@@ -410,12 +403,12 @@ WheelRailSolver::Track WheelRailSolver::begin_track(const std::vector<Part>& par
 void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits& digits) {
   const bool has_history = digits.has_history();
   const auto parts = parts_of(frames, has_history);
-  std::vector<Track> now;
-  for (Track& track : tracks_) track.taken = false;
+  std::vector<TrackedPatch> now;
+  for (TrackedPatch& track : tracks_) track.taken = false;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    Track* best = nullptr;
+    TrackedPatch* best = nullptr;
     double most = 0;
-    for (Track& track : tracks_) {
+    for (TrackedPatch& track : tracks_) {
       const double common = std::min(track.y1, frames[k].y1) - std::max(track.y0, frames[k].y0);
       if (!track.taken && track.parts == parts[k] && common > most) {
         best = &track;
@@ -432,7 +425,7 @@ void WheelRailSolver::follow(const std::vector<PatchFrame>& frames, const Digits
 }
 
 WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry,
-                                        double z, Track& track, const Progress& progress) {
+                                        double z, TrackedPatch& track, const Progress& progress) {
   const Placement placement = geometry.placement(z);
   const UndeformedDistance distance = geometry.distance(frame, z);
   WheelPatch patch;
@@ -440,6 +433,7 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   patch.reference = frame.reference;
   patch.grid = frame.grid;
   patch.s_rail = frame.s_rail;
+  if (const auto& curve = placement.wheel_profile.curve) patch.s_wheel = -curve->nearest_s_at_y(patch.location.wheel.y);
   PatchMotion motion;
   if (right.digits.has_friction()) motion = motion_of(right, placement, frame, distance);
   patch.contact = patch_case(right, frame, distance, motion, patch.location);
@@ -473,7 +467,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
   Outcome outcome;
   WheelOutcome wheel;
   wheel.z = z;
-  wheel.vpitch = right.wheel_rail->velocity.vpitch;
+  wheel.vpitch = right.wheel_rail->velocity.pitch_rate();
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const PatchFrame& frame = frames[k];
     wheel.patches.push_back(solve_patch(right, frame, geometry, z, tracks_[k], progress));
@@ -501,8 +495,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
 }
 
 Outcome WheelRailSolver::find_height(const Case& right, WheelGeometry& geometry, const Progress& progress) {
-  const double target = right.wheel_rail->position.z;
-  if (!(target > 0)) throw Error("FZ", target, "N", "positive");
+  const double target = std::get<VerticalForce>(right.wheel_rail->position.vertical).fz;
   const LeastGap gap = geometry.least_gap_at_zero();
   ++effort_.geometry;
   ForceSearch search(target, gap.gap);

@@ -42,7 +42,7 @@ private:
   };
 
   /// A patch that is followed from case to case.
-  struct Track {
+  struct TrackedPatch {
     double y0 = 0, y1 = 0; ///< its extent across the track [mm]
     std::shared_ptr<CaseSolver> solver;
     bool is_new = true;   ///< without a solution of this case
@@ -69,20 +69,20 @@ private:
   Outcome solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress);
   Outcome find_height(const Case& right, WheelGeometry& geometry, const Progress& progress);
   WheelPatch solve_patch(const Case& right, const PatchFrame& frame, const WheelGeometry& geometry, double z,
-                         Track& track, const Progress& progress);
+                         TrackedPatch& track, const Progress& progress);
   void remember(const WheelOutcome& wheel, const std::vector<PatchFrame>& frames, double place, GridOrigin origin);
   void move_origins(GridOrigin origin);
   void finish(const Case& c, WheelOutcome& wheel, const Progress& progress);
   std::vector<std::vector<Part>> parts_of(const std::vector<PatchFrame>& frames, bool has_history) const;
-  Track begin_track(const std::vector<Part>& parts, bool has_history) const;
+  TrackedPatch begin_track(const std::vector<Part>& parts, bool has_history) const;
   std::optional<Vec3<double>> force_before(const std::vector<PatchFrame>& frames, std::size_t k,
                                            Continuation from) const;
   void follow(const std::vector<PatchFrame>& frames, const Digits& digits);
 
   std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;
   RailPlacer rail_placer_;
-  std::vector<Track> origins_; ///< of the patches of the case before
-  std::vector<Track> tracks_;  ///< of those of the last solution
+  std::vector<TrackedPatch> origins_; ///< of the patches of the case before
+  std::vector<TrackedPatch> tracks_;  ///< of those of the last solution
   WheelEffort effort_;
   std::optional<double> last_z_;   ///< Z_WS of the case before
   bool is_left_ = false;           ///< whether the last case was that of a left wheel

@@ -111,7 +111,8 @@ private:
     add("cntc_getpotcontact", {double(g.mx), double(g.my), g.x0 * 1e3, g.y0 * 1e3, dx, dy});
     add("cntc_getnumelements", {double(g.mx), double(g.my)});
     add("cntc_getpenetration", {t.approach});
-    add("cntc_getcreepages", {case_.digits.force == Prescribed::creepages ? case_.x : t.x, case_.y, case_.phi});
+    add("cntc_getcreepages",
+        {case_.digits.force == Prescribed::creepages ? slip_of(case_.x) : t.x, slip_of(case_.y), case_.phi});
     add("cntc_getcontactforces", {t.fn, t.fx, t.fy, t.mz});
     add("cntc_getcontactpatchareas", {t.contact * element, t.adhesion * element, t.slip * element});
     add("cntc_getmaximumpressure", {t.peak_pressure});

@@ -65,7 +65,8 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const auto& patch = w.patches[static_cast<std::size_t>(icp) - 1];
       const auto& totals = patch.solution->totals;
       EXPECT_EQ(scalars(cntc_getcontactforces, 1, icp), (Values{totals.fn, totals.fx, totals.fy, totals.mz}));
-      EXPECT_EQ(scalars(cntc_getcreepages, 1, icp), (Values{patch.contact.x, patch.contact.y, patch.contact.phi}));
+      EXPECT_EQ(scalars(cntc_getcreepages, 1, icp),
+                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), patch.contact.phi}));
       EXPECT_EQ(scalars(cntc_getmaximumpressure, 1, icp), Values{totals.peak_pressure});
       const Values pn = field(1, icp, CNTC_fld_pn, elements(1, icp));
       ASSERT_EQ(pn.size(), patch.solution->solution.normal.pressure.size());
@@ -101,6 +102,18 @@ TEST_P(Wheels, HaveForcesInTheAxesOfTheirProfiles) {
   EXPECT_NEAR(l[15], l[1], 2) << "the pressure's centre is near the reference";
   EXPECT_NEAR(l[34], (GetParam() ? 1 : -1) * (1360 / 2 + 70), 1e-9) << "the wheel's profile on the axle";
   EXPECT_NEAR(l[35], 460, 1e-9);
+}
+
+/// F = 3: the rail has moved as far to the right as its spring gives way to the force to the right.
+TEST_P(Wheels, MoveARailOnASpring) {
+  constexpr double stiffness = 5e4; // N/mm
+  ASSERT_EQ(set_flag(1, whole, CNTC_ic_force, 3), 0);
+  ASSERT_EQ(set(cntc_settrackdimensions, 1, 32, {stiffness, 0, 0, 0}), 0);
+  ASSERT_EQ(set_wheel_state(1, GetParam() ? 3 : -3), 0);
+  ASSERT_EQ(calculate(1), 0) << library_.log();
+  const double force = list(cntc_getglobalforces, 1, whole, 24)[1];
+  EXPECT_GT(std::abs(force), 1000);
+  EXPECT_NEAR(stiffness * list(cntc_getcontactlocation, 1, 1, 38)[17], force, 1e-4 * std::abs(force));
 }
 
 TEST_P(Wheels, TakeProfilesFromArrays) {
