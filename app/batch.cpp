@@ -149,7 +149,7 @@ double size_of(const fs::path& path) {
   return error ? 0 : static_cast<double>(size);
 }
 
-/// What becomes of bad rows.
+/// Treatment of bad rows.
 enum class BadRows {
   stop, ///< the first one ends the batch
   list, ///< all are found; with one of them nothing is solved
@@ -188,7 +188,7 @@ private:
   std::map<Warning, io::ImplausibleRows> implausible_;
 };
 
-/// What a chunk of a table becomes.
+/// Result of a chunk of a table.
 struct ChunkResult {
   std::string csv;
   std::vector<io::BadRow> bad;
@@ -204,7 +204,7 @@ public:
                      const Progress& progress) = 0;
   std::size_t contacts() const { return contacts_; }
   std::size_t contacts_unsolved() const { return contacts_unsolved_; }
-  /// Of the first contact that could not even be begun; else empty.
+  /// Error of the first contact that could not even be begun; else empty.
   const std::string& first_error() const { return first_error_; }
 
 protected:
@@ -314,14 +314,14 @@ private:
   Motion motion_;
 };
 
-/// Like every row of the table, but for what its columns say.
+/// Contact like every row of the table, except for what its columns say.
 RollingProblem any_contact(const BatchArguments& arguments) {
   RollingProblem any;
   any.motion.direction = io::from_word<RollingDirection>("--direction", arguments.direction);
   return any;
 }
 
-/// Refuses options that do not go together. Of interpolation only the direction of rolling may be said.
+/// Refuses options that cannot be combined. Of interpolation only the direction of rolling may be said.
 void check_options(const BatchArguments& arguments) {
   if (arguments.theory == "table") {
     refuse({{"--bound", !arguments.bound.empty()},
@@ -423,7 +423,7 @@ public:
                        errors_file_.empty() ? "" : ", listed in " + errors_file_);
   }
 
-  /// Of the contacts that are hardly what is meant: the first and their number for each reason.
+  /// Messages on contacts that are hardly what is meant: the first and their number for each reason.
   std::vector<std::string> implausible_messages() const {
     std::vector<std::string> all;
     for (const auto& [warning, rows] : parser_.implausible())

@@ -7,7 +7,7 @@
 
 namespace microslip::app {
 
-/// This process's environment variables, NAME=VALUE.
+/// Environment variables of this process, NAME=VALUE.
 std::vector<std::string> environment_variables();
 
 /// Runs a program, which is found as shells do, with nothing to read, its output and errors in files, and waits. The
@@ -17,7 +17,7 @@ std::vector<std::string> environment_variables();
 int run_child(std::vector<std::string> arguments, std::vector<std::string> environment, std::FILE* output,
               std::FILE* errors);
 
-/// Runs another program in place of this one, with its arguments and streams; Ctrl-C meets the one or the other.
+/// Runs another program instead of this one, with its arguments and streams; Ctrl-C meets the one or the other.
 /// Returns only where the system cannot do that: the other's exit code, or the negative error number if it cannot be
 /// started. Throws Interrupted.
 int go_on_as(const std::filesystem::path& program);

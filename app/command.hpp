@@ -18,7 +18,7 @@ public:
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
 
   CommandOption& required();
-  /// How many values follow it.
+  /// Sets the number of values that follow it.
   CommandOption& expected(int count);
   CommandOption& expected(int fewest, int most);
   /// All values count where it is given again.
@@ -40,7 +40,7 @@ public:
 
   /// `footer`: what help and man page say at the end, with an example.
   Command add_subcommand(const std::string& name, const std::string& what, const std::string& footer = "");
-  /// `names`: "-o,--output FOLDER", with what stands in place of its value in texts, see OptionText; or the name of an
+  /// `names`: "-o,--output FOLDER", with what stands instead of its value in texts, see OptionText; or the name of an
   /// argument, "FILE". For texts, paths and numbers, several of them, and some that need not be there: the list is in
   /// command.cpp.
   template <class Value> CommandOption add_option(const std::string& names, Value& value, const std::string& what);
@@ -53,7 +53,7 @@ public:
     callback([kept, run] { run(*kept); });
     return *kept;
   }
-  /// The same where `run` gives the exit code.
+  /// Adds arguments of a command whose `run` returns the exit code.
   template <class Arguments> Arguments& arguments(int& exit_code, int (*run)(const Arguments& arguments)) {
     const auto kept = std::make_shared<Arguments>();
     callback([kept, run, &exit_code] { exit_code = run(*kept); });

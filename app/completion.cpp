@@ -21,7 +21,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What may stand for a value.
+/// Candidates for a value.
 struct Candidates {
   enum class Kind { none, words, files, folders } kind = Kind::none;
   Words words = {};
@@ -64,7 +64,7 @@ Candidates candidates(const OptionText& option) {
   return {};
 }
 
-/// How a shell is told of them: `words` and `files` have braces for these words and this ending.
+/// Text that lists them for a shell: `words` and `files` have braces for these words and this ending.
 std::string said(const Candidates& candidates, const char* words, const char* files, const char* folders,
                  const char* none) {
   switch (candidates.kind) {

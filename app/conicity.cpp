@@ -43,7 +43,7 @@ struct ConicityArguments {
   bool no_pictures = false, json = false;
 };
 
-/// At each of the gauges.
+/// Results at each of the gauges.
 struct ConicityResults {
   std::vector<double> amplitudes;
   std::vector<cases::ConicityResult> gauges;

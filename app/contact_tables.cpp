@@ -35,7 +35,7 @@ std::string with_unit(const std::string& name) {
   return name.starts_with("SHIFT") ? name + " [mm]" : name;
 }
 
-/// Of two bodies in contact, or a patch of a wheel; `lateral` is the letter of what lies across.
+/// Prints totals of two bodies in contact, or of a patch of a wheel; `lateral` is the letter of what lies across.
 void print_totals(const Case& c, const Outcome& outcome, char lateral) {
   const contact_program::PrintedTotals& t = outcome.totals;
   Lines forces, damping, relative, counts;
@@ -93,20 +93,20 @@ void print_contact(const Case& c, const Outcome& outcome, char lateral) {
   print_interior(outcome);
 }
 
-/// Where a patch lies, and how the bodies move over each other there.
+/// Prints the position of a patch and the bodies' relative motion there.
 void print_location(const contact_program::WheelPatch& patch) {
   const auto& [track, rail, wheel, angle, on_rail, on_wheel] = patch.location;
-  Lines places, motion;
-  places.add("XCP(TR) [mm]", fmt::format("{:.4f}", track.x));
-  places.add("YCP(TR)", fmt::format("{:.4f}", track.y));
-  places.add("ZCP(TR)", fmt::format("{:.4f}", track.z));
-  places.add("DELTCP [rad]", fmt::format("{:.4f}", angle));
-  places.add("YCP(R)", fmt::format("{:.4f}", rail.y));
-  places.add("ZCP(R)", fmt::format("{:.4f}", rail.z));
-  places.add("XCP(W)", fmt::format("{:.4f}", wheel.x));
-  places.add("YCP(W)", fmt::format("{:.4f}", wheel.y));
-  places.add("ZCP(W)", fmt::format("{:.4f}", wheel.z));
-  places.print();
+  Lines location, motion;
+  location.add("XCP(TR) [mm]", fmt::format("{:.4f}", track.x));
+  location.add("YCP(TR)", fmt::format("{:.4f}", track.y));
+  location.add("ZCP(TR)", fmt::format("{:.4f}", track.z));
+  location.add("DELTCP [rad]", fmt::format("{:.4f}", angle));
+  location.add("YCP(R)", fmt::format("{:.4f}", rail.y));
+  location.add("ZCP(R)", fmt::format("{:.4f}", rail.z));
+  location.add("XCP(W)", fmt::format("{:.4f}", wheel.x));
+  location.add("YCP(W)", fmt::format("{:.4f}", wheel.y));
+  location.add("ZCP(W)", fmt::format("{:.4f}", wheel.z));
+  location.print();
   if (!patch.contact.digits.has_friction()) return;
   motion.add("VELOC [mm/s]", patch.contact.rolling->veloc);
   motion.add("CKSI", contact_program::number_of(patch.contact.x));

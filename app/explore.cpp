@@ -65,7 +65,7 @@ io::Json start_of(const std::vector<fs::path>& files) {
   return {{"files", profiles}};
 }
 
-/// By RFC 8089: file:///home/me/a.html, file:///C:/a.html.
+/// Address by RFC 8089: file:///home/me/a.html, file:///C:/a.html.
 std::string file_address(const fs::path& file) {
   const std::u8string path = fs::absolute(file).generic_u8string();
   std::string address = path.starts_with(u8'/') ? "file://" : "file:///";

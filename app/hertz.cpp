@@ -81,7 +81,7 @@ HertzResult solve(const HertzArguments& arguments) {
                                      : hertz_from_approach(gap, combined, arguments.approach[0])};
 }
 
-/// What Hertz's theory takes of a body, by the keys of case files.
+/// Adds what Hertz's theory takes of a body, by the keys of case files.
 void add_body(io::Json& document, io::Json& units, const std::string& name, const io::BodyInput& body) {
   const std::pair<const char*, double> numbers[] = {{"rolling_radius", body.rolling_radius},
                                                     {"transverse_radius", body.transverse_radius},

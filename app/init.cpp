@@ -57,8 +57,8 @@ void require_free(const fs::path& file) {
 
 /// Returns whether an example's text has a key with the other's name as its value.
 bool is_named(std::string_view text, const ExampleFile& other) {
-  const auto place = text.find("= \"" + std::string(other.name) + '"');
-  return place != std::string_view::npos && text[text.rfind('\n', place) + 1] != '#'; // comments name some, too
+  const auto found = text.find("= \"" + std::string(other.name) + '"');
+  return found != std::string_view::npos && text[text.rfind('\n', found) + 1] != '#'; // comments name some, too
 }
 
 /// The examples that an example needs beside it, with what these need in their turn.

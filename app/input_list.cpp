@@ -16,7 +16,7 @@ namespace {
 using description::Input;
 using description::InputKind;
 
-/// What may stand under a key.
+/// Range of the value of a key.
 std::string range_of(const Input& input) {
   if (!input.words.empty()) return fmt::format("{}", fmt::join(input.words, "|"));
   switch (input.kind) {
@@ -44,7 +44,7 @@ std::string default_of(const Input& input) {
   return input.is_needed ? "needed" : "";
 }
 
-/// How a section's heading stands in files.
+/// Heading of a section, as in files.
 std::string heading(const description::InputTable& table, std::string_view section) {
   const std::vector<std::string_view> names = table.names(section);
   return fmt::format("[{}]", fmt::join(names, "], ["));

@@ -21,10 +21,10 @@ public:
 
   /// The option's name with its dashes.
   std::string name(std::string_view key) const;
-  /// What the input is, for an option whose value has another form.
+  /// Text of the input, for an option whose value has another form.
   std::string text(std::string_view key) const { return of_ + std::string(table_->find(section_, key)->text); }
   /// Adds an option. A number, a list of numbers or a word becomes the default, if there is one; an optional number,
-  /// and a word with `is_given_only`, stay empty where the option is left out. `type` stands in place of the value in
+  /// and a word with `is_given_only`, stay empty where the option is left out. `type` stands instead of the value in
   /// texts, "FROM TO STEP"; of words these.
   template <class Value>
   CommandOption add(Command& command, std::string_view key, Value& value, std::string type = "VALUE",

@@ -21,11 +21,11 @@ template <class Option> std::string choices() {
   return fmt::format("{}", fmt::join(io::option_words<Option>(), "|"));
 }
 
-/// What help, man page and shell completion say of an option or an argument.
+/// Text of an option or an argument in help, man page and shell completion.
 struct OptionText {
   std::vector<std::string> dashed_names; ///< with their dashes, short ones first; none of an argument
   std::string name;                      ///< of an argument
-  /// What stands there, its type name or its own name: choices as above, FOLDER, STUDY (a study of `validate`), a file
+  /// Value, its type name or its own name: choices as above, FOLDER, STUDY (a study of `validate`), a file
   /// with its ending such as CASE.toml, or anything else. Empty: it takes no value.
   std::string value_name;
   std::string description; ///< what it is, and its default or that it is required
@@ -34,7 +34,7 @@ struct OptionText {
   int fewest_values = 0, most_values = 0; ///< that follow it
 
   bool takes_value() const { return !value_name.empty(); }
-  /// How an argument stands in a usage line, e.g. "CASE.toml" or "[STUDY...]".
+  /// Argument in a usage line, e.g. "CASE.toml" or "[STUDY...]".
   std::string usage() const;
 };
 
@@ -47,7 +47,7 @@ struct CommandText {
 
 CommandText command_text(const CLI::App& command);
 
-/// Of help with these texts.
+/// Formatter of help with these texts.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 } // namespace microslip::app

@@ -30,7 +30,7 @@ std::string python() {
   return chosen != nullptr && *chosen != '\0' ? chosen : MICROSLIP_PYTHON;
 }
 
-/// This program's environment, with the package's folder first where Python looks.
+/// Environment of this program, with the package's folder first where Python looks.
 std::vector<std::string> environment_with_package() {
   const std::string key = "PYTHONPATH=";
   auto path = key + io::python_folder().string();
@@ -67,7 +67,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What microslip.plot says of a file or an option, without its name; else nothing.
+/// Message of microslip.plot on a file or an option, without its name; else nothing.
 std::string said_of_input(int code, const std::vector<std::string>& messages) {
   const std::string name = "microslip.plot: ";
   const bool is_said = code == 2 && !messages.empty() && messages.back().starts_with(name);

@@ -21,7 +21,7 @@ struct PlotArguments {
   bool convergence = false, json = false;
 };
 
-/// As microslip.plot takes them.
+/// Arguments as microslip.plot takes them.
 std::vector<std::string> python_arguments(const PlotArguments& given) {
   std::vector<std::string> arguments = {given.result};
   const auto add = [&](const std::string& name, const std::string& value) {

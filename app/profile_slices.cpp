@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the positions along a rail [mm], or around a wheel [deg].
+/// Unit of the positions along a rail [mm], or around a wheel [deg].
 struct Along {
   double scale;
   const char* unit;
@@ -62,7 +62,7 @@ void print_slices(const io::SlicedProfile& sliced) {
   }
 }
 
-/// What slices have in common is said once.
+/// Warnings of slices; those they have in common appear once.
 std::vector<std::string> warnings_of(const io::SlicedProfile& sliced) {
   struct Warning {
     std::string text, first;

@@ -29,7 +29,7 @@ std::string version_text() {
   return fmt::format("microslip {} (commit {}, {}, {})", build.version, build.commit, build.compiler, build.build_type);
 }
 
-/// Whether all that was printed has arrived. An earlier flush may have lost it, which only the stream remembers.
+/// Returns true if all output has arrived. An earlier flush may have lost it, which only the stream remembers.
 bool output_is_written() {
   return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }

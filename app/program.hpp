@@ -4,8 +4,8 @@
 
 namespace microslip::app {
 
-/// What `main` does with its arguments: adds the commands and runs the one that is asked for, which sets `exit_code`.
-/// Returns the program's exit code; what fails is told on standard error.
+/// Body of `main`: adds the commands and runs the one that is asked for, which sets `exit_code`.
+/// Returns the program's exit code; failures are reported on standard error.
 int run_program(int count, char** arguments, void (*add_commands)(Command& program, int& exit_code));
 
 } // namespace microslip::app

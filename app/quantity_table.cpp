@@ -8,7 +8,7 @@
 namespace microslip::app {
 namespace {
 
-/// From which magnitude on a number is printed in a unit.
+/// Magnitude from which on a number is printed in a unit.
 struct Step {
   double from;
   PrintedUnit unit;

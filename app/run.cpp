@@ -178,7 +178,7 @@ private:
     std::fflush(stdout);
   }
 
-  /// Of wheels on rails.
+  /// Prints the effort of wheels on rails.
   void print_effort() const {
     if (effort_.geometry == 0) return;
     fmt::print("\n{} analyses of the geometry, {} normal and {} tangential problems, {:.2f} s of the processor\n",
@@ -229,7 +229,7 @@ private:
             {"quantities", numbers}};
   }
 
-  /// What the result file does not have.
+  /// Keeps what the result file does not have.
   void keep(const Case& c, const Outcome& outcome) {
     if (outcome.kind == Outcome::Kind::refused)
       refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
@@ -300,7 +300,7 @@ private:
                  what, ranges(cases));
   }
 
-  /// In CONTACT's layout.
+  /// Writes texts in CONTACT's layout.
   void write_texts(const Case& c, const Outcome& outcome) {
     if (!outcome.wheel) {
       if (c.digits.matfil != contact_program::Stored::none)

@@ -157,7 +157,7 @@ public:
     table_.add(name, texts, unit);
   }
 
-  /// Of the first theory, the one that is asked for.
+  /// Unit of the first theory, the one that is asked for.
   std::string unit_of(std::string_view name) const {
     return std::string(quantity(name).unit_of(*columns_.front().solution));
   }
@@ -195,7 +195,7 @@ void add_totals(TheoryRows& rows, const EllipticContact& contact) {
                  &cases::DiscretisationError::frictional_power);
 }
 
-/// What the simplified theory, or a table, neglects.
+/// Adds what the simplified theory, or a table, neglects.
 void add_assumption(QuantityTable& table, const io::RollingCase& input, const std::string& of) {
   const auto assumption = cases::simplified_assumption(input);
   if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});

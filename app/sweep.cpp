@@ -28,12 +28,12 @@ namespace fs = std::filesystem;
 
 struct SweepArguments {
   fs::path spec, output;
-  /// Of many ranks each has its processors given by the launcher.
+  /// Threads of a rank; with many ranks the launcher gives each its processors.
   int threads = campaign::has_launcher() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;
 };
 
-/// One run of the command on one of the ranks.
+/// Run of the command on one of the ranks.
 class SweepRun {
 public:
   SweepRun(const SweepArguments& arguments, campaign::Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}

@@ -28,7 +28,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// CLI11's words, but for a value that is none of its option's: all but texts are numbers.
+/// CLI11's words, except for a value that its option does not take: all but texts are numbers.
 std::string described(const CLI::ParseError& error) {
   constexpr std::string_view not_converted = "Could not convert: ";
   const std::string text = error.what();

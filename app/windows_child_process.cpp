@@ -15,7 +15,7 @@
 namespace microslip::app {
 namespace {
 
-/// As the C library of a child takes its command line apart: quotes and the strokes before them are escaped.
+/// Word as a child's C library parses its command line: quotes and the backslashes before them are escaped.
 std::string command_line_word(std::string_view argument) {
   std::string text = "\"";
   std::size_t strokes = 0;

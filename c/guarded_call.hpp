@@ -86,7 +86,7 @@ microslip_code guarded_use(microslip_error* error, std::string_view name, Handle
   });
 }
 
-/// The same for calls that have no error, take no memory and throw nothing themselves.
+/// Guards calls that have no error, take no memory and throw nothing themselves.
 template <class Handle, class Body> microslip_code with_handle(Handle* handle, const Body& body) noexcept {
   if (!handle) return MICROSLIP_NULL_POINTER;
   const Use use(handle->in_use);
@@ -99,7 +99,7 @@ inline void require_size(std::string_view name, std::size_t size, std::size_t wa
                 std::string(name) + " = " + std::to_string(size) + ": must be " + std::to_string(wanted));
 }
 
-/// Of rows, which may be shorter than their list.
+/// Throws Error for rows longer than their list; they may be shorter.
 inline void require_at_most(std::string_view name, std::size_t size, std::size_t longest) {
   if (size <= longest) return;
   throw Refusal(MICROSLIP_WRONG_SIZE,

@@ -15,7 +15,7 @@ using namespace microslip::c;
 
 namespace {
 
-/// The place among the kinds of cases whose inputs a microslip_list has.
+/// The index among the kinds of cases whose inputs a microslip_list has.
 std::size_t kind_of_inputs(int list) {
   return static_cast<std::size_t>(list - MICROSLIP_BODIES_INPUT);
 }
@@ -102,7 +102,7 @@ int microslip_index(int list, const char* name, microslip_error* error) {
   int index = -1;
   guarded(error, [&] {
     const std::string_view wanted = require_pointer("name", name);
-    index = static_cast<int>(with_list(list, [&](auto table) { return place_of(table, wanted); }));
+    index = static_cast<int>(with_list(list, [&](auto table) { return index_of(table, wanted); }));
   });
   return index;
 }

@@ -21,8 +21,8 @@ inline std::string_view name_of(const description::NamedInput& entry) {
   return entry.path;
 }
 
-/// Where a name stands in a table. Throws Error with the nearest one if it does not.
-template <class Entry> std::size_t place_of(std::span<const Entry> table, std::string_view name) {
+/// Index of a name in a table. Throws Error with the nearest one if it does not.
+template <class Entry> std::size_t index_of(std::span<const Entry> table, std::string_view name) {
   std::vector<std::string_view> names;
   for (const Entry& entry : table) {
     if (name_of(entry) == name) return names.size();

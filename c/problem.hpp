@@ -12,25 +12,25 @@
 
 namespace microslip::c {
 
-/// How a solve ended.
+/// Outcome of a solve.
 struct Ending {
   Status status = Status::ok;
   std::string reason = {}; ///< why it is not ok
 };
 
-/// How many values a field has.
+/// Number of values of a field.
 struct FieldSize {
   std::size_t columns, rows;
 };
 
-/// What is solved of a kind of case, with the solver that is kept for the next time.
+/// Solution of a kind of case, with the solver that is kept for the next time.
 class SolvedCase {
 public:
   virtual ~SolvedCase() = default;
 
   /// Throws Error for inputs that the readers of cases refuse, which leaves what was solved before.
   virtual Ending solve(const io::CaseInputs& inputs, const Progress& progress) = 0;
-  /// The same with the derivatives of fx, fy, mz by xi, eta, phi, row by row; NaN where there is no result.
+  /// Solves with the derivatives of fx, fy, mz by xi, eta, phi, row by row; NaN where there is no result.
   virtual Ending differentiate(const io::CaseInputs& inputs, const Progress& progress, std::span<double, 9> jacobian);
   /// A number of what was solved last. Throws Error for an unknown name, Refusal where there is none.
   virtual double number(std::string_view name) const = 0;
@@ -39,7 +39,7 @@ public:
   virtual void copy_field(std::string_view name, std::span<double> values) = 0;
 };
 
-/// What is solved of cases with two bodies, a wheel, or a wheelset.
+/// Solvers of cases with two bodies, a wheel, or a wheelset.
 std::unique_ptr<SolvedCase> solved_bodies();
 std::unique_ptr<SolvedCase> solved_wheel();
 std::unique_ptr<SolvedCase> solved_wheelset();

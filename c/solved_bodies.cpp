@@ -61,7 +61,7 @@ private:
 
   const ContactSolution& solution() const { return require_solution(solution_, "microslip_solve"); }
 
-  /// Where the solution has no distance of the bodies, from the normal problem on its grid.
+  /// Finds the bodies' distance from the normal problem on the solution's grid, if the solution has none.
   void find_gap() {
     if (!solution_ || solution_->elements.size() == 0 || !solution_->fields.gap.empty()) return;
     if (solver_->method().theory == Theory::exact) solution_->fields.gap = solver_->deformed_gap(problem_).gap;

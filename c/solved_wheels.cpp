@@ -31,7 +31,7 @@ void solve(WheelsetOnTrack& solver, const io::LoadedWheelsetState& given, Wheels
 }
 
 template <class Of> double value_in(std::span<const RailwayQuantity<Of>> table, std::string_view name, const Of& of) {
-  return table[place_of(table, name)].value(of);
+  return table[index_of(table, name)].value(of);
 }
 
 /// A wheel's name behind "left." or "right.", with that wheel; of other names none.
@@ -53,7 +53,7 @@ double number_of(const WheelsetSolution& solution, std::string_view name) {
 
 /// A number of each patch.
 std::vector<double> field_of(const WheelRailSolution& solution, std::string_view name) {
-  const auto& quantity = patch_results()[place_of(patch_results(), name)];
+  const auto& quantity = patch_results()[index_of(patch_results(), name)];
   std::vector<double> values;
   for (const WheelRailPatch& patch : solution.patches) values.push_back(quantity.value(patch));
   return values;

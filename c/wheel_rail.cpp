@@ -57,7 +57,7 @@ void write_state(const io::LoadedWheelState& from, std::size_t width, double* ro
   }
 }
 
-/// Whether rows that a caller gives or wants are there and no longer than their list.
+/// Checks that rows which a caller gives or wants exist and are no longer than their list.
 microslip_code check_rows(std::size_t count, std::size_t width, const double* rows, std::size_t longest) noexcept {
   if (width > longest) return MICROSLIP_WRONG_SIZE;
   return count > 0 && width > 0 && !rows ? MICROSLIP_NULL_POINTER : MICROSLIP_OK;
@@ -82,7 +82,7 @@ struct StateRows {
   }
 };
 
-/// What a state is left with that something else than its numbers has kept from being solved, as a lack of memory.
+/// Marks states as unsolved for a reason that is not in their numbers, such as a lack of memory.
 void leave_unsolved(microslip_wheel_rail& handle) noexcept {
   WheelRailSolution& solution = handle.solution;
   solution.patches.clear(), solution.fields.clear();
@@ -101,7 +101,7 @@ double limit_of(std::string_view name) {
   return std::ranges::find(state_quantities(), name, &StateQuantity::name)->limit;
 }
 
-/// Of a lateral motion, for which contacts are searched for up to 1 m from the track's middle.
+/// Returns true for an amplitude of lateral motion; contacts are searched for up to 1 m from the track's middle.
 bool is_amplitude(double value) noexcept {
   return value > 0 && value <= 0.9;
 }
@@ -160,7 +160,7 @@ microslip_code solve_states(microslip_wheel_rail& handle, const StateRows& rows,
       });
 }
 
-/// Where a state begins.
+/// Start of a state's solution.
 enum class Start { anew, from_last };
 
 microslip_code solve_rows(microslip_wheel_rail* wheel_rail, const StateRows& rows, Start start) noexcept {

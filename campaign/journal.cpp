@@ -33,7 +33,7 @@ template <class Struct> std::uint64_t check_of(const Struct& object) {
   return hash_of(bytes_of(object).substr(0, sizeof object - sizeof object.check));
 }
 
-/// How a journal begins.
+/// Head of a journal.
 struct FileHead {
   std::array<char, 8> magic = campaign::magic;
   std::uint32_t format = campaign::format, byte_order = campaign::byte_order;
@@ -41,14 +41,14 @@ struct FileHead {
   std::uint64_t check = 0;
 };
 
-/// What stands before the rows of a chunk, the reasons of its failed cases and a hash of both.
+/// Head of a chunk, before its rows, the reasons of its failed cases and a hash of both.
 struct ChunkHead {
   std::uint32_t mark = chunk_mark, reasons; ///< bytes of these
   std::uint64_t number;
   std::uint64_t check = 0;
 };
 
-/// What stands before each reason.
+/// Head of each reason.
 struct ReasonHead {
   std::uint64_t index, length;
 };
@@ -83,7 +83,7 @@ template <class Struct> Struct struct_at(std::string_view bytes) {
   return object;
 }
 
-/// The reasons as to_bytes has written them; none if they make no sense.
+/// The reasons as to_bytes has written them; none if they are damaged.
 std::optional<std::vector<FailedCase>> failed_cases(std::string_view bytes) {
   std::vector<FailedCase> failed;
   while (!bytes.empty()) {
@@ -119,7 +119,7 @@ std::string reason_of(int error_number) {
   return std::generic_category().message(error_number);
 }
 
-/// What is wrong with the beginning of a journal; empty: nothing.
+/// Fault of the beginning of a journal; empty: none.
 std::string fault_of(const FileHead& head, const CampaignPlan& plan) {
   if (head.magic != magic) return no_checkpoint;
   if (head.byte_order != byte_order) return "was written on a machine with another byte order";
@@ -156,7 +156,7 @@ void Journal::sync() {
   if (::fdatasync(descriptor_) != 0) fail(errno);
 }
 
-/// What cannot be written to its end is taken away again.
+/// Writes bytes; what cannot be written to its end is removed again.
 void Journal::write(const std::string& bytes) {
   std::size_t written = 0;
   while (written < bytes.size()) {

@@ -28,14 +28,14 @@ public:
   virtual std::size_t take() { return taken_++; }
   /// The common count. From any thread.
   virtual std::size_t taken() { return taken_; }
-  /// From now on `take` gives `none` or more, on all ranks.
+  /// Ends the work: from now on `take` returns `none` or more, on all ranks.
   virtual void end() { taken_ = none; }
   static constexpr std::size_t none = std::size_t{1} << 62;
 
   /// *All*: the first rank's bytes.
   virtual std::string from_first(std::string bytes) { return bytes; }
   /// *All*: waits for all and returns the error of the lowest rank that has one, else nothing. While it waits it asks
-  /// `progress` now and then, and throws Stopped if that answers false.
+  /// `progress` repeatedly, and throws Stopped if that returns false.
   virtual std::string common_error(std::string error, const Progress& progress = {}) {
     go_on(progress, 1);
     return error;

@@ -106,8 +106,8 @@ const WheelsetLoad& load_of(const io::LoadedWheelsetState& loaded) {
   return loaded.load;
 }
 
-/// What wheels and wheelsets share. `Input` is a WheelRailCase or a WheelsetCase, which `read` reads, of the keys of
-/// `inputs`.
+/// Kind shared by wheels and wheelsets. `Input` is a WheelRailCase or a WheelsetCase, which `read` reads, of the keys
+/// of `inputs`.
 template <class Input, class Solver, class Solution, auto read, auto inputs> class RailwayKind {
 public:
   using Solved = Solution;
@@ -202,7 +202,7 @@ std::string_view last_name(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-/// Those that the file asks for; status and warnings are always kept.
+/// Columns that the file asks for; status and warnings are always kept.
 template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepSpec& spec) {
   const auto& wanted = spec.quantities();
   if (wanted.empty()) return all;
@@ -223,7 +223,7 @@ template <class Solved> Columns<Solved> chosen(Columns<Solved> all, const SweepS
   return some;
 }
 
-/// One case that can be read, of some that are tried: a misspelt key is wrong in all, a value out of range may be so in
+/// Reads one case of some that are tried: a misspelt key is wrong in all, a value out of range may be so in
 /// one. Else the first one's Error.
 void read_some_case(const SweepSpec& spec, const std::function<void(std::size_t index)>& read) {
   constexpr std::size_t some = 5;
@@ -232,7 +232,7 @@ void read_some_case(const SweepSpec& spec, const std::function<void(std::size_t 
     try {
       return read(k * (spec.count() - 1) / (some - 1));
     } catch (const Error& error) {
-      if (k == 0) first_error = spec.place(0) + error.what();
+      if (k == 0) first_error = spec.location(0) + error.what();
     }
   }
   throw Error(first_error);

@@ -32,15 +32,15 @@ struct SweepSpec::Axis {
   double from = 0, to = 0;
   std::string from_text = {}, to_text = {}; ///< the ends as texts with units, until these are converted
   bool is_logarithmic = false;
-  std::size_t count = 0;  ///< 0: any number between the ends
-  std::string place = {}; ///< for messages: file and line
+  std::size_t count = 0;     ///< 0: any number between the ends
+  std::string location = {}; ///< for messages: file and line
 
   CaseValue at(std::size_t i) const {
     if (!list.empty()) return {.number = 0, .node = list.get(i)};
     if (!numbers.empty()) return {.number = numbers[i]};
     return {.number = i + 1 == count && count > 1 ? to : between(count > 1 ? double(i) / double(count - 1) : 0)};
   }
-  /// Where a part of the values lies below.
+  /// Value below which a fraction `part` of them lies.
   CaseValue at_fraction(double part) const {
     if (count > 0) return at(std::min(count - 1, static_cast<std::size_t>(part * static_cast<double>(count))));
     return {.number = between(part)};
@@ -51,7 +51,7 @@ struct SweepSpec::Axis {
   }
   void check_ends() const {
     if (is_logarithmic && from_text.empty() && to_text.empty() && !(from * to > 0))
-      throw Error(place + "a logarithmic scale needs ends of one sign");
+      throw Error(location + "a logarithmic scale needs ends of one sign");
   }
 
 private:
@@ -69,7 +69,7 @@ private:
 struct SweepSpec::Entry {
   std::string name;
   const toml::node* values;
-  toml::source_region place;
+  toml::source_region location;
 };
 
 namespace {
@@ -84,7 +84,7 @@ std::uint64_t scrambled(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-/// In [0, 1): of a case and a parameter.
+/// Random number in [0, 1) of a case and a parameter.
 double random_part(std::uint64_t seed, const std::string& name, std::size_t index) {
   const std::uint64_t stream = scrambled(hash_of(name) ^ scrambled(seed));
   return static_cast<double>(scrambled(stream + index * 0x9e3779b97f4a7c15) >> 11) * 0x1p-53;
@@ -183,7 +183,7 @@ void SweepSpec::read_base(const io::TomlSection& root) {
       throw Error(base_name_ + ": [" + section + "]: must be left out of a case that varies in another sweep");
 }
 
-/// In the order of the file. A key may be quoted, or open tables by its dots.
+/// Entries in the order of the file. A key may be quoted, or open tables by its dots.
 std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) const {
   std::vector<Entry> entries;
   const std::function<void(const toml::table&, const std::string&)> collect = [&](const auto& table,
@@ -199,27 +199,27 @@ std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) 
   };
   collect(section, "");
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& e, const Entry& f) { return e.place.begin < f.place.begin; });
+            [](const Entry& e, const Entry& f) { return e.location.begin < f.location.begin; });
   return entries;
 }
 
 void SweepSpec::add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys) {
   Axis axis;
   bool is_number = true;
-  const std::string place = name_ + ":" + std::to_string(entry.place.begin.line) + ": ";
+  const std::string location = name_ + ":" + std::to_string(entry.location.begin.line) + ": ";
   if (const auto* list = entry.values->as_array()) {
-    if (list->empty()) fail(entry.place, entry.name + ": must have at least one value");
+    if (list->empty()) fail(entry.location, entry.name + ": must have at least one value");
     axis.list = *list;
     axis.count = list->size();
-    axis.place = place;
+    axis.location = location;
     is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
   } else if (const auto* table = entry.values->as_table()) {
     axis = range_of(root.inside(*table, entry.name, range_keys));
   } else {
-    fail(entry.place, entry.name + ": must be a list of values or { from = ..., to = ... }");
+    fail(entry.location, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
   if (entry.name.starts_with("sweep."))
-    fail(entry.place,
+    fail(entry.location,
          entry.name + ": names no key that cases have; vary the key itself, e.g. wheel" + entry.name.substr(5));
   parameters_.push_back({entry.name, keys_of(entry.name), is_number});
   axes_.push_back(std::make_shared<Axis>(std::move(axis)));
@@ -237,7 +237,7 @@ SweepSpec::Axis SweepSpec::range_of(const io::TomlSection& range) {
   read_end("from", axis.from, axis.from_text);
   read_end("to", axis.to, axis.to_text);
   axis.is_logarithmic = range.word("scale") == description::sweep_scales[1];
-  axis.place = range.line_of("scale");
+  axis.location = range.line_of("scale");
   axis.check_ends();
   if (range.is_described("count")) axis.count = static_cast<std::size_t>(range.whole("count"));
   return axis;
@@ -296,7 +296,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   if (rows < 2) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
   count_ = rows - 1;
   if (count_ > std::size_t{most_cases}) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
-  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .place = file + ": "});
+  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .location = file + ": "});
   rows = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k) {
@@ -314,7 +314,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   for (Axis& column : columns) axes_.push_back(std::make_shared<Axis>(std::move(column)));
 }
 
-std::string SweepSpec::place(std::size_t index) const {
+std::string SweepSpec::location(std::size_t index) const {
   if (list_name_.empty()) return {};
   std::size_t rows = 0, line = 0;
   visit_lines(io::csv_start(list_text_, list_name_), list_name_, [&](const auto&, std::size_t number) {
@@ -406,12 +406,12 @@ void SweepSpec::convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUni
   if (unit == units.end()) return; // texts that begin with a digit
   for (const std::string& key : parameter.keys)
     if (const auto other = units.find(key); other == units.end() || other->second != unit->second)
-      throw Error(axis.place + parameter.name + ": keys of different units cannot take the same text with a unit");
+      throw Error(axis.location + parameter.name + ": keys of different units cannot take the same text with a unit");
   const auto number = [&](const std::string& text, std::size_t index) {
     try {
       return io::number_in_unit(parameter.name, text, unit->second);
     } catch (const Error& error) {
-      throw Error((list_name_.empty() ? axis.place : place(index)) + error.what());
+      throw Error((list_name_.empty() ? axis.location : location(index)) + error.what());
     }
   };
   if (!axis.from_text.empty()) axis.from = number(std::exchange(axis.from_text, {}), 0);
@@ -457,8 +457,8 @@ std::uint64_t SweepSpec::identity() const {
   return hash;
 }
 
-void SweepSpec::fail(const toml::source_region& place, const std::string& what) const {
-  throw Error(name_ + ":" + std::to_string(place.begin.line) + ": " + what);
+void SweepSpec::fail(const toml::source_region& location, const std::string& what) const {
+  throw Error(name_ + ":" + std::to_string(location.begin.line) + ": " + what);
 }
 
 } // namespace microslip::campaign

@@ -63,10 +63,10 @@ public:
 
   /// Parameter `k` in a case: depends on the case's number alone. Cost O(parameters).
   CaseValue value(std::size_t index, std::size_t k) const;
-  /// The same as text, for a parameter that is no number.
+  /// Value as text, for a parameter that is no number.
   std::string text_of(std::size_t index, std::size_t k) const;
   /// Location of a case of a list, "cases.csv:2: ", for messages; else empty. Reads the list anew.
-  std::string place(std::size_t index) const;
+  std::string location(std::size_t index) const;
   /// Puts it into a case.
   void set(std::size_t index, std::size_t k, toml::table& table) const;
 
@@ -92,7 +92,7 @@ private:
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
   void put(const std::string& key, const CaseValue& value, toml::table& table) const;
   void convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
-  [[noreturn]] void fail(const toml::source_region& place, const std::string& what) const;
+  [[noreturn]] void fail(const toml::source_region& location, const std::string& what) const;
 
   std::string title_, text_, name_, base_name_, base_text_;
   std::string list_name_, list_text_; ///< of the table of cases, if there is one

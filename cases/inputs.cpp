@@ -31,9 +31,9 @@ void write_inputs(io::ResultWriter& file, const io::ReadInputs& inputs, const de
     const description::Input* input =
         table.find(has_section ? path.substr(0, end) : "", path.substr(has_section ? end + 1 : 0));
     if (input == nullptr || (input->is_state && !read.is_given) || path == "title") continue;
-    std::string place = "inputs/" + path;
-    std::replace(place.begin(), place.end(), '.', '/');
-    std::visit(Write(file, place, *input), read.value);
+    std::string dataset = "inputs/" + path;
+    std::replace(dataset.begin(), dataset.end(), '.', '/');
+    std::visit(Write(file, dataset, *input), read.value);
   }
 }
 

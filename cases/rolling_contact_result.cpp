@@ -21,7 +21,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int simplified_curve_points = 61, exact_curve_points = 25;
 constexpr int largest_curve_grid = 24; // of the exact theory: a picture needs no more
 
-/// Of similar bodies, as the simplified theory and tables have them.
+/// Contact of similar bodies, as the simplified theory and tables have them.
 EllipticContact similar(EllipticContact contact) {
   contact.dissimilarity = 0;
   return contact;
@@ -42,7 +42,7 @@ DiscretisationError difference(const EllipticContact& contact, const ContactSolu
   return difference(contact, a.totals, b.forces(), b.totals.frictional_power);
 }
 
-/// By a solver for a grid and one for twice its cells in each direction.
+/// Result by a solver for a grid and one for twice its cells in each direction.
 template <class Solver> SimplifiedResult solve_simplified(const EllipticContact& contact, Solver solver, Solver finer) {
   SimplifiedResult result;
   result.solution = solver.fields(contact);
@@ -51,7 +51,7 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
   return result;
 }
 
-/// Of similar bodies: beside the exact theory's result for dissimilar ones it is a comparison that says so.
+/// Result of similar bodies: beside the exact theory's for dissimilar ones it is a comparison that says so.
 SimplifiedResult solve_simplified(const io::RollingCase& input, const EllipticContact& given) {
   const EllipticContact contact = similar(given);
   const SimplifiedOptions options = simplified_options(input.method, input.problem.motion.direction);
@@ -74,7 +74,7 @@ TableResult look_up(const io::RollingCase& input, const EllipticContact& contact
   return result;
 }
 
-/// In the case's steps, with creepages instead of prescribed forces.
+/// Curve in the case's steps, with creepages instead of prescribed forces.
 CreepCurve exact_curve(RollingProblem problem, const EllipticContact& contact, Method method,
                        const Progress& progress) {
   problem.motion.force_x = problem.motion.force_y = std::nullopt;
@@ -92,7 +92,7 @@ double step_of(const io::RollingCase& input, const EllipticContact& contact) {
   return input.problem.motion.step > 0 ? input.problem.motion.step : 2 * contact.a / input.method.mx;
 }
 
-/// On the grid that the case gives.
+/// Result on the grid that the case gives.
 ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress,
                           ExactExtent extent) {
   const Method& method = input.method;
@@ -113,7 +113,7 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   return result;
 }
 
-/// On the finest grid of those that an accuracy asks for, if any: else on the case's.
+/// Method on the finest grid of those that an accuracy asks for, if any: else on the case's.
 Method on_finest(const io::RollingCase& input, const std::optional<AccurateContact>& limit) {
   Method method = input.method;
   method.accuracy.reset();
@@ -121,7 +121,7 @@ Method on_finest(const io::RollingCase& input, const std::optional<AccurateConta
   return method;
 }
 
-/// On grids that the accuracy asks for.
+/// Result on grids that the accuracy asks for.
 ExactResult solve_to_accuracy(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress) {
   ExactResult result;
   result.limit = AccurateContactSolver(input.method).solve(input.problem, part(progress, 0, 0.8));
@@ -149,7 +149,7 @@ ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, 
   return result;
 }
 
-/// Of the contact's solution or, where an accuracy is asked for, of its limit.
+/// Report of the contact's solution or, where an accuracy is asked for, of its limit.
 SolverReport report_of(const ExactResult& exact) {
   SolverReport report = exact.contact.report;
   if (!exact.limit) return report;
@@ -247,12 +247,12 @@ void write_curve(io::ResultWriter& file, const std::string& theory, const CreepC
   write("mz", "N m", &ContactForces::mz);
 }
 
-/// Of results for simpler bodies than the case's.
+/// Writes the assumption of results for simpler bodies than the case's.
 void write_assumption(io::ResultWriter& file, const std::string& group, const std::string& assumption) {
   if (!assumption.empty()) file.attribute(group, "assumes", assumption);
 }
 
-/// Which creepage varies, and where on the curve the case is.
+/// Writes the creepage that varies and the case's point of the curve.
 void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const EllipticContact& contact) {
   const Creepage& creepage = contact.creepage;
   const auto write = [&](const char* name, double value, const char* unit) {

@@ -89,8 +89,8 @@ enum class ExactExtent {
   solution ///< the solution alone
 };
 
-/// Solves a case by the theory it asks for, and beside the exact theory and a table by FASTSIM2. `progress` is told of
-/// long work. Throws Stopped if it returns false.
+/// Solves a case by the theory it asks for, and beside the exact theory and a table by FASTSIM2. `progress` is called
+/// during long work. Throws Stopped if it returns false.
 RollingContactResult solve_case(const io::RollingCase& input, const Progress& progress = {},
                                 ExactExtent extent = ExactExtent::full);
 

@@ -15,7 +15,7 @@
 namespace microslip::cases {
 namespace {
 
-/// One solution of each state.
+/// Solutions, one of each state.
 using Solutions = std::vector<const WheelRailSolution*>;
 
 Solutions solutions_of(const WheelRailResult& result) {
@@ -47,8 +47,8 @@ void add_profile_warnings(const io::PlacedProfile& profile, std::vector<std::str
   for (const auto& warning : profile.report.warnings) warnings.push_back(profile.report.source + ": " + warning);
 }
 
-/// What makes results doubtful, and how many of them; `which` wheel, if there are two; `only` one of the warnings, of
-/// which wheels by themselves do not know.
+/// Adds what makes results doubtful, and how many of them; `which` wheel, if there are two; `only` one of the warnings,
+/// by themselves unknown to wheels.
 template <class Solutions>
 void add_warnings(const Solutions& solutions, const std::string& which, std::vector<std::string>& warnings,
                   std::optional<Warning> only = {}) {
@@ -85,7 +85,7 @@ void write_states(io::ResultWriter& file, const io::WheelRailCase& input) {
   write_varied(file, input);
 }
 
-/// The same of a wheelset, with the forces that are prescribed.
+/// Writes the states of a wheelset, with the forces that are prescribed.
 void write_states(io::ResultWriter& file, const io::WheelsetCase& input) {
   const auto varies = [&](std::string_view name) {
     return std::find(input.varied.begin(), input.varied.end(), name) != input.varied.end();
@@ -208,7 +208,7 @@ void write_outlines(io::ResultWriter& file, const io::WheelRailCase& input, cons
   write_curve(file, "outlines/wheel", y, z, "track axes: to the left, up");
 }
 
-/// Of a patch in its frame.
+/// Writes the fields of a patch in its frame.
 void write_fields(io::ResultWriter& file, const std::string& group, const ContactSolution& solution,
                   const WheelRailPatch& patch, const SurfaceStrength& strength) {
   const io::ResultWriter::Shape shape = {static_cast<std::size_t>(solution.elements.my()),
@@ -225,7 +225,7 @@ void write_fields(io::ResultWriter& file, const std::string& group, const Contac
   file.array(group + "state", states, "-", "0 exterior, 1 adhesion, 2 slip", shape);
 }
 
-/// Of all patches, one after another.
+/// Writes the fields of all patches, one after another.
 void write_fields(io::ResultWriter& file, const std::string& group, const Solutions& solutions,
                   const SurfaceStrength& strength) {
   std::size_t index = 0;
@@ -259,7 +259,7 @@ io::Json document_of(const Input& input, const Result& result, const io::Provena
   return document;
 }
 
-/// Solves all states; `solve` makes a solution of each and may tell of its progress, of no fraction.
+/// Solves all states; `solve` makes a solution of each and may report its progress, without a fraction.
 template <class Result, class Input, class Solve>
 Result solve_states(const Input& input, const Progress& progress, const Solve& solve) {
   Result result;

@@ -25,15 +25,15 @@ constexpr const char* kind_of(const io::WheelRailCase&) {
   return "wheel_rail";
 }
 
-/// Solves all states. `progress` is told after each, and often within the exact theory and sums inside the bodies.
+/// Solves all states. `progress` is called after each, and often within the exact theory and sums inside the bodies.
 /// Throws Stopped if it returns false.
 WheelRailResult solve_case(const io::WheelRailCase& input, const Progress& progress = {});
 /// Method of the case, with fields where its result has them.
 WheelRailMethod solving_method(const io::WheelRailCase& input);
-/// The same by a solver with this method for the case's bodies, which may have solved other states before.
+/// Solves a case by a solver with this method for the case's bodies, which may have solved other states before.
 WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, const Progress& progress = {});
 
-/// The same of a wheelset.
+/// Result of a wheelset.
 struct WheelsetResult {
   std::vector<WheelsetSolution> solutions;
   Status status = Status::ok;
@@ -51,12 +51,12 @@ void write_result(const io::WheelRailCase& input, const WheelRailResult& result,
 void write_result(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path);
 
-/// The same of a wheelset: `wheelset/`, and `left/` and `right/` with what there is of a wheel.
+/// Writes a wheelset's result: `wheelset/`, and `left/` and `right/` with the groups of a wheel.
 void write_result(const io::WheelsetCase& input, const WheelsetResult& result, io::ResultWriter& file);
 void write_result(const io::WheelsetCase& input, const WheelsetResult& result, const io::Provenance& provenance,
                   const std::filesystem::path& path);
 
-/// The same as a JSON object: what JsonResult makes of it, then `status`, `warnings`, and `interior_extremes` of each
+/// Result as a JSON object: what JsonResult makes of it, then `status`, `warnings`, and `interior_extremes` of each
 /// patch where there are points inside the bodies.
 io::Json case_document(const io::WheelRailCase& input, const WheelRailResult& result, const io::Provenance& provenance,
                        io::JsonFields fields = io::JsonFields::left_out);

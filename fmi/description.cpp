@@ -52,7 +52,7 @@ constexpr Symbol symbols[] = {{"kg", {1, 0, 0, 0, 0}}, {"m", {0, 1, 0, 0, 0}},  
                               {"J", {1, 2, -2, 0, 0}}, {"W", {1, 2, -3, 0, 0}},  {"Pa", {1, -1, -2, 0, 0}},
                               {"1", {0, 0, 0, 0, 0}},  {"-", {0, 0, 0, 0, 0}}};
 
-/// Of products of symbols with powers, divided by what follows the first stroke: "N m", "W/m^2", "W/(m K)".
+/// Powers of a product of symbols, divided by what follows the first slash: "N m", "W/m^2", "W/(m K)".
 Powers powers_of(const std::string& unit) {
   Powers sum{};
   int sign = 1;
@@ -77,7 +77,7 @@ Powers powers_of(const std::string& unit) {
   return sum;
 }
 
-/// Of the variables, and with FMI 3.0 of time.
+/// Definitions of the units of variables, and with FMI 3.0 of time.
 std::string unit_definitions(const ModelInfo& info, Version version) {
   std::set<std::string> units;
   for (const Variable& v : info.variables)
@@ -98,7 +98,7 @@ bool has_start(const Variable& v) {
   return v.causality == Causality::input || v.causality == Causality::parameter;
 }
 
-/// What every variable says of itself, whatever the version.
+/// Attributes of every variable, whatever the version.
 std::string common_attributes(const Variable& v, std::size_t reference) {
   constexpr const char* causalities[] = {"parameter", "input", "output", "local"};
   const char* variability = v.causality == Causality::parameter ? "fixed"

@@ -44,7 +44,7 @@ fmi2Status discard(fmi2Component instance) {
   return instance ? fmi2Discard : fmi2Error;
 }
 
-/// What a unit says, as the importer's logger takes it.
+/// Log of a unit, as the importer's logger takes it.
 Log log_of(const std::string& name, const fmi2CallbackFunctions& functions) {
   return [name, functions](Severity severity, const char* text) {
     if (functions.logger)

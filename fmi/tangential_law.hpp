@@ -32,7 +32,7 @@ public:
   /// Throws Error for a parameter out of range.
   explicit TangentialLaw(const LawParameters& parameters);
 
-  /// Whether the ellipse and the material are within a table's range; if not, the forces' status is out_of_range.
+  /// Returns true if ellipse and material are within a table's range; if not, the forces' status is out_of_range.
   bool in_range() const;
 
   /// Forces on the wheel. Throws Error for an input out of range. Takes no memory if the input is valid.

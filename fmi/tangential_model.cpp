@@ -54,7 +54,7 @@ CreepTableNodes read_table(const std::filesystem::path& path) {
   }
 }
 
-/// What a unit's tables are made from. Units that name one file, the one that comes with them, share what they make of
+/// Source of a unit's tables. Units that name one file, the one that comes with them, share what they make of
 /// it: that of the first is kept.
 CreepTableSource table_source(const std::filesystem::path& path) {
   struct Kept {

@@ -23,7 +23,7 @@ using description::NamedInput;
 
 constexpr std::string_view kind_of_case = description::case_kinds[1];
 constexpr std::size_t patches_shown = MICROSLIP_FMU_PATCHES;
-/// Of wheel_results(): forces, moments and height are outputs, since they have derivatives.
+/// Number of outputs of wheel_results(): forces, moments and height are outputs, since they have derivatives.
 constexpr std::size_t outputs = differentiated_results;
 
 /// Start values of inputs that a case file must have.
@@ -40,7 +40,7 @@ bool is_text(const NamedInput& named) {
   return named.input->kind == InputKind::text || named.input->kind == InputKind::word;
 }
 
-/// What a parameter has in the beginning; an empty text leaves the key out.
+/// Start value of a parameter; an empty text leaves the key out.
 template <class Start, std::size_t count>
 std::optional<Start> start_in(const std::pair<std::string_view, Start> (&starts)[count], const NamedInput& named) {
   for (const auto& [path, start] : starts)
@@ -52,7 +52,7 @@ std::optional<double> start_number(const NamedInput& named) {
   return given ? given : named.input->missing;
 }
 
-/// Those of a wheel on a rail that are no lists, and no numbers that a case may leave open.
+/// Returns true for inputs of a wheel on a rail except lists and numbers that a case may leave open.
 bool is_parameter(const NamedInput& named) {
   const std::string_view section = named.input->section, path = named.path;
   if (named.input->is_state || section.empty() || section == "interior" || path.starts_with("right_")) return false;
@@ -86,11 +86,11 @@ Variable parameter(const NamedInput& named) {
   return v;
 }
 
-void set(io::CaseInputs& inputs, const NamedInput& named, const Values& v, std::size_t place) {
+void set(io::CaseInputs& inputs, const NamedInput& named, const Values& v, std::size_t index) {
   if (!is_text(named))
-    inputs.set(named.path, named.input->kind == InputKind::whole ? v.integer[place] : v.real[place]);
-  else if (!v.text[place].empty())
-    inputs.set(named.path, v.text[place]);
+    inputs.set(named.path, named.input->kind == InputKind::whole ? v.integer[index] : v.real[index]);
+  else if (!v.text[index].empty())
+    inputs.set(named.path, v.text[index]);
 }
 
 std::string numbered(std::size_t patch) {
@@ -107,21 +107,21 @@ Variable result(const std::string& group, const RailwayQuantity<Of>& q, Causalit
           .unit = std::string(q.unit)};
 }
 
-template <class Of> void store(Values& v, std::size_t place, const RailwayQuantity<Of>& q, double value) {
+template <class Of> void store(Values& v, std::size_t index, const RailwayQuantity<Of>& q, double value) {
   if (q.is_code)
-    v.integer[place] = static_cast<int>(value);
+    v.integer[index] = static_cast<int>(value);
   else
-    v.real[place] = value;
+    v.real[index] = value;
 }
 
 class WheelRailModel final : public Model {
 public:
   explicit WheelRailModel(const std::filesystem::path& resources) : folder_((resources / "parameters").string()) {}
 
-  /// Reads the profiles, each of them once unless what is said of its file changes.
+  /// Reads the profiles, each of them once unless the parameters of its file change.
   std::vector<std::string> set_parameters(const Values& v) override {
     io::CaseInputs inputs(kind_of_case, folder_);
-    for (std::size_t place = 0; place < parameters().size(); ++place) set(inputs, parameters()[place], v, place);
+    for (std::size_t index = 0; index < parameters().size(); ++index) set(inputs, parameters()[index], v, index);
     inputs.set("wheel.forward_velocity", 0.0); // of some state
     inputs.set("wheel.vertical", 0.0);
     solver_.reset();
@@ -136,12 +136,12 @@ public:
   void evaluate(Values& v) override {
     solver_->reset(); // as a function of the inputs alone
     solver_->solve(state(v), vertical_force(v), found_);
-    std::size_t place = first_input_ + state_numbers + 1;
-    for (const WheelQuantity& q : wheel_results()) store(v, place++, q, q.value(found_));
-    v.integer[place++] = static_cast<int>(found_.status);
+    std::size_t index = first_input_ + state_numbers + 1;
+    for (const WheelQuantity& q : wheel_results()) store(v, index++, q, q.value(found_));
+    v.integer[index++] = static_cast<int>(found_.status);
     for (std::size_t k = 0; k < patches_shown; ++k)
       for (const PatchQuantity& q : patch_results())
-        store(v, place++, q, k < found_.patches.size() ? q.value(found_.patches[k]) : 0);
+        store(v, index++, q, k < found_.patches.size() ? q.value(found_.patches[k]) : 0);
   }
 
   std::span<const double> differentiate(const Values& v) override {

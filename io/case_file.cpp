@@ -146,7 +146,7 @@ FrictionModel read_friction(const TomlSection& friction) {
   return model;
 }
 
-/// Reads a force, if it is there, or else how far the bodies move; both together make no sense.
+/// Reads a force, if it is there, or else how far the bodies move; both together are refused.
 double read_component(const TomlSection& motion, std::string_view key, std::string_view force_key,
                       std::optional<double>& force) {
   if (!motion.has(force_key)) return motion.number(key);
@@ -178,7 +178,7 @@ Motion read_motion(const TomlSection& given) {
 
 namespace {
 
-/// Where a key asks for what a case does not have. `what` is the rest of the message.
+/// Refuses a key that asks for what a case does not have. `what` is the rest of the message.
 void refuse_at(const TomlSection& section, std::string_view name, std::string_view key, bool is_there,
                const std::string& what) {
   if (!is_there) return;

@@ -17,7 +17,7 @@ namespace microslip::io {
 
 class TomlSection;
 
-/// One of the two bodies of a case file.
+/// Body of a case file, one of two.
 struct BodyInput {
   /// [m], in the plane of rolling: positive convex, negative concave, infinite flat. Where the ellipse is given the
   /// second body counts as flat.
@@ -44,17 +44,17 @@ struct RollingCase {
 /// values out of range throw an Error with file, line, key, value and range: `w.toml:12: load.normal_forse: unknown
 /// key; did you mean normal_force?`, `w.toml:7: friction.coefficient = -0.3 [-]: must be in [0, 10]`.
 RollingCase parse_case(std::string_view text, const std::string& name);
-/// The same of a file that is parsed as TOML already. Where many are read, `tables` are those of all of them.
+/// Reads a file that is parsed as TOML already. Where many are read, `tables` are shared by all of them.
 RollingCase read_case(const TomlSection& root, const CreepTables& tables = {});
 
-/// Parts of a case from the sections that describe them: [ellipse], [load], [motion] and, but for its creep-force
+/// Parts of a case from the sections that describe them: [ellipse], [load], [motion] and, except for its creep-force
 /// table, [solution]. Throw Error as above.
 Ellipse read_ellipse(const TomlSection& ellipse);
 NormalLoad read_load(const TomlSection& load);
 Motion read_motion(const TomlSection& motion);
 Method read_method(const TomlSection& solution);
 
-/// One of the bodies of a case, for its interior field.
+/// Body of a case, for its interior field.
 InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
 
 PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);

@@ -39,7 +39,7 @@ TomlSection section_of(const TomlSection& root, std::string_view name) {
   return dot == std::string_view::npos ? first : section_of(first, name.substr(dot + 1));
 }
 
-/// The same table for writing, made where it is missing.
+/// Table for writing, made where it is missing.
 toml::table& table_of(toml::table& root, std::string_view name) {
   if (name.empty()) return root;
   const std::size_t dot = name.find('.');

@@ -9,8 +9,8 @@
 
 namespace microslip::io {
 
-/// Inputs of a case by their paths, "load.normal_force", in SI units: what a program gives in place of a file. The
-/// table of inputs tells at once whether a path is there and what it may be; what does not go together the readers of
+/// Inputs of a case by their paths, "load.normal_force", in SI units: what a program gives instead of a file. The
+/// table of inputs tells at once whether a path is there and what it may be; incompatible values the readers of
 /// cases refuse, as they do in a file. A call that throws changes nothing.
 class CaseInputs {
 public:
@@ -19,7 +19,7 @@ public:
 
   /// None yet, of a kind of case, one of description::case_kinds; `name` as below.
   explicit CaseInputs(std::string_view kind, std::string name = "problem");
-  /// Those of a case file's text; `name` is its name for messages, and files of profiles start at its folder. Throws
+  /// Inputs of a case file's text; `name` is its name for messages, and files of profiles start at its folder. Throws
   /// Error for text that is no TOML.
   static CaseInputs read(std::string_view text, const std::string& name);
 
@@ -29,15 +29,15 @@ public:
   void set(std::string_view path, const Value& value);
   /// Goes back to the default. Throws Error for an unknown path.
   void unset(std::string_view path);
-  /// As it was set, numbers in SI units, or the default; none without either. Throws Error for an unknown path, and for
-  /// what a text has under this path that it may not have.
+  /// Value as it was set, numbers in SI units, or the default; none without either. Throws Error for an unknown path,
+  /// and for what a text has under this path that it may not have.
   std::optional<Value> get(std::string_view path) const;
 
   /// All of it for the readers of cases; it must not outlive this.
   TomlSection root() const { return {given_, name_}; }
   /// The case file that has these inputs.
   std::string text() const;
-  /// What is left without the states of wheels and their sweeps.
+  /// Inputs without the states of wheels and their sweeps.
   CaseInputs without_states() const;
 
   friend bool operator==(const CaseInputs&, const CaseInputs&) = default;

@@ -39,7 +39,7 @@ constexpr std::string_view present_name(std::string_view name) {
 
 constexpr std::string_view modulus_label = "column shear_modulus", dissimilarity_label = "column dissimilarity";
 
-/// What case files do not have: a modulus that is not infinite, and K.
+/// Inputs that case files do not have: a modulus that is not infinite, and K.
 constexpr Input finite_modulus = {.unit = "Pa", .bounds = description::positive};
 constexpr Input dissimilarity = {.unit = "-", .bounds = description::between(-0.5, 0.5)};
 
@@ -79,7 +79,7 @@ const Input& input_of(const Column& column) {
   return *description::rolling_inputs().find(column.section, column.key);
 }
 
-/// The same of all columns.
+/// Inputs of all columns.
 const std::array<const Input*, known_columns.size()>& column_inputs() {
   static const auto all = [] {
     std::array<const Input*, known_columns.size()> inputs{};

@@ -27,7 +27,7 @@ std::filesystem::path creep_table_or_shipped(const std::filesystem::path& asked)
 
 /// Writes a table; the file appears whole or not at all. Throws Error if it cannot be written.
 void write_creep_table(const CreepTableNodes& nodes, const std::filesystem::path& path);
-/// The same into a file that has been tried before.
+/// Writes into a file that has been tried before.
 void write_creep_table(const CreepTableNodes& nodes, OutputFile& file);
 
 } // namespace microslip::io

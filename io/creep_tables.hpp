@@ -21,7 +21,7 @@ public:
   std::shared_ptr<const CreepForceTable> get(const std::filesystem::path& file, std::optional<double> poisson_ratio,
                                              RollingDirection direction) const;
 
-  /// The same for the [solution] of a case: its `table`, from the case's folder on, or the table that microslip has.
+  /// Table for the [solution] of a case: its `table`, from the case's folder on, or the built-in one.
   /// Throws Error with the case's file and line.
   std::shared_ptr<const CreepForceTable> get(const TomlSection& solution, std::optional<double> poisson_ratio,
                                              RollingDirection direction) const;

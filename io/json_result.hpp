@@ -5,7 +5,7 @@
 
 namespace microslip::io {
 
-/// Whether a document has what is_field tells of, and arrays of several dimensions: as flat arrays, the last index
+/// Fields (is_field) and arrays of several dimensions in a document: left out, or kept as flat arrays, the last index
 /// fastest, with `shapes` by their paths.
 enum class JsonFields { left_out, kept };
 
@@ -30,8 +30,8 @@ private:
   Json members_ = Json::object(), units_ = Json::object(), shapes_ = Json::object();
 };
 
-/// Whether a path leads into one of the groups `fields`, `elements`, `interior`, `profiles` and `outlines`, which
-/// documents leave out unless they are asked for.
+/// Returns true if a path leads into one of the groups `fields`, `elements`, `interior`, `profiles` and `outlines`,
+/// which documents leave out unless they are asked for.
 bool is_field(const std::string& path);
 
 } // namespace microslip::io

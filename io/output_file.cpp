@@ -21,7 +21,7 @@
 namespace microslip::io {
 namespace {
 
-/// Where links lead, also if nothing is there yet. With links that lead to one another, one of them.
+/// Target of links, also if it does not exist yet. With links that lead to one another, one of them.
 std::filesystem::path follow_links(std::filesystem::path path) {
   constexpr int most_links = 40; // as Linux has it
   std::error_code error;
@@ -55,8 +55,8 @@ struct TemporaryName {
 std::array<TemporaryName, 8> temporary_names; // a command writes two files at a time
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
-/// With more files at a time than the list can hold, or a longer name, a signal handler leaves the file to the next
-/// run.
+/// Registers a temporary file. With more at a time than the list can hold, or a longer name, a signal handler leaves it
+/// to the next run.
 void register_temporary(const std::string& name) {
   if (name.size() >= PATH_MAX) return;
   for (auto& slot : temporary_names) {
@@ -75,7 +75,7 @@ void forget_temporary(const std::string& name) {
   }
 }
 
-/// What stands before the process number in the names of this computer's temporary files.
+/// Text before the process number in the names of this computer's temporary files.
 std::string temporary_mark() {
   return std::string(".microslip.").append(system_calls::host_name()).append(".");
 }

@@ -47,9 +47,9 @@ void require_other_file(const std::filesystem::path& output, const std::filesyst
 void create_folder(const std::filesystem::path& path);
 /// Error if that could not be done, or nothing be written there: for saying so before long work. Nothing is left.
 void require_writable_folder(const std::filesystem::path& path);
-/// The same of a file: as OutputFile would say it.
+/// Throws Error unless a file can be written, as OutputFile would.
 void require_writable_file(const std::filesystem::path& path);
-/// The same of a file in a folder that may still be missing.
+/// Throws Error unless a file can be written in a folder that may still be missing.
 void require_writable_file_in(const std::filesystem::path& folder, const std::filesystem::path& name);
 
 } // namespace microslip::io

@@ -32,7 +32,7 @@ std::string_view name_of(ProfileFormat format) {
   return names[static_cast<std::size_t>(format)];
 }
 
-/// By what the first lines say, else by the name.
+/// Format by the first lines, else by the name.
 ProfileFormat detect_format(std::string_view text, const std::string& name) {
   constexpr int lines_to_see = 200;
   for (int k = 0; k < lines_to_see && !text.empty(); ++k) {
@@ -167,7 +167,7 @@ private:
   ProfileReport report_;
 };
 
-/// Without the mark of UTF-8. Throws Error for what is empty or no text.
+/// Text without the mark of UTF-8. Throws Error for what is empty or no text.
 std::string_view without_mark(std::string_view text, const std::string& name) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   if (trimmed(text.substr(0, 1)).empty() && text.find_first_not_of(" \t\r\n") == std::string_view::npos)

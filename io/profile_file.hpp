@@ -36,7 +36,7 @@ struct ProfileFileOptions {
 /// begins with the name and, if there is one, the line.
 PreparedProfile parse_profile(std::string_view text, const std::string& name, const ProfileFileOptions& options = {});
 
-/// The same of a file of at most 16 MiB. Throws Error as well if it cannot be read or changes meanwhile.
+/// Reads a file of at most 16 MiB. Throws Error as well if it cannot be read or changes meanwhile.
 PreparedProfile read_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
 } // namespace microslip::io

@@ -18,7 +18,7 @@ struct ProfileFile {
   std::optional<VerticalSense> z_axis = {};
   std::vector<ProfilePoint> points = {};
   std::size_t points_read = 0; ///< those listed
-  /// What a Simpack file says, which has been done: point.dist.min in the file's unit, mirror.y and mirror.z.
+  /// Operations of a Simpack file, which have been done: point.dist.min in the file's unit, mirror.y and mirror.z.
   std::optional<double> least_distance = {};
   bool mirrored_y = false, mirrored_z = false;
   std::vector<std::string> steps = {}, assumptions = {}, warnings = {};
@@ -51,7 +51,7 @@ std::string_view before_comment(std::string_view line, std::string_view signs);
 /// Fields between blanks, or one of these separators with or without blanks.
 std::vector<std::string_view> split(std::string_view line, std::string_view separators);
 std::string lower_case(std::string_view text);
-/// Without a pair of quotes around it.
+/// Text without a pair of quotes around it.
 std::string_view unquoted(std::string_view text);
 
 /// The text of a file of at most 16 MiB. Throws Error if it cannot be read, is no text or changes meanwhile.

@@ -11,7 +11,7 @@
 namespace microslip::io {
 namespace {
 
-/// Which of the columns of numbers are y and z.
+/// Columns of numbers that are y and z.
 struct Columns {
   std::size_t y = 0, z = 1;
 };
@@ -75,8 +75,8 @@ private:
         std::string(unquoted(trimmed(line.substr(sign + 1))));
   }
 
-  /// Of an old file numbers begin after the blank line, of newer ones where the keys end. Other words are free text,
-  /// and so is what follows a number for each of the columns.
+  /// Reads the numbers. In an old file they begin after the blank line, in newer ones where the keys end. Other words
+  /// are free text, and so is all after a number for each of the columns.
   void read_data(std::string_view line) {
     const bool is_mpt = !section_name_.empty();
     if (is_mpt && (!section_name_.ends_with("Points") || sections_ != section_)) return;

@@ -124,7 +124,7 @@ private:
       file_.warnings.push_back("approx.smooth = " + digits(value) + " is not used; ask for a smoothing length");
   }
 
-  /// In the order that the comments of the files number: 1 distances, 2 shift, 3 rotation, 4 bounds, 5 mirrors, 6
+  /// Processes in the order that the files' comments number: 1 distances, 2 shift, 3 rotation, 4 bounds, 5 mirrors, 6
   /// inversion; 7, the unit, is the caller's.
   void process() {
     if (numbers_.contains("point.dist.min")) file_.least_distance = number("point.dist.min", 0);

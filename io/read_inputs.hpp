@@ -7,7 +7,7 @@
 
 namespace microslip::io {
 
-/// What was read under a key: numbers in their unit; whole ones and texts have none.
+/// Input as read under a key: numbers in their unit; whole ones and texts have none.
 struct ReadInput {
   using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
   Value value;
@@ -15,7 +15,7 @@ struct ReadInput {
   bool is_given = false; ///< else it is the default of a key that the file leaves out
 };
 
-/// By the full names of keys: "load.normal_force".
+/// Inputs by the full names of keys: "load.normal_force".
 using ReadInputs = std::map<std::string, ReadInput, std::less<>>;
 
 } // namespace microslip::io

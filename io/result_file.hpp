@@ -32,7 +32,7 @@ public:
   /// Adds values at the end of an array of one dimension, which the first call creates with unit and description.
   void append(const std::string& path, const Values& values, const std::string& unit, const std::string& description);
 
-  /// The same of texts.
+  /// Appends texts.
   void append(const std::string& path, std::span<const std::string> texts, const std::string& description);
 
   /// Writes the file to its final name. Once.

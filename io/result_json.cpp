@@ -11,7 +11,7 @@
 namespace microslip::io {
 namespace {
 
-/// Without what HDF5 prints of every error by itself.
+/// Opens a file without the error messages that HDF5 prints by itself.
 hid_t open_quietly(const std::string& name) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   return H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

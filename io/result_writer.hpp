@@ -23,7 +23,7 @@ struct Provenance {
   std::string case_text = {}; ///< its text, verbatim
 };
 
-/// These attributes and those the build knows, with the time of now.
+/// Attributes, those the build knows and the present time.
 std::vector<std::pair<std::string, std::string>> provenance_attributes(const Provenance& provenance);
 
 /// Destination of a result: numbers, texts and arrays by paths such as "creep_curve/fx", where each stroke opens a

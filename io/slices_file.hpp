@@ -38,7 +38,7 @@ bool names_slices(const std::filesystem::path& path);
 /// Throws Error with file, line, field, value and range.
 SlicesFile parse_slices(std::string_view text, const std::filesystem::path& path);
 
-/// The same of a file of at most 16 MiB. The profiles that it names are not opened.
+/// Reads a file of at most 16 MiB. The profiles that it names are not opened.
 SlicesFile read_slices(const std::filesystem::path& path);
 
 } // namespace microslip::io

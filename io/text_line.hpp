@@ -5,13 +5,13 @@
 
 namespace microslip::io {
 
-/// Without blanks and tabs at both ends.
+/// Text without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
 /// Takes the first line off `text`, without its end: LF or CRLF.
 std::string_view take_line(std::string_view& text);
 
-/// Whether text is UTF-16, by its mark or since every second byte is zero where letters are those of ASCII, or no text.
+/// Returns true for UTF-16, by its mark or as every second byte is zero with letters of ASCII, and for what is no text.
 bool is_no_utf8(std::string_view text);
 
 /// A finite decimal number and nothing else, whatever the locale; its exponent may be written with d as Fortran does.

@@ -31,7 +31,7 @@ std::string type_name(const toml::node& node) {
   }
 }
 
-/// What a program has put into a table has no line.
+/// Location in a file; an entry that a program has put into a table has no line.
 std::string location(const std::string& file, std::size_t line) {
   return line == 0 ? file + ": " : file + ":" + std::to_string(line) + ": ";
 }

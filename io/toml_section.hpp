@@ -39,8 +39,8 @@ public:
   TomlSection required_section(std::string_view name) const;
   TomlSection optional_section(std::string_view name) const;
 
-  /// The same file with a table of its inputs, from which the functions below that are given a key alone take unit,
-  /// bounds and default. All that is read goes to `read` as well, if it is given. Both must outlive it.
+  /// Section with a table of its inputs, from which the functions below that are given a key alone take unit,
+  /// bounds and default. All that is read goes to `read` as well, if given. Both must outlive it.
   TomlSection described_by(const description::InputTable& inputs, ReadInputs* read = nullptr) const;
 
   /// A table somewhere below this one, with its name for messages and the section of the table of inputs whose keys it
@@ -49,7 +49,7 @@ public:
 
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
-  /// The same for any key but those that the table has for this section, and `more`, such as sections within it.
+  /// Refuses any key except those that the table has for this section, and `more`, such as sections within it.
   void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   bool is_described(std::string_view key) const { return inputs_->find(section_, key) != nullptr; }

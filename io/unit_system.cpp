@@ -136,7 +136,7 @@ private:
     return length;
   }
 
-  /// One digit, with a sign and a circumflex before it; 1 if there is none.
+  /// Power of one digit, with a sign and a circumflex before it; 1 if there is none.
   int power() {
     if (rest_.starts_with('^')) rest_.remove_prefix(1);
     const int sign = rest_.starts_with('-') ? -1 : 1;

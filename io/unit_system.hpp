@@ -21,7 +21,7 @@ struct UnitPrefix {
 std::span<const UnitDefinition> unit_definitions();
 std::span<const UnitPrefix> unit_prefixes();
 
-/// These units with the algebra of products, quotients and whole powers.
+/// Units with the algebra of products, quotients and whole powers.
 class UnitSystem {
 public:
   UnitSystem();

@@ -53,7 +53,7 @@ constexpr UnitDefinition definitions[] = {
 constexpr UnitPrefix prefixes[] = {{"n", -9}, {"u", -6}, {"m", -3}, {"c", -2}, {"d", -1},
                                    {"da", 1}, {"k", 3},  {"M", 6},  {"G", 9}};
 
-/// What messages say of a unit that a value is wanted in: those to choose from, and an example.
+/// Text of messages on the unit of a value: those to choose from, and an example.
 struct Choice {
   std::string_view unit, example;
   std::array<std::string_view, 7> units;
@@ -94,7 +94,7 @@ const Choice& choice_of(std::string_view unit) {
   return *found;
 }
 
-/// In ASCII, without blanks around signs.
+/// Unit in ASCII, without blanks around signs.
 std::string in_ascii(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> others[] = {
       {"\u00b5", "u"}, {"\u03bc", "u"}, {"\u00b0", "deg"}, {"\u00b2", "2"},

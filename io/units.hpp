@@ -21,7 +21,7 @@ struct UnitScale {
 /// without a unit, an unknown unit, and one of another kind: `FIELD = "80 mm" [N]: must be in N, kN, MN, kgf or lbf,
 /// e.g. "80 kN"`. Cost: about a microsecond.
 double number_in_unit(std::string_view field, std::string_view text, std::string_view unit);
-/// From a unit to another without an offset. Error as above.
+/// Scale from a unit to another without an offset. Error as above.
 UnitScale scale_to_unit(std::string_view field, std::string_view from, std::string_view unit);
 
 /// A unit that messages offer for numbers of a kind, and what makes numbers in it those in SI.
@@ -29,7 +29,7 @@ struct OfferedUnit {
   std::string_view name;
   UnitScale to_si;
 };
-/// Those for numbers in `unit`, an SI unit; none with another zero.
+/// Units offered for numbers in `unit`, an SI unit; none with another zero.
 std::vector<OfferedUnit> offered_units(std::string_view unit);
 
 } // namespace microslip::io

@@ -103,7 +103,7 @@ PlacedProfile read_profile(const TomlSection& section, const std::string& name, 
   return std::move(*profile);
 }
 
-/// That of a section which need not be there: the right side's where it differs.
+/// Profile of an optional section: the right side's where it differs.
 std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const std::string& name, ProfileRole role,
                                                 ProfileFiles* profiles) {
   if (!root.has(name)) return {};
@@ -268,7 +268,7 @@ std::vector<LoadedWheelState> states_of(const LoadedWheelState& given, const std
   return states;
 }
 
-/// A wheelset's state and prescribed forces before they are known to go together.
+/// A wheelset's state and prescribed forces before they are known to be compatible.
 struct GivenWheelset {
   WheelsetState state;
   PrescribedWheelsetForces forces;

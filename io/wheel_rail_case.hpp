@@ -23,7 +23,7 @@ struct LoadedWheelState {
   std::optional<double> vertical_force; ///< [N] on the wheel
 };
 
-/// The same of a wheelset.
+/// State of a wheelset with its load.
 struct LoadedWheelsetState {
   WheelsetState state; ///< what the load leaves open
   WheelsetLoad load;
@@ -56,7 +56,7 @@ struct WheelsetCase : WheelRailSetting {
   std::vector<LoadedWheelsetState> states;                        ///< one without a sweep
 };
 
-/// Whether the text of a case file is about a wheel on a rail: it has one of the sections that only such files have.
+/// Returns true if a case file's text is of a wheel on a rail: it has one of the sections that only such files have.
 /// Error as parse_wheel_rail_case for text that is not TOML.
 bool is_wheel_rail_case(std::string_view text, const std::string& name);
 bool is_wheel_rail_case(const TomlSection& root);
@@ -72,7 +72,7 @@ inline constexpr std::string_view profile_sections[] = {"rail", "wheelset", "rig
 /// of profiles start. Errors as of parse_case; those about a profile begin with the line that names it.
 WheelRailCase parse_wheel_rail_case(std::string_view text, const std::string& name);
 WheelsetCase parse_wheelset_case(std::string_view text, const std::string& name);
-/// The same of a file that is parsed as TOML already. Where many are read, `tables` and `profiles` are those of all of
+/// Reads a file that is parsed as TOML already. Where many are read, `tables` and `profiles` are shared by all of
 /// them; without the latter profiles are read each time.
 WheelRailCase read_wheel_rail_case(const TomlSection& root, const CreepTables& tables = {},
                                    ProfileFiles* profiles = nullptr);

@@ -44,7 +44,7 @@ std::string fixed(double value, const std::string& scientific_text) {
   return (is_negative ? "-" : "") + digits;
 }
 
-/// What std::from_chars takes: strtod also takes blanks, a plus sign and hexadecimal digits.
+/// Text that std::from_chars takes: strtod also takes blanks, a plus sign and hexadecimal digits.
 std::string_view decimal_part(std::string_view text) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0;
   const std::string_view number = text.substr(sign);

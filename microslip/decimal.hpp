@@ -9,13 +9,13 @@ namespace microslip {
 
 /// The shortest text that reads back as the same number: "0.3", "1e+09".
 std::string shortest_text(double value);
-/// With so many digits at most, as %g has them.
+/// Text of at most so many digits, as of %g.
 std::string rounded_text(double value, int digits);
 /// std::from_chars.
 std::from_chars_result read_number(const char* first, const char* last, double& value);
 
-/// The same by C's functions, for standard libraries whose std::from_chars and std::to_chars know integers only; in the
-/// C locale.
+/// Conversions by C's functions, for standard libraries whose std::from_chars and std::to_chars know integers only; in
+/// the C locale.
 namespace by_c {
 std::string shortest_text(double value);
 std::from_chars_result read_number(const char* first, const char* last, double& value);

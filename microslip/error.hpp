@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The one exception of the library: a set-up that makes no sense. The text names the field, its value, its unit and
+/// The one exception of the library: an invalid set-up. The text names the field, its value, its unit and
 /// the allowed range, e.g. `poisson_ratio = 0.62 [-]: must be in [0, 0.5]`. Hot calls never throw; they return a
 /// Status.
 class Error : public std::invalid_argument {

@@ -12,7 +12,7 @@ enum class Status {
   invalid_input, ///< an input is not a number or outside its range; the result's numbers are NaN
   not_converged, ///< the result is the best one found; its residual is stated and larger than the tolerance
   no_contact,    ///< the bodies do not touch; all tractions are zero
-  no_solution,   ///< the prescribed force is beyond what friction can bear; the result slides fully in its direction
+  no_solution,   ///< the prescribed force exceeds what friction can carry; the result slides fully in its direction
   out_of_range,  ///< beyond the range of a creep-force table; the forces are those of limits
   implausible,   ///< solved, but it cannot be meant, as its warnings say: pressures beyond elasticity, a mistaken file
 };
@@ -30,7 +30,7 @@ constexpr std::string_view to_string(Status status) {
 constexpr const char* status_codes =
     "0 ok, 1 invalid_input, 2 not_converged, 3 no_contact, 4 no_solution, 5 out_of_range, 6 implausible";
 
-/// Returns whether the equations are satisfied, whatever else is to be said of the result.
+/// Returns whether the equations are satisfied, whatever warnings the result has.
 constexpr bool is_solved(Status status) {
   return status == Status::ok || status == Status::implausible;
 }

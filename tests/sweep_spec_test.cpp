@@ -179,9 +179,9 @@ TEST(SweepSpec, WrongUnitsInListsHaveTheirLine) {
   const TemporaryFolder folder;
   save(folder / "l.csv", "a.a\n3 mm\n\n4 kN\n");
   campaign::SweepSpec spec(std::string("[list]\nfile = \"l.csv\"\n") + inside, (folder / "s.toml").string());
-  EXPECT_EQ(spec.place(1), (folder / "l.csv").string() + ":4: ");
+  EXPECT_EQ(spec.location(1), (folder / "l.csv").string() + ":4: ");
   const std::string text = error_of([&] { spec.convert_units({{"a.a", "m"}}); });
-  EXPECT_TRUE(text.starts_with(spec.place(1) + "a.a = \"4 kN\" [m]: must be in")) << text;
+  EXPECT_TRUE(text.starts_with(spec.location(1) + "a.a = \"4 kN\" [m]: must be in")) << text;
 }
 
 std::string sample(int count, int seed) {

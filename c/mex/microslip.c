@@ -30,7 +30,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Where a number stands in a struct of C. */
+/* Position of a number in a struct of C. */
 typedef struct field {
   const char* name;
   size_t offset;
@@ -152,7 +152,7 @@ static microslip_contact* contacts_of(const mxArray* given, const mxArray** shap
   return contacts;
 }
 
-/* With the words for the first contact that is out of range. */
+/* Raises the error of the first contact that is out of range. */
 static void check_contacts(size_t count, const microslip_contact* contacts) {
   microslip_error error;
   size_t k;
@@ -231,8 +231,8 @@ static void destroy_all(void) {
   }
 }
 
-/* The place of an argument's problem. */
-static size_t place_of(int count, const mxArray* arguments[]) {
+/* The slot of an argument's problem. */
+static size_t slot_of(int count, const mxArray* arguments[]) {
   double number;
   if (count < 2 || mxGetNumberOfElements(arguments[1]) != 1) fail("the second argument must be a problem");
   number = *numbers(arguments[1], "a problem");
@@ -289,7 +289,7 @@ static void set_one(microslip_problem* problem, const char* path, const mxArray*
 }
 
 static void set(int count, const mxArray* arguments[]) {
-  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_problem* problem = problems[slot_of(count, arguments)];
   int at;
   if (count < 4 || count % 2 != 0) fail("microslip('set', problem, path, value, ...): each path needs a value");
   for (at = 2; at < count; at += 2)
@@ -297,14 +297,14 @@ static void set(int count, const mxArray* arguments[]) {
 }
 
 static void unset(int count, const mxArray* arguments[]) {
-  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_problem* problem = problems[slot_of(count, arguments)];
   microslip_error error;
   check(microslip_unset(problem, text_of(count, arguments, 2, "a path must be a text"), &error), &error);
 }
 
 /* A number, a text or an array, whatever stands under the path. */
 static mxArray* get(int count, const mxArray* arguments[]) {
-  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_problem* problem = problems[slot_of(count, arguments)];
   const char* path = text_of(count, arguments, 2, "a path must be a text");
   microslip_error error, other;
   double value;
@@ -326,13 +326,13 @@ static mxArray* get(int count, const mxArray* arguments[]) {
 
 static mxArray* solve(int count, const mxArray* arguments[]) {
   microslip_error error;
-  const microslip_code code = microslip_solve(problems[place_of(count, arguments)], &error);
+  const microslip_code code = microslip_solve(problems[slot_of(count, arguments)], &error);
   check(code, &error);
   return mxCreateDoubleScalar(code);
 }
 
 static mxArray* number(int count, const mxArray* arguments[]) {
-  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_problem* problem = problems[slot_of(count, arguments)];
   microslip_error error;
   double value = 0;
   check(microslip_number(problem, text_of(count, arguments, 2, "a name must be a text"), &value, &error), &error);
@@ -340,7 +340,7 @@ static mxArray* number(int count, const mxArray* arguments[]) {
 }
 
 static mxArray* field_of(int count, const mxArray* arguments[]) {
-  microslip_problem* problem = problems[place_of(count, arguments)];
+  microslip_problem* problem = problems[slot_of(count, arguments)];
   const char* name = text_of(count, arguments, 2, "a name must be a text");
   microslip_error error;
   size_t columns = 0, rows = 0;
@@ -356,7 +356,7 @@ static mxArray* differentiate(int count, const mxArray* arguments[]) {
   double rows[9];
   mxArray* result = mxCreateDoubleMatrix(3, 3, mxREAL);
   int k;
-  check(microslip_differentiate(problems[place_of(count, arguments)], 9, rows, &error), &error);
+  check(microslip_differentiate(problems[slot_of(count, arguments)], 9, rows, &error), &error);
   for (k = 0; k < 9; ++k) ((double*)mxGetData(result))[k % 3 * 3 + k / 3] = rows[k];
   return result;
 }
@@ -367,9 +367,9 @@ static mxArray* version(int count, const mxArray* arguments[]) {
 }
 
 static void destroy(int count, const mxArray* arguments[]) {
-  const size_t place = place_of(count, arguments);
-  microslip_problem_destroy(problems[place]);
-  problems[place] = NULL;
+  const size_t slot = slot_of(count, arguments);
+  microslip_problem_destroy(problems[slot]);
+  problems[slot] = NULL;
 }
 
 typedef struct command {

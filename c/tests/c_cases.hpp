@@ -24,7 +24,7 @@ inline microslip_contact c_form(const EllipticContact& contact) {
   return c;
 }
 
-/// To the last bit; NaN equals itself.
+/// Returns true for equality to the last bit; NaN equals itself.
 inline bool same(double a, double b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }

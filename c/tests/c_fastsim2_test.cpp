@@ -32,7 +32,7 @@ std::vector<microslip_contact> c_forms(const std::vector<EllipticContact>& conta
   return all;
 }
 
-/// What a call finds for contacts, all at once.
+/// Results of a call for contacts, all at once.
 template <class Found, class Call>
 std::vector<Found> found_by(const Call& call, const Solver& solver, const std::vector<microslip_contact>& contacts) {
   std::vector<Found> found(contacts.size());

@@ -1,4 +1,4 @@
-// The lists of numbers with names, by which programs find places in arrays.
+// The lists of numbers with names, by which programs find indices in arrays.
 
 #include "c/tests/c_cases.hpp"
 

@@ -183,7 +183,7 @@ TEST(CProblem, AnAccuracyPicksTheGridAndExtrapolates) {
   EXPECT_EQ(problem.field("gap").size(), problem.field("pressure").size());
 }
 
-/// The same but for rounding, as pressures are scaled from the load that a solver met first.
+/// Expects equality except for rounding, as pressures are scaled from the load that a solver met first.
 void expect_close(CProblem& problem, const ContactSolution& wanted) {
   for (const char* name : {"fx", "fy", "mz", "frictional_power", "peak_pressure", "approach"}) {
     if (!quantity(name).applies(wanted)) continue;
@@ -304,7 +304,7 @@ TEST(CProblem, WhatDoesNotGoTogetherIsRefusedAndTheResultKept) {
   refused({{"friction.thermal_change", -0.1}}, "problem: [friction]: thermal_begin is missing");
   refused({{"motion.force_longitudinal", 1.0}}, "force_longitudinal");
   refused({{"body1.creep_ratio", 0.5}}, "creep_time is missing");
-  Steel beyond(Settings{{"motion.force_longitudinal", -30e3}}); // friction bears 24 kN
+  Steel beyond(Settings{{"motion.force_longitudinal", -30e3}}); // friction carries 24 kN
   beyond.unset("motion.creepage_longitudinal");
   EXPECT_EQ(beyond.solve(), MICROSLIP_NO_SOLUTION);
   EXPECT_STREQ(beyond.error.text, "prescribed force exceeds mu Fn; the result shown is full sliding");

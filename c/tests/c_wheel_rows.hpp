@@ -59,7 +59,7 @@ inline Rows first_states(const microslip_wheel_rail* wheel_rail, std::size_t cou
   return states;
 }
 
-/// What solved states have.
+/// Results of solved states.
 struct SolvedRows {
   explicit SolvedRows(std::size_t count, double unwritten = 0)
       : results(MICROSLIP_WHEEL_RESULT, count, unwritten), status(count, -1),

@@ -9,7 +9,7 @@ struct First {
   std::size_t struct_size;
   double one;
 };
-/// The same struct one version later.
+/// Struct of the next version.
 struct Second {
   std::size_t struct_size;
   double one, two;

@@ -58,7 +58,7 @@ def number(text):
 
 
 def check_attributes(root, report):
-    """What elements must have and may have."""
+    """Report elements that lack a required attribute or have an unknown one."""
     for element in root.iter():
         for name in REQUIRED.get(element.tag, set()) - set(element.attrib):
             report(f"{element.tag} lacks the attribute {name}")

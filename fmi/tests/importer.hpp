@@ -101,7 +101,7 @@ void log_message(fmi2ComponentEnvironment environment, fmi2String instance, fmi2
   messages.last = text;
 }
 
-/// As an importer passes it on.
+/// Folder of resources as an importer passes it on.
 const std::string resource_folder = "file://" MICROSLIP_UNPACKED_FMU "/resources";
 
 /// An instance as an importer holds it.

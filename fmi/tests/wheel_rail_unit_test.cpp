@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path resources = MICROSLIP_UNPACKED_FMU "/resources";
 
-/// What the unit's start values describe.
+/// Bodies that the unit's start values describe.
 WheelRailBodies bodies(TrackSide side = TrackSide::left) {
   const Material steel = Material::from_young(210e9, 0.28);
   return {.rail = io::read_profile(resources / "60e1.prr").profile,
@@ -46,7 +46,7 @@ public:
       EXPECT_EQ(set("state." + std::string(q.name), q.value(state)), fmi2OK) << messages.last;
     EXPECT_EQ(set("state.vertical_force", force), fmi2OK);
   }
-  /// What is not given, as wear without a hardness, is not a number in both.
+  /// Expects equality; what is not given, as wear without a hardness, is NaN in both.
   static void expect_same(double got, double wanted, std::string_view name) {
     if (std::isnan(wanted))
       EXPECT_TRUE(std::isnan(got)) << name;
@@ -99,7 +99,7 @@ TEST(WheelRailUnit, HasAsOutputsWhatHasDerivatives) {
   EXPECT_EQ(outputs, wanted);
 }
 
-/// What the table of inputs says stands in the description.
+/// Texts of the table of inputs stand in the description.
 TEST(WheelRailUnit, ParametersAreInputsOfCaseFiles) {
   std::size_t count = 0;
   for (const description::NamedInput& named : description::wheel_inputs().named()) {

@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-/// One batch. All that stops it, wholly or in part, is `end_`: items from there on need not be done.
+/// Batch in progress. All that stops it, wholly or in part, is `end_`: items from there on need not be done.
 class Batch {
 public:
   Batch(std::size_t count, const BatchOptions& options) : options_(options), count_(count), end_(count) {}

@@ -16,9 +16,9 @@ struct BatchOptions {
   /// Told by the calling thread only of the fraction of items done, ascending. False ends the batch: no further chunk
   /// is begun, and the workers' progress functions return false. What it throws does the same and is passed on.
   Progress progress = {};
-  /// Whether an item that throws Error leaves the others alone and its reason is kept.
+  /// An item that throws Error leaves the others alone, and its reason is kept.
   bool keep_errors = false;
-  /// Hands out chunks in place of the batch: the first item of the next one, ascending; `count` or more if none is
+  /// Hands out chunks instead of the batch: the first item of the next one, ascending; `count` or more if none is
   /// left. For chunks that processes share. Any thread calls it; what it throws is passed on.
   std::function<std::size_t()> take = {};
 };

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// One of the steps of transient rolling.
+/// Step of transient rolling.
 struct SolutionStep {
   Creepage creepage; ///< as given, or as found where a force is prescribed
   Totals totals;
@@ -32,7 +32,7 @@ struct ContactSolution {
   }
 };
 
-/// Without fields, all numbers NaN, with a status that is not ok and its reason.
+/// Solution without fields, all numbers NaN, with a status that is not ok and its reason.
 ContactSolution solution_without_result(Status status, std::string reason);
 
 /// Makes status and numbers of a solution agree, and of each step of its history; all solutions of two bodies pass

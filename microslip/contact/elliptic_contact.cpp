@@ -22,7 +22,7 @@ template <class Range> void check_ranges(const EllipticContact& c, Range&& range
   range.between("dissimilarity", c.dissimilarity, "-", -largest_dissimilarity, largest_dissimilarity);
 }
 
-/// Those of the simplified theory besides.
+/// Checks the sizes in addition, to which the simplified theory is limited.
 template <class Range> void check_sizes(const EllipticContact& c, Range&& range) {
   range.between("a", c.a, "m", smallest_size, largest_size);
   range.between("b", c.b, "m", smallest_size, largest_size);

@@ -32,8 +32,8 @@ inline constexpr double largest_dissimilarity = 0.5;
 /// Returns whether everything is in range, and what is not: field, value, unit and range.
 bool is_valid(const EllipticContact& contact) noexcept;
 void check(const EllipticContact& contact); ///< throws Error
-/// The same for the simplified theory and creep-force tables, which have no dissimilarity: numbers that are > 0 lie in
-/// [1e-30, 1e30] for them, creepages in [-1e30, 1e30].
+/// Returns true for a contact of the simplified theory and of creep-force tables, which have no dissimilarity: numbers
+/// that are > 0 lie in [1e-30, 1e30] for them, creepages in [-1e30, 1e30].
 bool is_valid_simplified(const EllipticContact& contact) noexcept;
 void check_simplified(const EllipticContact& contact);
 

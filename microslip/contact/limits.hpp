@@ -18,7 +18,7 @@ inline constexpr std::size_t most_interior_points = 2000000; ///< inside the bod
 /// Ranges of options of the exact theory, for all interfaces. A tolerance of the relative residual below rounding
 /// is never met; of 1 any tractions do, zero as well, and beyond 0.1 no figure of a result means anything.
 inline constexpr double smallest_tolerance = 1e-14, largest_tolerance = 0.1;
-/// The same of a tolerance of the vertical force on a wheel, relative.
+/// Bounds of the tolerance of the vertical force on a wheel, relative.
 inline constexpr double smallest_load_tolerance = 1e-12, largest_load_tolerance = 1e-2;
 /// An accuracy of forces in mu Fn: as far as the finest grid of AccurateContactSolver gets, and as its coarsest has.
 inline constexpr double smallest_accuracy = 1e-5, largest_accuracy = 0.1;

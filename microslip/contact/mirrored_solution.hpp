@@ -8,7 +8,7 @@
 
 namespace microslip {
 
-/// The same contact seen in a mirror whose plane is x, z: turns one of a left wheel into one of a right wheel and back.
+/// Mirrors a contact in the plane x, z: turns one of a left wheel into one of a right wheel and back.
 /// Fields that are odd (field_quantities()), lateral components, spin and the moment change their sign; rows are
 /// reversed, so that y ascends again.
 void mirror(ContactSolution& solution);

@@ -36,7 +36,7 @@ struct FieldQuantity {
   }
 };
 
-/// All of them in the order in which they are shown. Programs in C keep their places: a new one stands at the end.
+/// All quantities in the order of display. Programs in C keep their indices: a new one stands at the end.
 std::span<const Quantity> quantities();
 std::span<const FieldQuantity> field_quantities();
 

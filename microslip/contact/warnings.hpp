@@ -75,8 +75,8 @@ private:
 constexpr double young_modulus(double shear_modulus, double poisson_ratio) {
   return 2 * (1 + poisson_ratio) * shear_modulus;
 }
-/// Whether a peak pressure [Pa] is beyond what the materials bear: high_pressure of those stiffer than 10 GPa, metals,
-/// glass, ceramics; extreme_pressure of these, of softer ones where it is beyond G as well.
+/// Warnings of a peak pressure [Pa] beyond what the materials carry: high_pressure of those stiffer than 10 GPa,
+/// metals, glass, ceramics; extreme_pressure of these, of softer ones where it is beyond G as well.
 Warnings pressure_warnings(double peak_pressure, double shear_modulus, double poisson_ratio);
 
 /// Meaning of the code, as files of results state it.

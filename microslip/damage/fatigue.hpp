@@ -18,13 +18,13 @@ double surface_fatigue_index(double traction_coefficient, double peak_pressure, 
 /// of a line contact without friction, 1/mu from mu = 0.367 on, where the surface is sheared most (Johnson & Jefferis
 /// 1963; Johnson 1985, section 9.2). A fit of that stress, relative error 2e-4.
 double line_shakedown_limit(double traction_coefficient);
-/// The same of a point contact, a circle with tractions along the rolling direction: 4.68 without friction (4.7 in
-/// Ponter, Hearle & Johnson 1985), 1/mu from mu = 0.302 on. For nu = 0.3, on which it hardly depends; relative error
+/// Shakedown limit of a point contact, a circle with tractions along the rolling direction: 4.68 without friction (4.7
+/// in Ponter, Hearle & Johnson 1985), 1/mu from mu = 0.302 on. For nu = 0.3, on which it hardly depends; relative error
 /// 5e-4. Of ellipses that are long across the rolling direction it comes near to that of a line, of others it is
 /// higher.
 double point_shakedown_limit(double traction_coefficient);
 
-/// By how much the traction of each element exceeds k [Pa], |p| - k: the stress index of Dirks, Enblom, Ekberg & Berg
+/// Excess of each element's traction over k [Pa], |p| - k: the stress index of Dirks, Enblom, Ekberg & Berg
 /// (2015). Elements without traction have -k. Throws Error unless k > 0.
 std::vector<double> shear_excess(const ContactSolution& solution, double shear_yield_strength);
 

@@ -10,7 +10,7 @@ namespace microslip {
 /// functions of (McEwen & Harvey 1985). With the spin |Mz phi| is added. The exact work is the frictional power over V.
 double t_gamma(double fx, double fy, const Creepage& creepage);
 double t_gamma_with_spin(double fx, double fy, double mz, const Creepage& creepage);
-/// The same of a solution.
+/// T-gamma of a solution.
 double t_gamma(const ContactSolution& solution);
 double t_gamma_with_spin(const ContactSolution& solution);
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double gauges[] = {Track{}.gauge};
 constexpr double amplitudes[] = {1e-3, 7e-3, 1e-4};
 
-/// That of cases of wheels, with a default.
+/// Input of cases of wheels, with a default.
 Input of_wheels(std::string_view section, std::string_view key, std::optional<double> missing) {
   Input input = *wheel_inputs().find(section, key);
   input.section = "", input.missing = missing, input.is_needed = false;

@@ -10,7 +10,7 @@
 
 namespace microslip::description {
 
-/// Which numbers an input may be.
+/// Range of an input's numbers.
 struct Bounds {
   enum class Kind {
     finite,   ///< any finite number
@@ -24,7 +24,7 @@ struct Bounds {
 
   /// Throws Error with field, value, unit and range for a number that is out of bounds.
   void require(std::string_view field, double value, std::string_view unit) const;
-  /// In words: "in [0, 10]", "positive"; empty for any finite number.
+  /// Text of the range: "in [0, 10]", "positive"; empty for any finite number.
   std::string text() const;
   /// The least and the largest number between which all lie that are allowed; infinite where there is none.
   double least() const;
@@ -38,7 +38,7 @@ constexpr Bounds between(double low, double high) {
   return {Bounds::Kind::between, low, high};
 }
 
-/// What stands under a key.
+/// Kind of the value under a key.
 enum class InputKind {
   number,
   numbers, ///< a list of at least one
@@ -103,18 +103,18 @@ private:
   std::vector<NamedInput> named_;
 };
 
-/// Of two bodies in rolling contact; of a wheel on a rail, and of a wheelset, which has more.
+/// Inputs of two bodies in rolling contact; of a wheel on a rail, and of a wheelset, which has more.
 const InputTable& rolling_inputs();
 const InputTable& wheel_inputs();
 const InputTable& wheelset_inputs();
 
-/// Of a file of `microslip sweep`: what varies in its cases is a key of these.
+/// Inputs of a file of `microslip sweep`: what varies in its cases is a key of these.
 const InputTable& sweep_inputs();
 /// The options of `microslip conicity` for track, wheelset and motions, and of `microslip table make`.
 const InputTable& conicity_inputs();
 const InputTable& creep_table_inputs();
 
-/// That of one of input_kinds.
+/// Inputs of one of input_kinds.
 const InputTable& inputs_of(std::string_view kind);
 
 } // namespace microslip::description

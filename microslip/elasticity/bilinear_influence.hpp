@@ -17,7 +17,7 @@ namespace microslip {
 /// Cost: 0.3 us far away, 0.7 us nearby. No check of the arguments: sides positive, everything finite.
 Influence bilinear_influence(const CombinedMaterial& material, double dx, double dy, double x, double y);
 
-/// The same for tractions 1 - |x|/dx on a strip of width 2 dx, endless in y. As line_influence with L the integral of
+/// Influence of tractions 1 - |x|/dx on a strip of width 2 dx, endless in y. As line_influence with L the integral of
 /// the tent times ln|x/far|, and G Axz = -K times that of the tent times the sign of x.
 Influence bilinear_line_influence(const CombinedMaterial& material, double dx, double x, double far);
 

@@ -70,7 +70,7 @@ void add(InteriorInfluence& sum, double w, const InteriorInfluence& a) {
   add(sum.pn, w, a.pn);
 }
 
-/// Of the points within a side from x from an element around 0.
+/// Gap between the points within a side from x and an element around 0.
 double gap(double x, double side) {
   return std::max(0.0, std::abs(x) - side);
 }

@@ -24,7 +24,7 @@ HalfStrips HalfStrips::endless(std::vector<double> x, double far) {
   return strips;
 }
 
-/// For y > 0, where no logarithm is of zero but that of x = y = 0, which never is.
+/// Logarithms and roots at the corners for y > 0, where only that of x = y = 0 would be of zero, which never occurs.
 void HalfStrips::find_corners(double y, Corners& corners) const {
   const double* x = x_.data();
   double *j1 = corners.j1.data(), *j2 = corners.j2.data(), *r = corners.r.data();

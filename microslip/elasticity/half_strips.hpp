@@ -8,23 +8,23 @@ namespace microslip {
 /// Integrals of the kernels of tangential forces over half strips: rows of elements from an end on, without end. A
 /// rectangle's KernelIntegrals xx, yy, xy are the difference between those of the half strips that end at its two
 /// sides, so that elements next to each other share an end, and rows of elements a side. Half strips themselves have
-/// the integrals but for a constant. Nothing here depends on the material.
+/// the integrals up to a constant. Nothing here depends on the material.
 ///
 /// With J1 = y ln(x + r), J2 = x ln(y + r) and the difference [[f]] over the two sides of the strip, xx = [[J1]],
 /// yy = [[J2]], xy = -[[r]] (E7) to (E9). For strips endless in y too, as a line contact has them, xx = xy = 0 and
 /// yy = -2 x (ln|x/far| - 1), (E10), which is 0 at the distance `far`.
 class HalfStrips {
 public:
-  /// For strips of the width dy, points that are `x` ahead of their ends; any unit of length, finite numbers.
+  /// Integrals over strips of width dy at points `x` ahead of their ends; any unit of length, finite numbers.
   HalfStrips(std::vector<double> x, double dy);
-  /// For strips that are endless in y.
+  /// Integrals over strips that are endless in y.
   static HalfStrips endless(std::vector<double> x, double far);
 
   /// An integral for each x.
   struct Row {
     std::span<const double> xx, yy, xy;
   };
-  /// For points `row` strips further in y, row >= 0. Valid until the next call. Cost, in vector registers: two
+  /// Integrals at points `row` strips further in y, row >= 0. Valid until the next call. Cost, in vector registers: two
   /// logarithms and a root for each x if the call before was of the row before, else twice as much.
   Row at(int row);
 

@@ -91,7 +91,7 @@ const LineContact& require_representable(const LineContact& contact) {
   return contact;
 }
 
-/// Of the gap along one axis.
+/// Curvature of the gap along one axis; throws Error unless it is > 0.
 double require_curved(std::string_view field, double curvature) {
   if (curvature == 0)
     throw Error(field, curvature, "1/m",

@@ -42,9 +42,9 @@ struct HertzContact {
 /// out of range and for A/B outside [1e-9, 1e9], which is a/b of about 1e-5 to 1e5: such a contact is one along a line.
 /// Cost: below a microsecond.
 HertzContact hertz_from_load(const GapCurvatures& gap, const CombinedMaterial& material, double normal_force);
-/// The same from the approach [m] instead of the load.
+/// Contact from the approach [m] instead of the load.
 HertzContact hertz_from_approach(const GapCurvatures& gap, const CombinedMaterial& material, double approach);
-/// The same from the ellipse and the load: finds the curvatures. Throws Error for a/b outside [1e-5, 1e5].
+/// Contact from the ellipse and the load: finds the curvatures. Throws Error for a/b outside [1e-5, 1e5].
 HertzContact hertz_from_ellipse(double a, double b, const CombinedMaterial& material, double normal_force);
 
 /// Two cylinders with parallel axes (line contact), per unit length.
@@ -61,7 +61,7 @@ struct LineContact {
 /// a = sqrt(4 R fn/(pi E*)), R = 1/(2A) (Johnson 1985, section 4.2c). There is no approach: it grows with the bodies'
 /// size.
 LineContact line_contact_from_load(double curvature, const CombinedMaterial& material, double force_per_length);
-/// The same from the half-width.
+/// Line contact from its half-width.
 LineContact line_contact_from_half_width(double curvature, const CombinedMaterial& material, double half_width);
 
 } // namespace microslip

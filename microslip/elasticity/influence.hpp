@@ -19,8 +19,8 @@ struct KernelIntegrals {
   double x = 0, y = 0;           ///< of x/r^2, y/r^2
 };
 
-/// With 1/r = x^2/r^3 + y^2/r^3: pi G Axx = xx + (1 - nu) yy, pi G Ayy = yy + (1 - nu) xx, pi G Axy = nu xy, pi G Azz =
-/// (1 - nu) (xx + yy), pi G Axz = -K x, pi G Ayz = -K y.
+/// Influence from the integrals; with 1/r = x^2/r^3 + y^2/r^3: pi G Axx = xx + (1 - nu) yy, pi G Ayy = yy + (1 - nu)
+/// xx, pi G Axy = nu xy, pi G Azz = (1 - nu) (xx + yy), pi G Axz = -K x, pi G Ayz = -K y.
 Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& integrals);
 
 /// Rectangle of sides dx, dy centred at the origin, point (x, y): Boussinesq's and Cerruti's solutions integrated in
@@ -31,7 +31,7 @@ Influence influence_of(const CombinedMaterial& material, const KernelIntegrals& 
 /// Finite on edges and corners too.
 Influence influence(const CombinedMaterial& material, double dx, double dy, double x, double y);
 
-/// The same for a strip of width dx, endless in y, at the distance x: plane strain for x and z, anti-plane shear for y
+/// Influence of a strip of width dx, endless in y, at the distance x: plane strain for x and z, anti-plane shear for y
 /// (E10), (E11). The displacement of an endless strip is known up to a constant; here it is 0 at the distance `far` [m]
 /// from its middle. With L the integral of ln|x/far| over the strip, pi G Axx = pi G Azz = -2 (1 - nu) L,
 /// pi G Ayy = -2 L, and G Axz = -K [[|x|]].

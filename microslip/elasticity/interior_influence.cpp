@@ -205,7 +205,7 @@ InteriorState exchanged(InteriorState s) {
   return s;
 }
 
-/// Of the reflection at the surface.
+/// State of the reflection at the surface.
 InteriorState reflected(const InteriorState& s) {
   return {s.ux, s.uy, -s.uz, {s.stress.xx, s.stress.yy, s.stress.zz, s.stress.xy, -s.stress.xz, -s.stress.yz}};
 }

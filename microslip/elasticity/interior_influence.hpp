@@ -36,7 +36,7 @@ struct InteriorInfluence {
 InteriorInfluence interior_influence(const Material& material, Body body, double dx, double dy, double x, double y,
                                      double depth);
 
-/// The same for a strip of width dx, endless in y: plane strain for x and z, anti-plane shear for y. Its displacements
+/// Influence of a strip of width dx, endless in y: plane strain for x and z, anti-plane shear for y. Its displacements
 /// along the traction are known up to a constant; as in line_influence it is 0 at the surface at the distance `far`
 /// [m].
 InteriorInfluence line_interior_influence(const Material& material, Body body, double dx, double x, double depth,

@@ -7,7 +7,7 @@ struct Material {
   double shear_modulus; ///< G [Pa], > 0; infinite for a rigid body
   double poisson_ratio; ///< nu [-], in [0, 0.5]
 
-  /// From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Throws Error if out of range.
+  /// Material of Young's modulus E [Pa], > 0, infinite if rigid: G = E/(2 (1 + nu)). Throws Error if out of range.
   static Material from_young(double young_modulus, double poisson_ratio);
 };
 

@@ -24,7 +24,7 @@ struct Retardation {
   friend bool operator==(const Retardation&, const Retardation&) = default;
 };
 
-/// For a body that rolls steadily with speed V [m/s], positive along +x. Throws Error for constants out of range.
+/// Retardation in steady rolling with speed V [m/s], positive along +x. Throws Error for constants out of range.
 Retardation retardation_of(const MaterialCreep& creep, double speed);
 
 /// Retarded part of the displacement difference of two bodies.

@@ -6,7 +6,7 @@ namespace microslip {
 
 /// Addition of the temperature T of the surfaces to a coefficient of friction: change min(1, max(0, (T - begin)/range))
 /// (T4).
-/// With a negative change heat makes the surfaces slippery (Ertz & Knothe 2002 measure and use such laws).
+/// With a negative change, heat makes the surfaces slippery (Ertz & Knothe 2002 measure and use such laws).
 struct TemperatureEffect {
   double change = 0; ///< [-]
   double begin = 0;  ///< up to this temperature there is none [deg C]

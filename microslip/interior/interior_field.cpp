@@ -41,7 +41,7 @@ constexpr int retarded_components = 3; // the displacements, which come first
 
 constexpr std::size_t work_of_threads = 100000; // points times elements that are worth several threads
 
-/// Of what a load does to a component: it is odd where only one of them is.
+/// Parity of the influence of a load on a component: odd where only one of them is.
 Parity influence_parity(int load, int component) {
   const Parity a = load_parity[load], b = component_parity[component];
   return {a.odd_x != b.odd_x, a.odd_y != b.odd_y};
@@ -72,7 +72,7 @@ std::vector<double> copy_of(const char* name, std::span<const double> p, std::si
   return {p.begin(), p.end()};
 }
 
-/// What InteriorLayers needs for a point, at most [bytes], and what it may keep of the kernels of several depths.
+/// Memory of InteriorLayers for a point, at most [bytes], and for the kernels of several depths.
 constexpr double memory_for_point = 900, memory_for_retarded_point = 1400;
 constexpr std::size_t most_kept = std::size_t(256) << 20;
 
@@ -208,11 +208,11 @@ std::vector<InteriorState> InteriorField::at(std::span<const InteriorPoint> poin
   }
   std::vector<InteriorState> states(points.size());
   const auto blocks = static_cast<int>((points.size() + together - 1) / together);
-  share_out(blocks, threads_for(points.size() * loaded_.size(), work_of_threads), progress,
-            [&](int block, int, const Progress& on) {
-              const std::size_t first = block * together, last = std::min(first + together, points.size());
-              for (std::size_t k = first; k < last; ++k) states[k] = at(points[k], on);
-            });
+  distribute(blocks, threads_for(points.size() * loaded_.size(), work_of_threads), progress,
+             [&](int block, int, const Progress& on) {
+               const std::size_t first = block * together, last = std::min(first + together, points.size());
+               for (std::size_t k = first; k < last; ++k) states[k] = at(points[k], on);
+             });
   return states;
 }
 
@@ -245,7 +245,7 @@ InteriorLayers::Influences InteriorLayers::influences(double depth, const Progre
   found.quadrant.resize(grid_.count());
   if (field_.has_retardation()) found.retarded.resize(static_cast<std::size_t>(width) * grid_.my);
   const int threads = field_.has_retardation() ? omp_get_max_threads() : threads_for(grid_.count(), 1000);
-  share_out(grid_.my, threads, progress, [&](int j, int, const Progress& on) {
+  distribute(grid_.my, threads, progress, [&](int j, int, const Progress& on) {
     const double y = j * grid_.dy;
     for (int i = 0; i < grid_.mx; ++i) {
       if (i % 64 == 0) on(0);
@@ -294,7 +294,7 @@ InteriorLayers::LoadKernels InteriorLayers::find_kernels(int load, const Influen
   return kernels;
 }
 
-/// Those of the loads that there are, at least.
+/// Kernels of a depth, at least those of the loads that are not zero.
 const InteriorLayers::Kernels& InteriorLayers::kernels(double depth, const Progress& progress) {
   Kernels& kernels = kept_[depth];
   const bool complete = std::all_of(loads_.begin(), loads_.end(), [&](int load) { return !kernels[load].empty(); });

@@ -47,7 +47,7 @@ public:
   /// Cost: 0.3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
   /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
   InteriorState at(const InteriorPoint& point, const Progress& progress = {}) const;
-  /// The same at many points, shared among OpenMP's threads. `progress` is called often; false throws Stopped.
+  /// States at many points, shared among OpenMP's threads. `progress` is called often; false throws Stopped.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points, const Progress& progress = {}) const;
 
   /// Instantaneous influence of an element at an offset from it.
@@ -85,7 +85,7 @@ private:
       retarded_far_away_; ///< of a line contact: subtracted from retarded displacements along the tractions
 };
 
-/// The same at the centres of elements in planes of constant depth, by fast transforms. It agrees with the sum to about
+/// States at the centres of elements in planes of constant depth, by fast transforms. It agrees with the sum to about
 /// 1e-15 of the plane's largest values.
 ///
 /// Cost for a plane of N points: N influences and 9 transforms of kernels for each of px, py, pn that is not zero, on a
@@ -111,7 +111,7 @@ public:
   /// States at the points, index j mx + i. Throws Error unless depth >= 0 and finite, and Stopped where `progress`
   /// returns false.
   std::vector<InteriorState> at_depth(double depth, const Progress& progress = {});
-  /// At the points of some columns, i, and rows, j, of the grid only: row by row.
+  /// States at the points of some columns, i, and rows, j, of the grid only: row by row.
   std::vector<InteriorState> at_depth(double depth, std::span<const int> columns, std::span<const int> rows,
                                       const Progress& progress = {});
 
@@ -120,7 +120,7 @@ private:
   struct Influences {
     std::vector<InteriorInfluence> quadrant, retarded;
   };
-  /// One for each component, and after it one for what is retarded.
+  /// Kernels of each component, each followed by that of its retarded part.
   using LoadKernels = std::vector<ParityToeplitz::Spectrum>;
   using Kernels = std::array<LoadKernels, 3>; ///< of px, py, pn; empty ones have not been needed
 

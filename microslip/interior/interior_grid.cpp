@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// From so many points in a plane on transforms cost less than sums.
+/// Points in a plane from which on transforms cost less than sums.
 constexpr std::size_t several = 8;
 
 /// The numbers of the elements whose centres these coordinates are; none if one is not.
@@ -54,7 +54,7 @@ double smallest(double value) {
   return -value;
 }
 
-/// For rounding in what follows.
+/// Allowance for rounding in what follows.
 constexpr double slack = 1e-12;
 
 // Principal stresses differ from the mean of all three by at most 2/3 of von Mises' stress, and from one another by at

@@ -35,7 +35,7 @@ struct InteriorBody {
 /// several points below elements' centres, else by InteriorField. Errors as theirs.
 ///
 /// Keeps what InteriorLayers keeps: where bodies and elements are those of the call before, depths that have occurred
-/// cost transforms of the tractions only. `progress` is told between and within the planes; false throws Stopped.
+/// cost transforms of the tractions only. `progress` is called between and within the planes; false throws Stopped.
 class InteriorSequence {
 public:
   std::vector<InteriorState> states(const InteriorBody& body1, const InteriorBody& body2, const ElementGrid& elements,
@@ -53,12 +53,12 @@ private:
   std::array<std::optional<OfBody>, 2> bodies_;
 };
 
-/// The same once.
+/// States at the points of a grid, for one set of tractions.
 std::vector<InteriorState> interior_states(const InteriorBody& body1, const InteriorBody& body2,
                                            const ElementGrid& elements, const SurfaceTractions& tractions,
                                            const InteriorGrid& points, const Progress& progress = {});
 
-/// The same for a solution with pressures: of the exact theory, whatever solved it, or of a wheel on a rail at either
+/// States of a solution with pressures: of the exact theory, whatever solved it, or of a wheel on a rail at either
 /// level. An element that is fitted to the edge counts as one of the grid's with the same forces, and the forces of
 /// rows that are divided along their lengths are distributed over the grid's elements; both matter less than an
 /// element deep only. Throws Error for a solution without pressures (FASTSIM's and FASTSIM2's on ellipses) or with

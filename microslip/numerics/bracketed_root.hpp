@@ -51,7 +51,7 @@ BracketedRoot find_bracketed_root(RootSide low, RootSide high, double tolerance,
   return {last, high, std::abs(last.value) <= tolerance};
 }
 
-/// Finds the root of a decreasing function from a place near it on: bracketed by steps that double, then by
+/// Finds the root of a decreasing function from a point near it on: bracketed by steps that double, then by
 /// find_bracketed_root to 1e-10 of the first step. Nothing where the function has one sign from there to `lowest` or
 /// `highest`.
 template <class Function>

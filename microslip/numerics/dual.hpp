@@ -59,7 +59,7 @@ template <class Value, int N> struct Dual {
     return combine(quotient, [&](int k) { return slope * b.partial[k]; });
   }
 
-  /// From the value and a function that gives the derivative with respect to variable k.
+  /// Combines the value with a function that returns the derivative with respect to variable k.
   template <class Partial> MICROSLIP_INLINE static Dual combine(const Value& value, Partial partial) {
     Dual d;
     d.value = value;

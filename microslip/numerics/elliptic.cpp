@@ -12,7 +12,7 @@ struct Pair {
   double B, D;
 };
 
-/// With h = 1 + g and the integrals B1, D1 of the axis ratio 2 sqrt(g)/h:
+/// Integrals of the given axis ratio; with h = 1 + g and the integrals B1, D1 of the axis ratio 2 sqrt(g)/h:
 /// B = (B1 + 2 g D1/h)/h, D = (B1 + 2 D1/h)/h.
 Pair outer(double g, const Pair& inner) {
   const double h = 1 + g;

@@ -38,7 +38,7 @@ public:
   Circulant(int mx, int my, int nx, int ny, const TransformPlans& plans)
       : Circulant(mx, my, nx, ny, plans,
                   WaveBlocks<double>(my, nx, threads_of(nx, ny), 2 * static_cast<std::size_t>(ny), plans)) {}
-  /// On the grid of `longer`, in its memory, with periods that are no longer than there.
+  /// A circulant in the memory of `longer`, with periods that are no longer than there.
   Circulant(const Circulant& longer, int nx, int ny, const TransformPlans& plans)
       : Circulant(longer.mx_, longer.my_, nx, ny, plans, longer.waves_.shorter(nx, threads_of(nx, ny), plans)) {}
 
@@ -60,9 +60,9 @@ public:
     const std::size_t two_rows = 2 * static_cast<std::size_t>(mx_);
     const RowPairs<const double> from = {in.data(), in.data() + mx_, two_rows};
     const RowPairs<double> to = {out.data(), out.data() + mx_, two_rows};
-    share_out(waves_.batches(), waves_.threads(), [&](int b, int thread) { waves_.forward(b, from, mx_, thread); });
-    share_out(waves_.count(), waves_.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
-    share_out(waves_.batches(), waves_.threads(), [&](int b, int thread) { waves_.backward(b, to, mx_, thread); });
+    distribute(waves_.batches(), waves_.threads(), [&](int b, int thread) { waves_.forward(b, from, mx_, thread); });
+    distribute(waves_.count(), waves_.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
+    distribute(waves_.batches(), waves_.threads(), [&](int b, int thread) { waves_.backward(b, to, mx_, thread); });
   }
 
 private:
@@ -117,7 +117,7 @@ private:
     }
   }
 
-  /// Of a block, with its part of the table: columns are transformed along y, multiplied and transformed back.
+  /// Convolves a block with its part of the table: columns are transformed along y, multiplied and transformed back.
   void convolve_columns(int b, int thread) {
     double *transformed = waves_.work(thread), *work = transformed + columns_.work_size();
     columns_.forward({waves_.block(b), line_size<double>, my_}, waves_.lanes_of(b), transformed, work);

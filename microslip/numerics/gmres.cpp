@@ -17,7 +17,7 @@ namespace {
 using Weights = std::vector<double>;
 template <class Real> using Basis = std::vector<std::vector<Real>>;
 
-/// In many sums, so that none has to wait for the one before it.
+/// Scalar product in many partial sums, so that none has to wait for the one before it.
 template <class Stored, class Real> Real dot(std::span<const Stored> a, std::span<const Real> b) {
   using Vector = WideLanes<Real, 16>;
   Vector sums = 0;
@@ -70,13 +70,13 @@ template <class Stored, class Real>
 void orthogonalise(const Basis<Stored>& basis, std::size_t count, std::vector<Real>& v, std::span<double> components) {
   const Blocks blocks(v.size());
   Weights sums(blocks.count * count), total(count);
-  share_out(blocks.count, blocks.threads, [&](int b, int) {
+  distribute(blocks.count, blocks.threads, [&](int b, int) {
     for (std::size_t i = 0; i < count; ++i)
       sums[b * count + i] = dot<Stored, Real>(blocks.part(b, basis[i]), blocks.part(b, v));
   });
   for (std::size_t i = 0; i < count; ++i)
     for (int b = 0; b < blocks.count; ++b) total[i] += sums[b * count + i];
-  share_out(blocks.count, blocks.threads, [&](int b, int) {
+  distribute(blocks.count, blocks.threads, [&](int b, int) {
     for (std::size_t i = 0; i < count; ++i)
       add_scaled<Stored, Real>(static_cast<Real>(-total[i]), blocks.part(b, basis[i]), blocks.part(b, std::span(v)));
   });
@@ -209,7 +209,7 @@ typename Gmres<Real>::Result Gmres<Real>::solve_in(Basis<Stored>& basis, const P
 template <class Stored, class Real>
 void combine(std::span<const double> weights, const Basis<Stored>& vectors, std::span<Real> sum) {
   const Blocks blocks(sum.size());
-  share_out(blocks.count, blocks.threads, [&](int b, int) {
+  distribute(blocks.count, blocks.threads, [&](int b, int) {
     const std::span<Real> part = blocks.part(b, sum);
     std::fill(part.begin(), part.end(), Real(0));
     for (std::size_t k = 0; k < weights.size(); ++k)

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// That Newton's methods allow for one linear system: how long a basis grows.
+/// Most products in one linear system of Newton's methods: the largest size of a Krylov basis.
 inline constexpr int most_gmres_products = 300;
 
 /// So many unknowns are many: memory counts, and vectors of the basis are kept in single precision.

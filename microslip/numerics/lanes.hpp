@@ -42,7 +42,7 @@ template <class Real, int count = register_lanes<Real>> struct Lanes {
   requires std::is_arithmetic_v<Value> MICROSLIP_INLINE Lanes(Value value) : v(static_cast<Real>(value) - Vector{}) {}
   MICROSLIP_INLINE Lanes(const Vector& values) : v(values) {}
 
-  /// From and to memory of any alignment, in the same precision or another.
+  /// Loads from and stores to memory of any alignment, in the same precision or another.
   template <class Value> MICROSLIP_INLINE static Lanes load(const Value* from) {
     Lanes lanes;
     if constexpr (std::is_same_v<Value, Real>)

@@ -48,7 +48,7 @@ void add_wave(Complex w, const double* v, double* to) {
 } // namespace
 
 struct ParityToeplitz::Plans {
-  /// Of a thread: lines of all waves of a block's columns, there and back, and what the transforms work in.
+  /// Work of a thread: lines of all waves of a block's columns, there and back, and memory of the transforms.
   struct Work {
     Buffer<double> sum, rows, scratch;
   };
@@ -72,7 +72,7 @@ struct ParityToeplitz::Plans {
   std::size_t column_size() const { return static_cast<std::size_t>(ny) * line; }
   std::size_t loaded_size() const { return waves.count() * column_size(); }
   template <class Function> void share(int count, const Progress& progress, const Function& function) {
-    share_out(count, waves.threads(), progress, [&](int b, int thread, const Progress&) { function(b, thread); });
+    distribute(count, waves.threads(), progress, [&](int b, int thread, const Progress&) { function(b, thread); });
   }
   static double* line_of(double* lines, int j) { return lines + static_cast<std::ptrdiff_t>(j) * line; }
 

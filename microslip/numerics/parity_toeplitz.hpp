@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// Whether a function changes its sign with x, and with y: odd; else it is even.
+/// Parity of a function in x and in y: odd if it changes its sign with the coordinate, else even.
 struct Parity {
   bool odd_x = false, odd_y = false;
 };

@@ -11,7 +11,7 @@ namespace microslip {
 /// stay as they are.
 void populate(void* memory, std::size_t bytes) noexcept;
 
-/// For large arrays that are filled as soon as they are there.
+/// Allocator of large arrays that are filled as soon as they are allocated.
 template <class Value> struct PopulatingAllocator : std::allocator<Value> {
   template <class Other> struct rebind { using other = PopulatingAllocator<Other>; };
   Value* allocate(std::size_t count) {

@@ -20,7 +20,7 @@ constexpr double smallest_share = 1e-2;            // of the kernels at 0, in th
 struct SymmetricPair {
   double mean, difference, mixed;
 
-  /// With eigenvalues of at least `least` instead of smaller ones.
+  /// Inverse, with eigenvalues of at least `least` instead of smaller ones.
   SymmetricPair inverse(double least) const {
     const double radius = std::hypot(difference, mixed);
     const double low = 1 / std::max(mean + radius, least), high = 1 / std::max(mean - radius, least);
@@ -64,16 +64,16 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   }
 
   /// Rows of the kernels are those of xx + xy, whose waves are real parts for xx and imaginary ones for xy, and of yy.
-  /// What becomes of each wave's pair of the kernels is up to `use`.
+  /// Each wave's pair of the kernels is passed to `use`.
   template <class Use> void find_spectra(const Kernels& of, Use use) {
     kernels.assign(waves.count() * table_size(), 0);
     const int rows = std::min(my, ny / 2 + 1);
-    share_out(waves.batches_of(2 * rows), waves.threads(),
-              [&](int b, int thread) { transform_kernel_rows(of, b, rows, thread); });
-    share_out(waves.count(), waves.threads(), [&](int b, int thread) { find_spectra_of_block(b, rows, thread, use); });
+    distribute(waves.batches_of(2 * rows), waves.threads(),
+               [&](int b, int thread) { transform_kernel_rows(of, b, rows, thread); });
+    distribute(waves.count(), waves.threads(), [&](int b, int thread) { find_spectra_of_block(b, rows, thread, use); });
   }
 
-  /// Those of a batch.
+  /// Transforms the kernel rows of a batch.
   void transform_kernel_rows(const Kernels& of, int b, int rows, int thread) {
     constexpr int pairs = RowTransforms<Real>::most_rows / 2;
     const std::size_t stride = 2 * static_cast<std::size_t>(nx);
@@ -123,7 +123,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
       }
   }
 
-  /// Of a block: transformed along y, multiplied, transformed back.
+  /// Convolves a block: transformed along y, multiplied, transformed back.
   void convolve_columns(int b, int thread) {
     Real *x_waves = waves.work(thread), *y_waves = x_waves + columns.work_size(), *work = y_waves + columns.work_size();
     const BlockLines<Real> x_lines = {waves.block(b), 2 * line, my}, y_lines = {waves.block(b) + line, 2 * line, my};
@@ -137,9 +137,9 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
 
   void apply(const RowPairs<const Real>& in, const RowPairs<Real>& out) {
     ++products;
-    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.forward(b, in, mx, thread); });
-    share_out(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
-    share_out(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, out, mx, thread); });
+    distribute(waves.batches(), waves.threads(), [&](int b, int thread) { waves.forward(b, in, mx, thread); });
+    distribute(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
+    distribute(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, out, mx, thread); });
   }
 };
 

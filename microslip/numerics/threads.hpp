@@ -28,7 +28,7 @@ inline int threads_for(std::size_t numbers, std::size_t least) {
 
 /// Calls work(i, thread) for i = 0 .. count - 1, with `threads` of OpenMP's, thread = 0 .. threads - 1. One thread does
 /// it without OpenMP, whose barriers cost system calls even with a single thread.
-template <class Work> void share_out(int count, int threads, const Work& work) {
+template <class Work> void distribute(int count, int threads, const Work& work) {
   if (threads == 1) {
     for (int i = 0; i < count; ++i) work(i, 0);
     return;
@@ -40,7 +40,7 @@ template <class Work> void share_out(int count, int threads, const Work& work) {
 /// Calls work(i, thread, progress) likewise, in any order. Thread 0 is the calling one and the only one that tells
 /// `progress`: before each i, and where the work reports itself. When that returns false or throws, the others' throws
 /// Stopped, nothing more is begun, and Stopped or what was thrown is thrown here; as is the first that work throws.
-template <class Work> void share_out(int count, int threads, const Progress& progress, const Work& work) {
+template <class Work> void distribute(int count, int threads, const Progress& progress, const Work& work) {
   std::atomic<bool> ended = false;
   std::exception_ptr reason;
   const auto begin = [&](int i, int thread) {

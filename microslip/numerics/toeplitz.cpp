@@ -44,7 +44,7 @@ struct ToeplitzTransform::Plans {
     transform_columns(waves, my, to);
   }
 
-  /// What `multiply(offset, z)` adds to zeros for a block of columns, transformed back.
+  /// Transforms back what `multiply(offset, z)` adds to zeros for a block of columns.
   template <class Multiply> void backward(std::span<double> out, Multiply multiply) {
     double *z = waves.work(0), *work = z + block_size();
     for (int b = 0; b < waves.count(); ++b) {

@@ -13,7 +13,7 @@ namespace microslip {
 /// distinct threads.
 class ToeplitzTransform {
 public:
-  /// For grid functions with at most `components` components, which are transformed together.
+  /// Transforms grid functions with at most `components` components, which are transformed together.
   ToeplitzTransform(int mx, int my, int components);
   ToeplitzTransform(ToeplitzTransform&&) noexcept;
   ToeplitzTransform& operator=(ToeplitzTransform&&) noexcept;

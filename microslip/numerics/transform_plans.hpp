@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What fast transforms need for each length: tables of factors. They are made when they are first needed and live as
+/// Tables of factors of fast transforms, for each length. They are made when they are first needed and live as
 /// long as anything that uses them. Copies share them. Distinct threads may use the same ones.
 class TransformPlans {
 public:

@@ -77,9 +77,9 @@ public:
   /// Numbers in n lines: the size of `work`.
   std::size_t work_size() const;
 
-  /// To n lines, one after another.
+  /// Transforms into n lines, one after another.
   void forward(const BlockLines<const Real>& in, int lanes, Real* out, Real* work) const;
-  /// From n lines, which are overwritten.
+  /// Transforms back from n lines, which are overwritten.
   void backward(Real* in, const BlockLines<Real>& out, int lanes, Real* work) const;
 
 private:

@@ -14,7 +14,7 @@ namespace microslip {
 /// for each of the threads that share the work.
 template <class Real> class WaveBlocks {
 public:
-  /// For `rows` rows of n numbers; threads have memory for `lines` lines, too.
+  /// Waves of `rows` rows of n numbers; threads have memory for `lines` lines, too.
   WaveBlocks(int rows, int n, int threads, std::size_t lines, const TransformPlans& plans)
       : rows_(rows), waves_(n / 2 + 1), transforms_(n, plans), blocks_(allocate<Real>(size())) {
     std::fill_n(blocks_.get(), size(), Real(0));
@@ -23,7 +23,7 @@ public:
   }
   WaveBlocks(WaveBlocks&&) noexcept = default;
 
-  /// The same rows with n numbers, of which there are no more than here, for no more threads, in the same memory: what
+  /// These rows with n numbers, at most as many as here, for no more threads, in the same memory: what
   /// is put into one is lost in the other.
   WaveBlocks shorter(int n, int threads, const TransformPlans& plans) const {
     WaveBlocks result = *this;
@@ -50,12 +50,12 @@ public:
   void forward(int b, const RowPairs<const Real>& all, int length, int thread) {
     forward_batch(b, all.from_pair(pairs(b)), length, thread);
   }
-  /// The same, given the rows of the batch only.
+  /// Transforms the b-th batch, given its rows only.
   void forward_batch(int b, const RowPairs<const Real>& rows, int length, int thread) {
     transforms_.forward(rows, rows_of(b), length, first_line(b), block_size(), work(thread));
   }
   void backward(int b, const RowPairs<Real>& all, int length, int thread) { backward(b, rows_, all, length, thread); }
-  /// Of the first `rows` rows only.
+  /// Transforms back the first `rows` rows only.
   void backward(int b, int rows, const RowPairs<Real>& all, int length, int thread) {
     transforms_.backward(first_line(b), block_size(), all.from_pair(pairs(b)), std::min(batch, rows - b * batch),
                          length, work(thread));

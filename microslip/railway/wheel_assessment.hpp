@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// What profiles, material and friction tell of a wheel before it runs.
+/// Limits of a wheel by its profiles, material and friction, before it runs.
 struct WheelLimits {
   std::optional<double> nadal_limit; ///< of Y/Q where the flange is steepest [-]; empty without a flange
   std::optional<double> nose;        ///< flange_nose() [m]

@@ -15,7 +15,7 @@ namespace microslip {
 void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
 
 /// Variables of differentiation: the numbers of a state in the order of state_quantities(), and the vertical
-/// force. Round wheels and fixed profiles have no derivatives by the position along the track and the angle of pitch.
+/// force. Round wheels and fixed profiles have no derivatives by position along the track and angle of pitch.
 enum class WheelVariable {
   lateral,
   vertical,
@@ -68,8 +68,8 @@ template <std::size_t results, std::size_t variables> struct ForceDerivatives {
   }
 };
 
-/// Derivatives of what a wheel bears: of wheel_derivatives() (wheel_rail_quantities.hpp) by each WheelVariable. Those
-/// by what was not given are zero: by the height with a vertical force, by the vertical force with a height.
+/// Derivatives of the forces on a wheel: of wheel_derivatives() (wheel_rail_quantities.hpp) by each WheelVariable.
+/// Those by what was not given are zero: by the height with a vertical force, by the vertical force with a height.
 inline constexpr std::size_t differentiated_results = 7;
 struct WheelRailDerivatives : ForceDerivatives<differentiated_results, wheel_variables> {};
 
@@ -98,12 +98,12 @@ public:
   /// solver to the last bit.
   void reset();
 
-  /// The same with derivatives, which hold where no patch comes or goes. By the first ten numbers of a state they are
-  /// differences, by the others they follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
+  /// Solves with derivatives, which hold where no patch comes or goes. With respect to the first ten numbers of a state
+  /// they are differences, the others follow (relative_motion.hpp). At `fastsim2` and `table`, where they cost some two
   /// solves and allocate as little, their errors are 1e-5 of the largest of their row. At `exact` they cost some 20
   /// solves and are slopes over some micrometres, since forces have kinks where elements come and go; with one element
   /// more across each contact half of those by positions differ by up to 1e-2, and by velocities by 5e-4. Derivatives
-  /// of what is not solved are zero.
+  /// of unsolved quantities are zero.
   void differentiate(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& solution,
                      WheelRailDerivatives& derivatives, const Progress& progress = {});
 

@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// Throws Error for bodies and methods out of range or that do not go together.
+/// Throws Error for bodies and methods out of range or that cannot be combined.
 void require_valid(const WheelRailBodies& bodies, const WheelRailMethod& method);
 
 } // namespace microslip

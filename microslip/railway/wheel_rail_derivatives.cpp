@@ -19,16 +19,16 @@ struct BasicDerivatives {
 
 /// Steps of differences.
 struct DifferenceSteps {
-  double place, yaw, creepage; ///< [m], [rad], [-]
+  double position, yaw, creepage; ///< [m], [rad], [-]
 
   double of(std::size_t basic, double speed) const {
     constexpr double radius = 0.5; // [m]
     switch (static_cast<WheelVariable>(basic)) {
     case WheelVariable::lateral:
     case WheelVariable::vertical:
-      return place;
+      return position;
     case WheelVariable::roll:
-      return place / radius;
+      return position / radius;
     case WheelVariable::yaw:
       return yaw;
     case WheelVariable::forward_velocity:
@@ -54,10 +54,10 @@ DifferenceSteps element_steps(double approach, bool force_given) {
 }
 
 /// Along the track [m], and of the wheel's pitch [rad]: surfaces vary slowly there.
-constexpr std::array<std::pair<std::size_t, double>, 2> place_steps = {std::pair{longitudinal_number, 1e-6},
-                                                                       {pitch_number, 2e-6}};
+constexpr std::array<std::pair<std::size_t, double>, 2> position_steps = {std::pair{longitudinal_number, 1e-6},
+                                                                          {pitch_number, 2e-6}};
 constexpr double longer_along = 20; ///< these steps for elements
-using PlaceDerivatives = std::array<Wrench, place_steps.size()>;
+using PositionDerivatives = std::array<Wrench, position_steps.size()>;
 
 /// The ten basic numbers of a state in the order of their differences.
 constexpr std::array<WheelVariable, basic_motions> in_order = {WheelVariable::forward_velocity,
@@ -80,8 +80,8 @@ WheelState<double> moved(WheelState<double> state, std::size_t number, double st
   return state;
 }
 
-/// From derivatives with the height held to those with the vertical force held, by the implicit function theorem; other
-/// numbers follow by (W8) and (W9).
+/// Turns derivatives with the height held into those with the vertical force held, by the implicit function theorem;
+/// other numbers follow by (W8) and (W9).
 BasicDerivatives with_force_held(const BasicDerivatives& height_held) {
   const Wrench& by_height = height_held.by[height_number];
   BasicDerivatives out;
@@ -110,13 +110,13 @@ public:
     basic_ = of_rows();
     if (vertical_force) basic_ = with_force_held(basic_);
     if (surfaces_vary)
-      for (std::size_t k = 0; k < place_steps.size(); ++k) by_place_[k] = of_rows_along(k);
+      for (std::size_t k = 0; k < position_steps.size(); ++k) by_position_[k] = of_rows_along(k);
     if (forces.of_elements) refine();
   }
 
   const WheelState<double>& state() const { return state_; } ///< in the height that was found
   const BasicDerivatives& basic() const { return basic_; }
-  const PlaceDerivatives& by_place() const { return by_place_; }
+  const PositionDerivatives& by_position() const { return by_position_; }
 
 private:
   Wrench forward(std::size_t number, double step, const std::function<Wrench(const WheelState<double>&)>& forces) {
@@ -125,8 +125,8 @@ private:
     return d;
   }
 
-  /// With the height held. Each state starts from the one before: velocities alone need no new pressures and come
-  /// first, what changes the loads most comes last.
+  /// Derivatives of rows with the height held. Each state starts from the one before: velocities alone need no new
+  /// pressures and come first, what changes the loads most comes last.
   BasicDerivatives of_rows() {
     const double scale = surfaces_vary_ ? 100 : 1;
     const auto& elsewhere = surfaces_vary_ ? forces_.of_rows : forces_.of_shifted_rows;
@@ -139,9 +139,9 @@ private:
     return derivatives;
   }
 
-  /// By the position along the track or the pitch, with what the basic ones hold held.
+  /// Derivative by the position along the track or the pitch, with the same held as for the basic ones.
   Wrench of_rows_along(std::size_t k) {
-    const Wrench d = forward(place_steps[k].first, place_steps[k].second, forces_.of_rows);
+    const Wrench d = forward(position_steps[k].first, position_steps[k].second, forces_.of_rows);
     return d - d.force.z * basic_.by_force;
   }
 
@@ -152,7 +152,7 @@ private:
     return d;
   }
 
-  /// From those of rows to those of elements, with held what is given.
+  /// Refines those of rows to those of elements, with prescribed quantities held.
   void refine() {
     constexpr double share_of_force = 1e-3;
     const DifferenceSteps steps = element_steps(approach_, vertical_force_.has_value());
@@ -161,8 +161,8 @@ private:
       if (step > 0 && !(vertical_force_ && k == height_number)) basic_.by[k] = central(k, step);
     }
     if (surfaces_vary_)
-      for (std::size_t k = 0; k < place_steps.size(); ++k)
-        by_place_[k] = central(place_steps[k].first, longer_along * place_steps[k].second);
+      for (std::size_t k = 0; k < position_steps.size(); ++k)
+        by_position_[k] = central(position_steps[k].first, longer_along * position_steps[k].second);
     if (!vertical_force_) return;
     const double step = share_of_force * *vertical_force_;
     const Wrench up = forces_.of_elements(state_, *vertical_force_ + step);
@@ -176,7 +176,7 @@ private:
   double speed_ = 0, approach_ = 0; ///< the largest of the patches [m/s], [m]
   Wrench here_;                     ///< of rows
   BasicDerivatives basic_;
-  PlaceDerivatives by_place_{};
+  PositionDerivatives by_position_{};
 };
 
 } // namespace
@@ -189,8 +189,8 @@ void differentiate(const NearbyForces& forces, const NominalPlacement& nominal, 
   const auto motions = relative_motions(nominal, differences.state());
   for (std::size_t k = 0; k < state_numbers; ++k) {
     const Wrench turned = {cross(motions[k].turn, found.force), cross(motions[k].turn, found.moment)};
-    Wrench sum = turned - turned.force.z * by_force + motions[k].ahead * differences.by_place()[0];
-    if (k == pitch_number) sum = sum + differences.by_place()[1];
+    Wrench sum = turned - turned.force.z * by_force + motions[k].ahead * differences.by_position()[0];
+    if (k == pitch_number) sum = sum + differences.by_position()[1];
     for (std::size_t i = 0; i < basic_motions; ++i) sum = sum + motions[k].combination[i] * by[i];
     set(d, k, sum);
   }

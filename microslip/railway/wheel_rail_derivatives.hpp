@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// What all patches do to a wheel, and the wheelset's height.
+/// Force and moment of all patches on a wheel, and the wheelset's height.
 struct Wrench {
   Vec3<double> force, moment; ///< [N], [N m]
   double height = 0;          ///< [m]
@@ -20,16 +20,16 @@ struct Wrench {
   friend Wrench operator*(double f, const Wrench& a) { return {f * a.force, f * a.moment, f * a.height}; }
 };
 
-/// What a left wheel bears in states near the one that is differentiated.
+/// Forces on a left wheel in states near the one that is differentiated.
 struct NearbyForces {
-  /// By its rows, in the state's height.
+  /// Forces of its rows, in the state's height.
   std::function<Wrench(const WheelState<double>& state)> of_rows;
-  /// The same of a state next to the last one of these.
+  /// Forces of rows in a state next to the last one of these.
   std::function<Wrench(const WheelState<double>& state)> of_shifted_rows;
-  /// The same of one that differs from it in velocities alone.
+  /// Forces of rows in a state that differs from it in velocities alone.
   std::function<Wrench(const WheelState<double>& state)> of_moving_rows;
-  /// By the elements of its patches, in the state's height or with a vertical force [N]; none if the rows' forces are
-  /// the solution's.
+  /// Forces of the elements of its patches, in the state's height or with a vertical force [N]; none if the rows'
+  /// forces are the solution's.
   std::function<Wrench(const WheelState<double>& state, std::optional<double> vertical_force)> of_elements;
 };
 

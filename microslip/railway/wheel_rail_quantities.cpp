@@ -188,7 +188,7 @@ constexpr PatchQuantity all_patch_results[] = {
     {"status", "-", status_codes, [](Patch p) { return static_cast<double>(p.status); }, true},
 };
 
-/// Those of a table that are no codes.
+/// Quantities of a table that are no codes.
 template <const auto& table> constexpr auto numbers_of() {
   constexpr auto is_number = [](const auto& q) { return !q.is_code; };
   constexpr std::size_t count = std::count_if(std::begin(table), std::end(table), is_number);
@@ -199,18 +199,18 @@ template <const auto& table> constexpr auto numbers_of() {
 constexpr auto all_wheel_quantities = numbers_of<all_wheel_results>();
 constexpr auto all_patch_quantities = numbers_of<all_patch_results>();
 
-/// Of the vertical force, as in the first version of the rows; later numbers of the state stand behind it.
-constexpr std::size_t force_place = 30;
+/// Index of the vertical force, as in the first version of the rows; later numbers of the state stand behind it.
+constexpr std::size_t force_index = 30;
 constexpr auto all_wheel_inputs = [] {
   constexpr auto force_variable = static_cast<std::size_t>(WheelVariable::vertical_force);
   std::array<WheelInput, wheel_variables> all{};
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (std::size_t k = 0; k < state_numbers; ++k) {
-    if (place == force_place) ++place;
+    if (index == force_index) ++index;
     const StateQuantity& q = all_state_quantities[k];
-    all[place++] = {q.name, q.unit, q.description, &q, k};
+    all[index++] = {q.name, q.unit, q.description, &q, k};
   }
-  all[force_place] = {"vertical_force", "N", "prescribed vertical force on the wheel", nullptr, force_variable};
+  all[force_index] = {"vertical_force", "N", "prescribed vertical force on the wheel", nullptr, force_variable};
   return all;
 }();
 
@@ -246,7 +246,7 @@ std::span<const WheelInput> wheel_inputs() {
   return all_wheel_inputs;
 }
 const WheelInput& vertical_force_input() {
-  return all_wheel_inputs[force_place];
+  return all_wheel_inputs[force_index];
 }
 std::span<const WheelQuantity> wheel_results() {
   return all_wheel_results;

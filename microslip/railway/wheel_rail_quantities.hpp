@@ -32,7 +32,7 @@ struct StateQuantity {
 struct WheelInput {
   std::string_view name, unit, description;
   const StateQuantity* of_state = nullptr; ///< none of the vertical force, which is 0 where a height is given
-  std::size_t variable = 0;                ///< its place among the derivatives
+  std::size_t variable = 0;                ///< its index among the derivatives
 };
 
 /// The smallest and the largest vertical force [N] on a wheel or a wheelset, in every interface.
@@ -91,7 +91,7 @@ std::span<const WheelQuantity> wheel_quantities();
 std::span<const PatchQuantity> patch_quantities();
 std::span<const DamageField> damage_fields();
 
-/// The rows of arrays, of which programs keep places and lengths: a new number stands at the end. What a wheel is
+/// The rows of arrays, whose indices and lengths programs keep: a new number stands at the end. What a wheel is
 /// given; numbers and codes of a wheel and of a patch; what has derivatives.
 std::span<const WheelInput> wheel_inputs();
 const WheelInput& vertical_force_input();

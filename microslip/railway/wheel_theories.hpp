@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// A theory for wheels: all that tells it from the others once rows bear the wheel's load. A new one is a row
+/// A theory for wheels: all that tells it from the others once rows carry the wheel's load. A new one is a row
 /// of the table in wheel_theories.cpp with its word; creep forces of rows are those of RowContact.
 struct WheelTheory {
   Theory theory;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double heavy_wheel = 0.3; ///< radius [m] from which on loads are some kN
 
-/// By how much the curve is lower (sign 1) or higher (-1) inside than at both of its ends [m].
+/// Depth by which the curve is lower (sign 1) or higher (-1) inside than at both of its ends [m].
 double inner_depth(const Profile& profile, double sign) {
   const double first = profile.at(0).value.z, last = profile.at(profile.length()).value.z;
   double extreme = std::min(sign * first, sign * last);

@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// From this turn [rad] of the rail's surface across a flat patch on, distances along it differ by 3 % from those in
+/// Turn [rad] of the rail's surface across a flat patch from which on distances along it differ by 3 % from those in
 /// its plane: cos = 1/1.03.
 inline constexpr double largest_flat_turn = 0.2419;
 

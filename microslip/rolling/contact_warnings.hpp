@@ -23,7 +23,7 @@ struct ContactWarnings {
 ContactWarnings contact_warnings(const HertzContact& contact, const PrincipalRadii& radii,
                                  const CombinedMaterial& material);
 
-/// The same of a valid contact of which only ellipse, load and material are known. Cost some nanoseconds where there
+/// Warnings of a valid contact of which only ellipse, load and material are known. Cost some nanoseconds where there
 /// is nothing to warn of.
 ContactWarnings contact_warnings(const EllipticContact& contact);
 

@@ -35,7 +35,7 @@ double side_of(const Motion& motion) {
   return motion.direction == RollingDirection::forward ? 1 : -1;
 }
 
-/// For rolling along +x; rolling along -x is its mirror image.
+/// Contact for rolling along +x; rolling along -x is its mirror image.
 EllipticContact forward(EllipticContact contact, const Motion& motion) {
   contact.creepage.longitudinal *= side_of(motion);
   contact.creepage.spin *= side_of(motion);
@@ -54,7 +54,7 @@ void check(const RollingProblem& problem, const EllipticContact& contact) {
 
 } // namespace
 
-/// How the problem is solved. Throws Error if that needs more memory than the machine has.
+/// Kind of the problem, by which it is solved. Throws Error if that needs more memory than the machine has.
 ContactProblem EllipseSolver::kind_of(const RollingProblem& problem) const {
   const ContactProblem kind = discretisation_of(problem, method_) == Discretisation::second_order
                                   ? ContactProblem::second_order
@@ -93,7 +93,7 @@ void EllipseSolver::prepare_second_order(const EllipticContact& contact, const P
   second_order_->prepare(a_, b_, material_, essential_part(progress, 0, 0));
 }
 
-/// From zero tractions.
+/// Prepares a start from zero tractions.
 void EllipseSolver::prepare_transient(const EllipticContact& contact, const Progress& progress) {
   if (is_of_last(contact) && transient_) return transient_->restart();
   forget();

@@ -14,7 +14,7 @@ namespace microslip {
 
 /// The part of Solver for Hertzian problems by the exact theory: normal and tangential problem on a grid of mx x my
 /// elements across the ellipse. Influence coefficients are kept for the next problem if it has the same ellipse and
-/// material. Problem and method go together (incompatibilities).
+/// material. Problem and method are compatible (incompatibilities).
 class EllipseSolver {
 public:
   explicit EllipseSolver(const Method& method) : method_(method) {}

@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// How an interface writes keys, and a word or number that they need.
+/// Style in which an interface writes keys, and a word or number that they need.
 enum class KeyStyle {
   case_file, ///< solution.theory = "exact"
   option,    ///< --theory exact
@@ -17,7 +17,7 @@ enum class KeyStyle {
 /// Something in a problem that its method, or another part of the problem, does not allow.
 struct Incompatibility {
   std::string_view field; ///< where it is given, as in case files: "motion.kind"
-  /// What is wrong and what would be right, keys in braces: "needs {solution.theory=exact}".
+  /// Text of the fault and its remedy, keys in braces: "needs {solution.theory=exact}".
   std::string_view text;
 
   /// "motion.kind: must be steady with viscoelastic bodies", with keys as an interface writes them.

@@ -52,14 +52,14 @@ std::vector<Incompatibility> incompatibilities(const RollingProblem& problem, co
 /// Throws Incompatible with the first of them.
 void require_compatible(const RollingProblem& problem, const Method& method);
 
-/// Whether the exact theory needs a ContactSequence: for dissimilar or viscoelastic bodies, layers, friction that
-/// depends on slip, temperatures.
+/// Returns true if the exact theory needs a ContactSequence: for dissimilar or viscoelastic bodies, layers, friction
+/// that depends on slip, temperatures.
 bool needs_sequence(const RollingProblem& problem);
 /// Returns whether it needs its classical discretisation: for those, shifts, steps that are given, and transient
 /// rolling of a gap on a grid.
 bool needs_classical(const RollingProblem& problem);
 
-/// Throws Error for a problem by the exact theory that has no derivatives by the creepages.
+/// Throws Error for a problem by the exact theory that has no derivatives with respect to the creepages.
 void require_differentiable(const RollingProblem& problem);
 
 /// Options that follow from the method for this problem.
@@ -68,7 +68,7 @@ ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
 /// The motion without forces.
 TangentialInput tangential_input(const RollingProblem& problem, const Method& method);
-/// A step of a ContactSequence: the problem with a gap on a grid and a load in place of its own. Forces along the
+/// A step of a ContactSequence: the problem with a gap on a grid and a load instead of those it has. Forces along the
 /// surface need one that is a force.
 ContactStep contact_step(const RollingProblem& problem, const Method& method, GapValues gap, const NormalLoad& load);
 

@@ -50,7 +50,7 @@ struct FrictionModel {
 struct Motion {
   ContactMotion kind = ContactMotion::steady;
   Creepage creepage = {};                           ///< for a shift the rigid shift [m] and rotation [rad]
-  std::optional<double> force_x = {}, force_y = {}; ///< prescribed on body 1 [N], in place of that creepage
+  std::optional<double> force_x = {}, force_y = {}; ///< prescribed on body 1 [N], instead of that creepage
   double rolling_speed = 1;                         ///< V [m/s], > 0
   RollingDirection direction = RollingDirection::forward;
   double step = 0; ///< dq [m], the distance rolled in a step, >= 0; 0: the elements' length

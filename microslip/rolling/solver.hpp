@@ -32,11 +32,11 @@ public:
 
   const Method& method() const;
 
-  /// Throws Error for a problem that the method cannot honour (incompatibilities), whose geometry makes no sense, or
+  /// Throws Error for a problem that the method cannot honour (incompatibilities), whose geometry is invalid, or
   /// which needs more memory than the machine has; of a gap on a grid for any input out of range. Other input out of
   /// range, not converging, no contact, an ellipse or a material beyond a table's range and a force beyond friction are
-  /// statuses, with their reason. `progress` is told
-  /// of the fraction done; false ends the work, with status not_converged. Cost: of an ellipse with N elements
+  /// statuses, with their reason. `progress` is called with
+  /// the fraction done; false ends the work, with status not_converged. Cost: of an ellipse with N elements
   /// O(N log N), some ms at 24 x 24; of the simplified theory O(N).
   ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});
 

@@ -17,7 +17,7 @@ constexpr std::array<double, ratios * materials*(numbers + 2)> table = {
 #include "microslip/simplified/computed_coefficients.inc"
 };
 
-/// What is interpolated: scale/C11, scale/C22, (1 - nu) C23/scale, (1 - nu) C33/scale. Over nu these come closest to
+/// Interpolated numbers: scale/C11, scale/C22, (1 - nu) C23/scale, (1 - nu) C33/scale. Over nu these come closest to
 /// polynomials, and the scales take away most of how they vary with the axis ratio.
 using Values = std::array<double, materials * numbers>;
 std::array<double, numbers> scales(double a_over_b) {

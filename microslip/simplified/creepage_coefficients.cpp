@@ -53,7 +53,7 @@ Scales scales_along(double g) {
   return {inverse, inverse, inverse * std::sqrt(inverse), 1};
 }
 
-/// One branch of the table, ready for use: the scaled inverse coefficients scale/C as cubic polynomials in g between
+/// Branch of the table, ready for use: the scaled inverse coefficients scale/C as cubic polynomials in g between
 /// the rows, for the three materials. Inverse, because over nu 1/C is closest to a parabola.
 class Branch {
 public:

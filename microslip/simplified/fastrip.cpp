@@ -108,7 +108,7 @@ StripTheory::Strip StripTheory::strip(const StripRow& row) const {
   return s;
 }
 
-/// At a cell: strip theory's where that adheres, else g along FASTSIM's.
+/// Traction at a cell: strip theory's where that adheres, else g along FASTSIM's.
 Vec2 StripTheory::traction(const Strip& strip, const StripRow& row, std::size_t cell) const {
   const double x = mirror_ * (row.x[cell] - row.middle), half = row.half_length, d = strip.slip_length;
   if (x > 2 * d - half) {

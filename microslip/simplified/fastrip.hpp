@@ -22,7 +22,7 @@ struct StripRow {
 /// Enblom & Berg 2016). docs/theory-simplified.md, section 11.
 class StripTheory {
 public:
-  /// For the ellipse, load, material and creepages of a contact with one coefficient of friction throughout [-], > 0.
+  /// Theory of an ellipse, with load, material and creepages, and a uniform coefficient of friction [-], > 0.
   StripTheory(const EllipticContact& contact, double friction, RollingDirection direction,
               CreepageTable table = CreepageTable::kalker);
 

@@ -38,7 +38,7 @@ template <class Real>
 BasicFlexibilities<Real> flexibilities(FlexibilityModel model, const SlopeReduction& reduction,
                                        const EllipticContact& contact, const Drive<Real>& drive,
                                        CreepageTable table = CreepageTable::kalker);
-/// The same with the contact's creepages and load.
+/// Flexibilities with the contact's creepages and load.
 Flexibilities flexibilities(FlexibilityModel model, const SlopeReduction& reduction, const EllipticContact& contact,
                             CreepageTable table = CreepageTable::kalker);
 

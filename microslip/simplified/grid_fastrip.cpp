@@ -44,7 +44,7 @@ void take_strips(const ElementGrid& grid, FastripForm form, const EllipticContac
   all_slides ? slide_all(row) : theory.solve(row);
 }
 
-/// What the forces are multiplied by.
+/// Factor of the forces.
 double force_factor(FastripForm form, const EllipticContact& ellipse, double friction, const ContactForces& forces) {
   const double ratio = ellipse.a / ellipse.b;
   if (form == FastripForm::modified || !(ratio < 1)) return 1;

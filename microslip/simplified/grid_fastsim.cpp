@@ -114,7 +114,7 @@ Vec2 GridFastsim::equivalent_axes() const {
   return {size * ratio, size / ratio};
 }
 
-/// Without tractions, with the bound of the elements in contact.
+/// Solution without tractions, with the bound of the elements in contact.
 GridSolution GridFastsim::empty_solution(std::span<const double> friction) const {
   check_friction(friction);
   GridSolution s;

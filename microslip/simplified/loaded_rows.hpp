@@ -53,7 +53,7 @@ public:
   void solve(double shear_modulus, double poisson_ratio, std::span<const LoadedRow> rows,
              std::span<RowForces> forces) noexcept;
 
-  /// The same with the fields of the cells, into which each row is divided evenly along its length; rows must be evenly
+  /// Solves, with the fields of the cells, into which each row is divided evenly along its length; rows must be evenly
   /// spaced and equally wide. Pressures are semi-elliptic along a row; the slip is scaled so that the frictional power
   /// is that of the creepages, since flexibilities differ. `rolling_speed` is V [m/s]. Forces, areas and power are
   /// those of `solve`.

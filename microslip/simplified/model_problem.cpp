@@ -77,7 +77,7 @@ double fitted_root(double low, double middle, double high) {
   return c1 >= 0 ? -2 * low / (c1 + root) : (root - c1) / (2 * c2);
 }
 
-/// Where f rises through zero, f(low) < 0 < f(high): root of the quadratic fit at both ends and the middle.
+/// Zero of a rising f, f(low) < 0 < f(high): root of the quadratic fit at both ends and the middle.
 template <class Function> double fitted_crossing(const Function& f, double low, double high) {
   return low + fitted_root(f(low), f(0.5 * (low + high)), f(high)) * (high - low);
 }

@@ -51,9 +51,9 @@ public:
   /// p_n at the centres, from the leading edge on.
   explicit RowPressure(std::vector<double> centres) : p_(std::move(centres)), n_(static_cast<int>(p_.size())) {}
 
-  /// At the edge, i = 0, and at the centre of cell i.
+  /// Position of the edge, i = 0, and of the centre of cell i.
   double centre(int i) const { return i == 0 ? 0 : p_[i - 1]; }
-  /// Half-way between the points i and i + 1.
+  /// Position half-way between the points i and i + 1.
   double middle(int i) const {
     if (n_ == 1) return 0.75 * p_[0];
     double value = 0;

@@ -145,7 +145,7 @@ struct RowSolver::Workspace {
     for (int c = 0; c < n; ++c) collect<Real>(contacts[c], c * options.my, results[c]);
   }
 
-  /// The same in single precision, in the unit of the bound's peak. Contacts that slide so fast that their tractions
+  /// Solves in single precision, in the unit of the bound's peak. Contacts that slide so fast that their tractions
   /// are lost beside the rigid slip are solved in double precision.
   void solve_in_single(std::span<const EllipticContact> contacts, std::span<ContactForces> results) {
     constexpr double fastest = 50; // rigid slip of a cell: 6e-8 of it are lost

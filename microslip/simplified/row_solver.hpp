@@ -43,8 +43,8 @@ public:
 
   /// Forces with the tractions, slip, bound and state of every cell.
   ContactSolution fields(const EllipticContact& contact);
-  /// The same for a patch of any outline; only mx is taken from the patch, and the weights are the cells' areas.
-  /// Throws Error if the patch makes no sense.
+  /// Solves a patch of any outline; only mx is taken from the patch, and the weights are the cells' areas.
+  /// Throws Error if the patch is invalid.
   ContactSolution fields(const PatchRows& patch, const PatchMotion& motion);
 
 private:

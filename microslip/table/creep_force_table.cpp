@@ -39,10 +39,10 @@ public:
     filter.apply(coefficients_.data(), numbers, {numbers});
   }
 
-  /// At a position among the table's nodes of a/b.
-  CreepageCoefficients at(double place) const {
-    const int nearest = std::min(static_cast<int>(place * finer + 0.5), last_);
-    const auto weights = quadratic_weights(place * finer - nearest).value;
+  /// Coefficients at a position among the table's nodes of a/b.
+  CreepageCoefficients at(double position) const {
+    const int nearest = std::min(static_cast<int>(position * finer + 0.5), last_);
+    const auto weights = quadratic_weights(position * finer - nearest).value;
     const double* from = &coefficients_[std::size_t(nearest) * numbers];
     double c[numbers] = {};
     for (std::size_t n = 0; n < weights.size(); ++n)
@@ -65,7 +65,7 @@ double lagrange_weight(std::span<const double> poisson_ratios, std::size_t k, do
   return weight;
 }
 
-/// What a table has of one Poisson's ratio.
+/// Data of a table for one Poisson's ratio.
 struct Material {
   double poisson_ratio;
   CreepSpline coefficients;
@@ -73,7 +73,7 @@ struct Material {
 };
 using Materials = std::vector<std::shared_ptr<const Material>>;
 
-/// Of some Poisson's ratios.
+/// Makes the data of some Poisson's ratios.
 Materials make_materials(const CreepTableNodes& nodes, std::span<const double> poisson_ratios) {
   const auto& known = nodes.axes.poisson_ratios;
   std::vector<std::vector<double>> weights;
@@ -89,7 +89,7 @@ Materials make_materials(const CreepTableNodes& nodes, std::span<const double> p
   return made;
 }
 
-/// What of a contact is not in its block.
+/// Data of a contact that are not in its block.
 struct Contact {
   Status status;
   double area, mu, mu_slope, slip; ///< mu_slope: d mu/d slip, of creepage
@@ -293,7 +293,7 @@ void CreepForceTable::Data::find_linear_theory(const EllipticContact& contact, B
   batch.c11[i] = c.c11, batch.c22[i] = c.c22, batch.c23[i] = c.c23, batch.c33[i] = c.c33;
 }
 
-/// From creepages to X, Y, Z.
+/// Scales creepages to X, Y, Z.
 template <int size> void CreepForceTable::Data::scale(Batch<size>& batch) const {
   CreepBlock<size>& block = batch.block;
   double by[3][size];
@@ -337,11 +337,11 @@ void CreepForceTable::Data::write(const EllipticContact& contact, const Batch<si
   const Contact& own = batch.contacts[i];
   const CreepBlock<size>& block = batch.block;
   write(batch, i, result.forces);
-  const double place[] = {block.x[i], block.y[i], block.z[i]}, own_side[] = {side, 1, side};
+  const double position[] = {block.x[i], block.y[i], block.z[i]}, own_side[] = {side, 1, side};
   for (int n = 0; n < 3; ++n) {
     double by_capacity = block.force[n][i]; // of F at given creepages, over what F is a multiple of
     for (int k = 0; k < 3; ++k) {
-      by_capacity -= place[k] * block.derivative[n][k][i];
+      by_capacity -= position[k] * block.derivative[n][k][i];
       result.jacobian[n][k] = own.force[n] * block.derivative[n][k][i] * own.creepage[k] * own_side[n] * own_side[k];
     }
     by_capacity *= own.force[n] * own_side[n];

@@ -39,7 +39,7 @@ private:
 /// threads at a time.
 class CreepForceTable {
 public:
-  /// For all Poisson's ratios of the nodes; with `poisson_ratio` for that one alone, at a fraction of the memory.
+  /// Table of all Poisson's ratios of the nodes; with `poisson_ratio` for that one alone, at a fraction of the memory.
   /// Throws Error for a Poisson's ratio out of the nodes' range, or an instruction set that this processor lacks; the
   /// results are the same to the last bit with all of them. Cost some hundredths of a second and 8 MB for each
   /// Poisson's ratio that no table of the same source has; else nothing. A source keeps what is of the nodes' Poisson's

@@ -12,7 +12,7 @@ using creep_coordinates::LinearTheory;
 constexpr std::size_t channels = creep_channels;
 using Channels = std::array<double, channels>;
 
-/// What the mirror images of creepages do to the channels: +1 or -1.
+/// Signs of the channels for mirror images of creepages: +1 or -1.
 constexpr Channels mirrored_in_x = {-1, 1, 1, 1};   ///< of (-X, Y, Z)
 constexpr Channels mirrored_in_yz = {1, -1, -1, 1}; ///< of (X, -Y, -Z)
 
@@ -59,7 +59,7 @@ public:
 private:
   static double outer(const CreepTableAxes& axes) { return TrigonometricSpline(axes.azimuth_step()).outer(); }
   std::size_t at(std::size_t elevation, std::size_t azimuth) const { return elevation * row_ + azimuth * channels; }
-  /// Of the azimuths up to the middle one.
+  /// Numbers of the azimuths up to the middle one.
   std::size_t half_row() const { return (azimuths_ + 1) / 2 * channels; }
   std::size_t coefficient_row() const { return std::size_t(size_.azimuths) * channels; }
   double* coefficients_at(std::size_t elevation, std::size_t azimuth) {
@@ -105,7 +105,7 @@ private:
     for (std::size_t first = 0; first < plane_; first += row_) along_level_.apply(&by_level_[first], plane_, {row_});
   }
 
-  /// From the values of one level to coefficients in the elevation. Of a channel at (-theta, alpha) is what it is at
+  /// Turns the values of one level into coefficients in the elevation. A channel at (-theta, alpha) is what it is at
   /// (theta, -alpha), perhaps with the sign reversed: one half of the sum and of the difference of the two is even in
   /// theta, the other one odd. At the pole it is the same for all azimuths, and its derivative must be a multiple of
   /// cos(alpha) or sin(alpha), that of a smooth function of X, Y and Z.
@@ -162,7 +162,7 @@ private:
     return slope;
   }
 
-  /// In the coefficients of one level; then those beyond the borders.
+  /// Filters the coefficients of one level; then sets those beyond the borders.
   void filter_azimuths() {
     const std::size_t n = azimuths_, rows = elevations_ + 1;
     along_azimuth_[false].apply(coefficients_at(1, 1), channels, {1, rows, coefficient_row()});
@@ -177,7 +177,7 @@ private:
         coefficients_at(0, j)[c] = mirrored_in_yz[c] * coefficients_at(2, n + 1 - j)[c];
   }
 
-  /// To multiples of 2^-20: large numbers have no smaller bits.
+  /// Rounds to multiples of 2^-20: large numbers have no smaller bits.
   void round() {
     constexpr double large = 0x1.8p52 * 0x1p-20;
     for (double& c : coefficients_) c = c + large - large;

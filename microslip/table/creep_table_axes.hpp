@@ -27,11 +27,11 @@ struct CreepTableAxes {
   friend bool operator==(const CreepTableAxes&, const CreepTableAxes&) = default;
 };
 
-/// Throws Error if there are no such axes: a range, a count or a Poisson's ratio that makes no sense, or too many
+/// Throws Error if there are no such axes: a range, a count or a Poisson's ratio that is invalid, or too many
 /// nodes.
 void check(const CreepTableAxes& axes);
 
-/// At every node Fx/(mu Fn), Fy/(mu Fn), Mz/(mu Fn sqrt(a b)) and the share of the contact that adheres.
+/// Channels at every node: Fx/(mu Fn), Fy/(mu Fn), Mz/(mu Fn sqrt(a b)) and the share of the contact that adheres.
 inline constexpr int creep_channels = 4;
 
 } // namespace microslip

@@ -47,7 +47,7 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return sum;
 }
 
-/// Of all of the head before its checksum.
+/// Checksum of all of the head before it.
 std::uint64_t checksum(const Head& head) {
   return checksum(std::as_bytes(std::span(&head, 1)).first(sizeof head - sizeof head.head_checksum));
 }

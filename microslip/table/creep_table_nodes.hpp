@@ -28,7 +28,7 @@ struct CreepTableNodes {
   CreepTableAxes axes;
   CreepTableOrigin origin;
   std::array<double, creep_channels> unit = {};
-  /// By nu, a/b, level, elevation, azimuth, channel; the last one fastest.
+  /// Values by nu, a/b, level, elevation, azimuth, channel; the last one fastest.
   std::span<const std::int16_t> values = {};
   std::shared_ptr<const void> storage = {}; ///< keeps `values` alive
 

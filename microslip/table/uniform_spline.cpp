@@ -23,8 +23,8 @@ public:
   /// A row with these weights from coefficient `first` on.
   void add(int first, std::initializer_list<double> weights) {
     std::array<double, width> row = {};
-    int place = first - static_cast<int>(rows_.size()) + reach;
-    for (const double w : weights) row[static_cast<std::size_t>(place++)] = w;
+    int index = first - static_cast<int>(rows_.size()) + reach;
+    for (const double w : weights) row[static_cast<std::size_t>(index++)] = w;
     rows_.push_back(row);
   }
   const std::vector<std::array<double, width>>& rows() const { return rows_; }

@@ -54,7 +54,7 @@ public:
   static SplineFilter mirrored(int n, bool even, double outer);
 
   std::size_t coefficients() const { return rows_.size(); }
-  /// From values to coefficients, one spline in each column: a row for each coefficient, `stride` apart, with the
+  /// Turns values into coefficients, one spline in each column: a row for each coefficient, `stride` apart, with the
   /// values in those from row `first_value` on. What other rows had is lost.
   void apply(double* rows, std::size_t stride, const SplineColumns& columns) const;
   std::size_t first_value() const { return first_value_; }

@@ -38,9 +38,9 @@ public:
   /// Elements of the length dx [m]. No check of the numbers.
   FlashTemperature(int elements, double dx, double rolling_speed, const ThermalBodies& bodies);
 
-  /// Without heat [deg C]: bodies that conduct better count more.
+  /// Temperature without heat [deg C]: bodies that conduct better count more.
   double mean() const { return mean_; }
-  /// Rise of temperature by heat of 1 W/m^2 in an element at the one that comes `later` elements behind it [K m^2/W].
+  /// Rise of temperature by heat of 1 W/m^2 in an element, at the one `later` elements behind it [K m^2/W].
   double rise(int later) const { return rise_[static_cast<std::size_t>(later)]; }
   /// Rise of temperature in element i by the heat [W/m^2] of elements 0 to i - 1, and of element i if it is there [K].
   double rise(std::span<const double> heat, int i) const;

@@ -92,7 +92,7 @@ void broadcast(Shape& shape, const char* field, const RealArray& array) {
     const auto mine = own[own.size() - 1 - i];
     if (mine == 1 || mine == extent) continue;
     if (extent != 1)
-      throw Error(std::string(field) + " has shape " + to_text(own) + ": does not go with " + to_text(shape) +
+      throw Error(std::string(field) + " has shape " + to_text(own) + ": does not match " + to_text(shape) +
                   " of the fields before it");
     extent = mine;
   }

@@ -19,7 +19,7 @@ using RealArray = pybind11::array_t<double, pybind11::array::c_style>;
 /// Numbers as float64 in C order. Throws Error that names the field for what is not real numbers: text, complex
 /// numbers, objects, booleans, ragged lists.
 RealArray real_array(const char* field, const pybind11::object& values);
-/// The same with a shape that it must have, row by row (my, mx); the flat array with the same number of values is the
+/// Array with a shape that it must have, row by row (my, mx); the flat array with the same number of values is the
 /// same.
 RealArray real_array(const char* field, const pybind11::object& values, const Shape& shape);
 std::span<const double> span_of(const RealArray& array);
@@ -34,7 +34,7 @@ pybind11::array view(const std::vector<CellState>& values, const Shape& shape, c
 pybind11::array view(const std::vector<unsigned char>& values, const Shape& shape, const pybind11::object& owner);
 pybind11::array view(const std::vector<int>& values, const Shape& shape, const pybind11::object& owner);
 
-/// One shape for all by numpy's rules of broadcasting. Throws Error with both shapes for one that does not fit.
+/// Broadcasts to one shape by numpy's rules. Throws Error with both shapes for one that does not fit.
 void broadcast(Shape& shape, const char* field, const RealArray& array);
 /// The array spread over a shape that broadcast() has found.
 RealArray spread(const RealArray& array, const Shape& shape);

@@ -100,7 +100,7 @@ void write(const SolvedCase& self, const py::object& path) {
                       path_from(path));
 }
 
-/// At the points that the case asks for.
+/// States at the points that the case asks for.
 std::optional<States> states_inside(const SolvedCase& self) {
   if (!self.result.exact || self.result.exact->interior.empty()) return std::nullopt;
   const InteriorGrid& points = self.of->input.interior;
@@ -169,7 +169,7 @@ void bind_case(py::module_& module) {
       "file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown\n"
       "ones [-].");
   module.def("parse_case", &parse, "text"_a, "name"_a = "case",
-             "The same from TOML text, SI units; `name` is the file's name for messages [-].");
+             "Reads TOML text, SI units; `name` is the file's name for messages [-].");
 }
 
 template <class Value> auto along(const Value& value) {
@@ -188,7 +188,7 @@ void bind_curve(py::module_& module) {
             const auto& values = self.cast<const cases::CreepCurve&>().value;
             return view(values, {static_cast<py::ssize_t>(values.size())}, self);
           },
-          "Of the variable, shape (n), [-] or [1/m].")
+          "Values of the variable, shape (n), [-] or [1/m].")
       .def_property_readonly("fx", along([](const ContactForces& f) { return f.fx; }), "Shape (n) [N].")
       .def_property_readonly("fy", along([](const ContactForces& f) { return f.fy; }), "Shape (n) [N].")
       .def_property_readonly("mz", along([](const ContactForces& f) { return f.mz; }), "Shape (n) [N m].");
@@ -198,13 +198,13 @@ void bind_curve(py::module_& module) {
 
 void bind_theories(py::module_& module) {
   auto error = py::class_<cases::DiscretisationError>(module, "DiscretisationError",
-                                                      "How far totals are from those on another grid.");
+                                                      "Differences of totals from those on another grid.");
   add_fields(error, {"In units of mu Fn [-].", "In units of mu Fn [-].", "In units of mu Fn sqrt(a b) [-].",
                      "[W]; for a shift of the work [J]."});
   add_value(error);
 
   py::class_<cases::SimplifiedResult> simplified(module, "SimplifiedResult",
-                                                 "What the simplified theory makes of a case.");
+                                                 "Result of the simplified theory for a case.");
   simplified.def_readonly("solution", &cases::SimplifiedResult::solution, "The ContactSolution.")
       .def_property_readonly(
           "forces", [](const cases::SimplifiedResult& self) { return self.solution.forces(); },
@@ -262,10 +262,10 @@ void bind_case_files(py::module_& module) {
       .def_property_readonly("interior", &states_inside,
                              "InteriorStates at the case's points, shape (z, y, x) as their lists; None without any.")
       .def_property_readonly("status", result(&cases::RollingContactResult::status),
-                             "Of the theory that the case asks for, a Status [-].")
+                             "Status of the theory that the case asks for [-].")
       .def_property_readonly(
           "warnings", result(&cases::RollingContactResult::warnings),
-          "What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a\n"
+          "Reasons why the contact is implausible for half-spaces, as texts; solve_case warns of it. Often a\n"
           "length in mm or a modulus in MPa.")
       .def("write", &write, "path"_a,
            "Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot "

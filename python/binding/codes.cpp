@@ -38,7 +38,7 @@ void bind_codes(py::module_& module) {
                             Status::no_solution, Status::out_of_range, Status::implausible})
     add(statuses, std::string(to_string(status)).c_str(), status);
   const char* text =
-      "How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are\n"
+      "Outcome of a calculation [-]: ok; invalid_input, an input is out of range and the numbers are\n"
       "NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;\n"
       "no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond\n"
       "the range of a creep-force table, the forces are those of limits; implausible, solved, but it\n"
@@ -51,12 +51,12 @@ void bind_codes(py::module_& module) {
         for (const WarningInfo& one : warning_table()) texts[py::str(one.name)] = one.text;
         return texts;
       },
-      "What makes results doubtful [-]: name and text of each warning, in the order of the bits of `warning_code`.");
+      "Reasons to doubt results [-]: name and text of each warning, in the order of the bits of `warning_code`.");
   add(states, "exterior", CellState::exterior);
   add(states, "adhesion", CellState::adhesion);
   add(states, "slip", CellState::slip);
   make_class(module, "CellState", states,
-             "What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays\n"
+             "State of a cell [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays\n"
              "of codes compare with it.");
 }
 

@@ -16,7 +16,7 @@ pybind11::object to_python(Status status);
 
 namespace pybind11::detail {
 
-/// For results only: statuses are never passed in.
+/// Casts results only: statuses are never passed in.
 template <> class type_caster<microslip::Status> {
 public:
   PYBIND11_TYPE_CASTER(microslip::Status, const_name("microslip.Status"));

@@ -48,7 +48,7 @@ void bind_creepage(py::module_& module) {
       "Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x).");
   creepage
       .def(init_fields<Creepage>(), "longitudinal"_a = 0.0, "lateral"_a = 0.0, "spin"_a = 0.0,
-           "From xi [-], eta [-] and phi [1/m].")
+           "Made from xi [-], eta [-] and phi [1/m].")
       .def_readwrite("longitudinal", &Creepage::longitudinal, "xi [-]; of a braked wheel positive. For a shift [m].")
       .def_readwrite("lateral", &Creepage::lateral, "eta [-]. For a shift [m].")
       .def_readwrite("spin", &Creepage::spin, "phi [1/m]. For a shift [rad].")
@@ -102,7 +102,7 @@ void bind_elliptic_contact(py::module_& module) {
   contact
       .def(py::init(&make_contact), "a"_a, "b"_a, "shear_modulus"_a, "poisson_ratio"_a, "normal_force"_a, "friction"_a,
            "creepage"_a = Creepage{}, "rolling_speed"_a = py::none(), "dissimilarity"_a = 0.0,
-           "From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's\n"
+           "Made from the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's\n"
            "ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or\n"
            "(xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies. Without a\n"
            "speed it is 1 m/s; Error if friction depends on it.")
@@ -116,13 +116,13 @@ void bind_elliptic_contact(py::module_& module) {
           "contact with Status.invalid_input and NaN.")
       .def(
           "check_simplified", [](const EllipticContact& self) { check_simplified(self); },
-          "The same for the simplified theory, in which dissimilarity must be 0.")
+          "Checks for the simplified theory, in which dissimilarity must be 0.")
       .def_property_readonly(
           "warnings",
           [](const EllipticContact& self) {
             return is_valid(self) ? contact_warnings(self).texts : std::vector<std::string>();
           },
-          "What makes the contact doubtful, as texts with its numbers: the peak pressure beside Young's modulus, a\n"
+          "Reasons to doubt the contact, as texts with its numbers: the peak pressure beside Young's modulus, a\n"
           "modulus that may be in MPa; empty where check() raises.")
       .def_readwrite("a", &EllipticContact::a, "Semi-axis along the rolling direction [m], > 0.")
       .def_readwrite("b", &EllipticContact::b, "Lateral semi-axis [m], > 0.")

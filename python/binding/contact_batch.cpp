@@ -48,7 +48,7 @@ template <auto member> constexpr BatchColumn column_of(const char* argument, py:
   return {argument, given, get<member>, set<member>};
 }
 
-/// In the order of input_names.
+/// Columns in the order of input_names.
 const BatchColumn batch_columns[] = {
     column_of<&Creepage::longitudinal>("longitudinal", &ContactArrays::longitudinal),
     column_of<&Creepage::lateral>("lateral", &ContactArrays::lateral),
@@ -165,7 +165,7 @@ template <class T> auto column(std::vector<T> SolutionArrays::*member) {
   };
 }
 
-/// Those of two bodies, which follow from the inputs.
+/// Warnings of two bodies, which follow from the inputs.
 py::array warning_codes_of(const ForceArrays& self) {
   enum Column : std::size_t { a = 3, b, shear_modulus, poisson_ratio, normal_force };
   py::array_t<std::uint32_t> out(self.shape);
@@ -186,7 +186,7 @@ py::array warning_codes_of(const ForceArrays& self) {
   return out;
 }
 
-/// By name, a number or an array that varies.
+/// Inputs by name, a number or an array that varies.
 py::dict inputs_of(const py::object& self) {
   const auto& forces = self.cast<const ForceArrays&>();
   py::dict out;
@@ -217,10 +217,10 @@ void bind_contact_batch(py::module_& module) {
                              "Codes of Status as uint8, shape (...) [-]; compare with Status.ok.")
       .def_property_readonly(
           "warning_code", &warning_codes_of,
-          "What makes contacts doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
+          "Reasons to doubt contacts as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
       .def_property_readonly(
           "inputs", &inputs_of,
-          "What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],\n"
+          "Inputs as given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],\n"
           "shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-] at rest, rolling_speed [m/s],\n"
           "dissimilarity [-]; by name numbers, or arrays of shape (...) of what varies.")
       .def("__len__", [](const ForceArrays& self) { return self.fx.size(); });

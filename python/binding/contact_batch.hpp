@@ -28,23 +28,23 @@ inline constexpr std::array<std::string_view, 11> input_names = {
 /// Many contacts: one that the others are like, and arrays that broadcast by numpy's rules. None: as in that one.
 class ContactBatch {
 public:
-  /// Throws Error for arrays that are no real numbers or do not go together, and for friction coefficients out of
-  /// range.
+  /// Throws Error for arrays that are no real numbers or whose shapes do not match, and for friction coefficients out
+  /// of range.
   ContactBatch(const EllipticContact& like, const ContactArrays& arrays);
-  /// The same of a Hertzian problem. Throws Error for another one, and for constants of bodies that have more of them.
+  /// Batch of contacts like a Hertzian problem. Throws Error for another problem and other constants.
   ContactBatch(const RollingProblem& like, const ContactArrays& arrays);
 
   const Shape& shape() const { return shape_; }
   std::size_t count() const { return count_; }
   /// Needs no Python.
   EllipticContact operator[](std::size_t i) const;
-  /// With all that the one has which they are like. Needs no Python.
+  /// Problem i, otherwise as the one they are like. Needs no Python.
   RollingProblem problem(std::size_t i) const;
   /// Returns of each column one number, or as many as there are contacts. Of friction that at rest.
   std::vector<std::vector<double>> inputs() const;
 
 private:
-  /// Whether an array or a number was given for one of these columns.
+  /// Returns true if an array or a number was given for one of these columns.
   bool gives(std::initializer_list<std::string_view> names) const;
 
   EllipticContact like_;
@@ -97,7 +97,7 @@ inline constexpr const char* batch_text =
     "longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],\n"
     "normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the\n"
     "broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with\n"
-    "KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out\n"
+    "KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out\n"
     "of range have Status.invalid_input and NaN. ";
 
 /// Gives a class a batch method: `solve(self, batch, threads)` of what the others are like, and arrays. `returns`

@@ -132,7 +132,7 @@ void bind_patch(py::module_& module) {
           "ContactTotals, CONTACT's units [N], [mm]; fy is FS.")
       .def_property_readonly(
           "status", [](const RunPatch& self) { return self.solution->solution.status; },
-          "How the calculation ended, a Status [-].")
+          "Outcome of the calculation, a Status [-].")
       .def_property_readonly(
           "grid", [](const RunPatch& self) { return self.solution->step.grid; }, "The ElementGrid, SI units.")
       .def_property_readonly(
@@ -165,7 +165,7 @@ void bind_totals(py::module_& module) {
   add_value(totals, {"fn", "fx", "fy", "mz", "approach", "peak_pressure", "contact", "adhesion", "slip"});
 }
 
-/// What a solved case has, but no wheel: None of others.
+/// Attribute that solved cases have, except wheels: None of others.
 template <class Get> auto of_solved(Get get) {
   return [get](const RunCase& self) { return is_solved(self) ? std::optional(get(self.outcome)) : std::nullopt; };
 }
@@ -183,7 +183,7 @@ void bind_case(py::module_& module) {
           "notes", [](const RunCase& self) { return self.outcome.notes; }, "What was left out or done differently.")
       .def_property_readonly(
           "status", [](const RunCase& self) { return self.outcome.solution.status; },
-          "How the calculation ended, a Status [-].")
+          "Outcome of the calculation, a Status [-].")
       .def_property_readonly("totals", of_solved([](const Outcome& outcome) { return outcome.totals; }),
                              "ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel.")
       .def_property_readonly("grid", of_solved([](const Outcome& outcome) { return outcome.step.grid; }),

@@ -40,7 +40,7 @@ void bind_strength(py::module_& module) {
   add_value(map);
 
   auto strength = py::class_<SurfaceStrength>(module, "SurfaceStrength",
-                                              "What surfaces bear before they wear or yield; None: not known.");
+                                              "Strength of surfaces against wear and yield; None: not known.");
   strength.def(
       init_fields<SurfaceStrength>(), py::kw_only(), "hardness"_a = py::none(), "shear_yield_strength"_a = py::none(),
       "wear_map"_a = standard,
@@ -86,7 +86,7 @@ void bind_damage(py::module_& module) {
              "Largest pressure over the yield strength in shear [-] up to which a line contact shakes down, with the\n"
              "traction coefficient [-].");
   module.def("point_shakedown_limit", &point_shakedown_limit, "traction_coefficient"_a,
-             "The same of a circular point contact [-].");
+             "Shakedown limit of a circular point contact [-].");
   module.def("nadal_limit", &nadal_limit, "angle"_a, "friction"_a,
              "Nadal's limit of Y/Q [-] at the contact angle [rad] with friction [-].");
 }

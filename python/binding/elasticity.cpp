@@ -16,10 +16,10 @@ void bind_materials(py::module_& module) {
   auto material = py::class_<Material>(module, "Material", "A linearly elastic, isotropic body.");
   material
       .def(init_fields<Material>(), "shear_modulus"_a, "poisson_ratio"_a,
-           "From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],\n"
+           "Made from the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],\n"
            "in [0, 0.5]. Values are checked where they are used.")
       .def_static("from_young", &Material::from_young, "young_modulus"_a, "poisson_ratio"_a,
-                  "From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's\n"
+                  "Made from Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's\n"
                   "ratio [-] in [0, 0.5]. Error if out of range.");
   add_fields(material, {"Shear modulus G [Pa].", "Poisson's ratio nu [-]."});
   add_value(material);
@@ -29,7 +29,7 @@ void bind_materials(py::module_& module) {
       "The constants of two bodies in contact, as half-space theory needs them; combine() makes them.");
   combined
       .def(init_fields<CombinedMaterial>(), "shear_modulus"_a, "poisson_ratio"_a, "dissimilarity"_a = 0.0,
-           "From combined constants: G [Pa], nu [-], K [-].")
+           "Made from combined constants: G [Pa], nu [-], K [-].")
       .def_readonly("shear_modulus", &CombinedMaterial::shear_modulus, "Combined shear modulus G [Pa].")
       .def_readonly("poisson_ratio", &CombinedMaterial::poisson_ratio, "Combined Poisson's ratio nu [-].")
       .def_readonly("dissimilarity", &CombinedMaterial::dissimilarity, "K [-]; 0 for elastically similar bodies.")
@@ -91,19 +91,19 @@ void bind_hertz(py::module_& module) {
              "Relative error below 1e-12 for a/b from 1e-4 to 1e4. Error for load or material out of range and\n"
              "for A/B outside [1e-9, 1e9].");
   module.def("hertz_from_approach", &hertz_from_approach, "gap"_a, "material"_a, "approach"_a,
-             "The same from the approach [m] instead of the load.");
+             "Contact from the approach [m] instead of the load.");
   module.def(
       "hertz_from_ellipse", &hertz_from_ellipse, "a"_a, "b"_a, "material"_a, "normal_force"_a,
-      "The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");
+      "Contact from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5].");
 }
 
 void bind_bodies(py::module_& module) {
   auto creep = py::class_<MaterialCreep>(
       module, "MaterialCreep",
-      "What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by "
+      "Constants of a Material as a standard linear solid: under a constant stress its elastic deformation grows by "
       "the share f (1 - exp(-t/tau)).");
   creep.def(init_fields<MaterialCreep>(), "ratio"_a, "time"_a,
-            "From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.");
+            "Made from f [-] >= 0, 0 for an elastic body, and tau [s] >= 0.");
   add_fields(creep, {"f [-].", "tau [s]."});
   add_value(creep);
 
@@ -114,7 +114,7 @@ void bind_bodies(py::module_& module) {
       "plastically.");
   layer.def(init_fields<InterfaceLayer>([](const InterfaceLayer& made) { check(made); }), "flexibility"_a,
             "yield_stress"_a = std::numeric_limits<double>::infinity(), "hardening"_a = 0.0,
-            "From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
+            "Made from h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it\n"
             "gets softer. Error for numbers out of range.");
   add_fields(layer, {"h/G [m/Pa].", "tau_c0 [Pa].", "k [Pa/m]."});
   add_value(layer);
@@ -166,7 +166,7 @@ void bind_line_contact(py::module_& module) {
       "line_contact_from_load", &line_contact_from_load, "curvature"_a, "material"_a, "force_per_length"_a,
       "a = sqrt(4 R fn/(pi E*)), R = 1/(2A), from the curvature A [1/m] and fn [N/m] (Johnson 1985, section 4.2c).");
   module.def("line_contact_from_half_width", &line_contact_from_half_width, "curvature"_a, "material"_a, "half_width"_a,
-             "The same from the half-width a [m].");
+             "Line contact from the half-width a [m].");
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace py = pybind11;
 using namespace py::literals;
 using Term = std::pair<double, double>;
 
-/// Of the laws by FrictionLaw::names.
+/// Formulas of the laws by FrictionLaw::names.
 constexpr std::array<std::string_view, FrictionLaw::names.size()> formulas = {
     "mu_k", "mu_k + sum d_i max(0, 1 - v/(2 v_i))", "mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)",
     "mu_k + sum d_i 2^(-v/v_i)"};
@@ -28,7 +28,7 @@ FrictionTerm term(const Term& given) {
   return {given.first, given.second};
 }
 
-/// Of every kind that falls with the slip velocity.
+/// Binds every kind that falls with the slip velocity.
 void bind_falling_laws(py::class_<FrictionLaw>& law) {
   for (std::size_t k = 1; k < FrictionLaw::names.size(); ++k)
     law.def_static(
@@ -37,7 +37,7 @@ void bind_falling_laws(py::class_<FrictionLaw>& law) {
           return FrictionLaw::make(kind, kinetic, term(first), term(second));
         },
         "kinetic"_a, "first"_a, "second"_a = Term{0, 1},
-        "From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).");
+        "Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).");
 }
 
 double coefficient_at(const FrictionLaw& law, double velocity) {
@@ -82,11 +82,11 @@ void bind_friction(py::module_& module) {
   add_value(law, {"kind", "kinetic_coefficient", "static_coefficient", "terms"});
 
   auto effect = py::class_<TemperatureEffect>(module, "TemperatureEffect",
-                                              "What the temperature T of the surfaces adds to a friction coefficient: "
+                                              "Change of a friction coefficient with the surfaces' temperature T: "
                                               "change min(1, max(0, (T - begin)/range)).");
   effect.def(init_fields<TemperatureEffect>([](const TemperatureEffect& made) { check(made); }), "change"_a, "begin"_a,
              "range"_a,
-             "From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
+             "Made from the whole change [-], the temperature [deg C] up to which there is none, and the range [K]\n"
              "> 0 over which it grows. Error for numbers out of range.");
   add_fields(effect,
              {"The whole change [-].", "Up to this temperature there is none [deg C].", "Over which it grows [K]."});
@@ -97,7 +97,7 @@ void bind_friction(py::module_& module) {
                 check(ThermalBodies{made, made});
               }),
               "bulk_temperature"_a, "conductivity"_a, "density"_a, "heat_capacity"_a,
-              "From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"
+              "Made from the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]\n"
               "and c [J/(kg K)], all three > 0. Error for numbers out of range.");
   add_fields(thermal, {"Where it enters the contact [deg C].", "lambda [W/(m K)].", "rho [kg/m^3].", "c [J/(kg K)]."});
   add_value(thermal);

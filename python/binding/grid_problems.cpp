@@ -101,7 +101,7 @@ void bind_normal(py::module_& module) {
                              "Largest pressure of an element [Pa].")
       .def_property_readonly("contact_elements", number(&NormalSolution::contact_elements), "Elements in contact [-].")
       .def_property_readonly("touches_border", number(&NormalSolution::touches_border),
-                             "Whether contact reaches the rim of the grid, which then is too small.")
+                             "True if contact reaches the rim of the grid, which then is too small.")
       .def_property_readonly("residual", number(&NormalSolution::residual), "Relative to the largest displacement [-].")
       .def_property_readonly("products", number(&NormalSolution::products), "Products with the matrix [-].")
       .def_property_readonly("status", number(&NormalSolution::status), "How the calculation ended, a Status [-].");
@@ -174,7 +174,7 @@ void bind_tangential_solution(py::module_& module) {
                              "Codes of CellState as uint8, shape (my, mx) [-].")
       .def_property_readonly("forces", number(&TangentialSolution::forces), "The totals, as ContactForces.")
       .def_property_readonly("creepage", number(&TangentialSolution::creepage),
-                             "As given, or as found where a force is prescribed [-], [-], [1/m].")
+                             "Creepages as given, or as found where a force is prescribed [-], [-], [1/m].")
       .def_property_readonly("elastic_energy", number(&TangentialSolution::elastic_energy), "Of the tractions [J].")
       .def_property_readonly("frictional_power", number(&TangentialSolution::frictional_power),
                              "[W]; for a shift the work [J].")
@@ -233,7 +233,7 @@ void bind_tangential(py::module_& module) {
           "bound"_a, "creepage"_a, py::kw_only(), "kind"_a = ContactMotion::steady, "force_longitudinal"_a = py::none(),
           "force_lateral"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward,
           "rolling_speed"_a = 1.0, "previous"_a = py::none(), "tolerance"_a = 1e-6,
-          "One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;\n"
+          "Solves one problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;\n"
           "creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_longitudinal, force_lateral [N]\n"
           "on body 1 instead of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V "
           "[m/s];\n"

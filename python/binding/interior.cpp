@@ -152,7 +152,7 @@ void bind_field(py::module_& module) {
 
   py::class_<OneAtATime<InteriorLayers>>(
       module, "InteriorLayers",
-      "The same at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point.")
+      "States at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point.")
       .def(py::init([](const InteriorField& field, int margin) {
              return long_work([&](const Progress& progress) {
                return std::make_unique<OneAtATime<InteriorLayers>>(field, margin, progress);
@@ -162,7 +162,7 @@ void bind_field(py::module_& module) {
            "Points at the centres of the field's elements and of `margin` more columns and rows on each side [-].")
       .def_property_readonly(
           "grid", [](const OneAtATime<InteriorLayers>& self) { return self.object.grid(); },
-          "Where the points are, as ElementGrid.")
+          "Grid of the points, an ElementGrid.")
       .def(
           "at_depth",
           [](OneAtATime<InteriorLayers>& self, double depth) {

@@ -19,7 +19,7 @@ template <class T> struct Keyword {
   const char* text = "";                ///< of an object
 };
 
-/// What is given of keyword parameters, for the readers of case files: unit, bounds, default and text are those of the
+/// Given keyword parameters, for the readers of case files: unit, bounds, default and text are those of the
 /// table of inputs. None is as if left out.
 class GivenKeywords {
 public:
@@ -33,7 +33,7 @@ public:
   bool has(const char* name) const { return objects_.contains(name); }
   bool has_section(std::string_view name) const { return table_.contains(name); }
   io::TomlSection section(std::string_view name) const;
-  /// One that is no key of case files. Throws Error where it is left out, TypeError for one of another type.
+  /// Parameter that is no key of case files. Throws Error where it is left out, TypeError for one of another type.
   pybind11::object object(const char* name) const;
   template <class T> T as(const char* name) const {
     const pybind11::object found = object(name);
@@ -54,7 +54,7 @@ private:
 std::string text_of_key(std::string_view section, std::string_view key);
 /// The default of an input; None without one.
 pybind11::object default_of(const description::Input& input);
-/// Whether a value is the default of a key.
+/// Returns true if a value is the default of a key.
 bool is_default(std::string_view section, std::string_view key, const pybind11::object& value);
 /// Equality of what keywords are given as, arrays too.
 bool are_equal_dicts(const pybind11::dict& one, const pybind11::dict& other);

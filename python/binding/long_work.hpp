@@ -12,13 +12,13 @@
 
 namespace microslip::python {
 
-/// Looks for Ctrl-C now and then: throws what Python's signal handlers raise, KeyboardInterrupt. Python runs them in
+/// Checks for Ctrl-C repeatedly: throws what Python's signal handlers raise, KeyboardInterrupt. Python runs them in
 /// its main thread only.
 class SignalCheck {
 public:
   /// Cheap: looks at most 50 times a second. With or without Python's lock, which it takes for that.
   void operator()();
-  /// For solvers that tell of their progress.
+  /// Progress function of solvers that call one.
   Progress progress() {
     return [this](double) {
       (*this)();
@@ -31,7 +31,7 @@ private:
 };
 
 /// Calls work(progress) without Python's lock; Python objects may not be touched in it. Every call that may take longer
-/// than a tenth of a second goes through here, OneAtATime, run_batch or mapped, and tells of its progress as often:
+/// than a tenth of a second goes through here, OneAtATime, run_batch or mapped, and reports its progress as often:
 /// so Ctrl-C ends it.
 template <class Work> auto long_work(const Work& work) {
   const pybind11::gil_scoped_release release;
@@ -62,7 +62,7 @@ template <class Object> struct OneAtATime {
 /// The number of threads for an argument where 0 means one for each processor. Throws Error unless it is in [0, 1024].
 int thread_count(int threads);
 
-/// A batch that Ctrl-C ends: long work whose calling thread looks for it.
+/// A batch that Ctrl-C ends: long work whose calling thread checks for it.
 void run_batch(std::size_t count, std::size_t chunk, int threads, const std::function<BatchWorker()>& make_worker);
 
 } // namespace microslip::python

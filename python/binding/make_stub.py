@@ -141,7 +141,7 @@ def argument(text, owner):
 
 
 def keywords(owner, name):
-    """What the methods that take a state take by keyword, in place of **kwargs: numbers, or arrays of many states."""
+    """Keywords of the methods that take a state, instead of **kwargs: numbers, or arrays of many states."""
     kind = "ArrayLike" if name.endswith("_batch") else "float"
     wanted = ["*"]
     if owner == "WheelsetOnTrack":  # in place of a load
@@ -173,7 +173,7 @@ def described_keywords(owner):
 
 
 def keywords_of(owner, is_partial):
-    """Those that a method takes in place of **kwargs; none must be there where another problem has them."""
+    """Keywords that a method takes instead of **kwargs; none is required if another problem has it."""
     for key, kind, default in described_keywords(OWNERS_OF_KEYWORDS[owner]):
         if not owner.startswith("Fastsim") or key in OF_FASTSIM:
             yield f"{key}: {kind}" + ("" if key in NEEDED and not is_partial else f" = {'...' if is_partial else default}")

@@ -12,8 +12,7 @@ namespace py = pybind11;
 
 void bind_error(py::module_& module) {
   auto error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
-  error.attr("__doc__") =
-      "A set-up that makes no sense: the text names the field, its value, its unit and the allowed range.";
+  error.attr("__doc__") = "An invalid set-up: the text names the field, its value, its unit and the allowed range.";
   // What cannot be combined, with keys as keyword parameters.
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
@@ -37,7 +36,7 @@ void bind_build(py::module_& module) {
         out["build_type"] = std::string(build.build_type);
         return out;
       },
-      "What the library was built from: a dict of version, commit, compiler and build_type [-].");
+      "Identification of the library's build: a dict of version, commit, compiler and build_type [-].");
 }
 
 } // namespace

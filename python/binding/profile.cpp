@@ -37,7 +37,7 @@ template <>
 inline constexpr auto fields<GaugePoint> =
     members<&GaugePoint::point, &GaugePoint::s, &GaugePoint::top, &GaugePoint::reaches_height>;
 
-/// What a pickle holds of a profile: its spline is made anew from the points and kinks.
+/// State of a profile in a pickle: its spline is made anew from the points and kinks.
 struct ProfileState {
   ProfileRole role = ProfileRole::rail;
   std::vector<ProfilePoint> points = {}, measured = {};
@@ -206,7 +206,7 @@ void bind_dimensions(py::module_& module) {
           "y and z of the highest point [m].")
       .def_readonly("s", &GaugePoint::s, "Length along the curve [m].")
       .def_readonly("reaches_height", &GaugePoint::reaches_height,
-                    "Whether the profile reaches down to the gauge's height.");
+                    "True if the profile reaches down to the gauge's height.");
   add_value(gauge, {"y", "z", "top", "reaches_height"});
 }
 
@@ -216,14 +216,14 @@ void bind_curve(py::class_<ProfileValue>& profile) {
           "kind", [](const ProfileValue& self) { return self.profile().role(); }, "rail or wheel.")
       .def_property_readonly(
           "length", [](const ProfileValue& self) { return self.profile().length(); },
-          "Of the polygon through the points [m], the largest s.")
+          "Length of the polygon through the points [m], the largest s.")
       .def_property_readonly(
           "extent",
           [](const ProfileValue& self) {
             return self.surface ? std::optional(std::pair(self.surface->first_u(), self.surface->last_u()))
                                 : std::nullopt;
           },
-          "Of a profile that varies: where its first and its last slice are, along the track [m] or around the\n"
+          "Positions of the first and the last slice of a varying profile, along the track [m] or around the\n"
           "wheel [rad]; else None. Its points are those of the first one.")
       .def_property_readonly("y", coordinates(&PreparedProfile::points, &ProfilePoint::y),
                              "y of the points that the spline is laid through [m], shape (n).")

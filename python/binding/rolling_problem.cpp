@@ -131,7 +131,7 @@ RollingProblem problem_from(const py::dict& keywords) {
   return problem;
 }
 
-/// Those of the table, in their order.
+/// Reduction by the keywords of the table, in their order.
 SlopeReduction slope_reduction_from(const GivenKeywords& given) {
   const auto values = given.as<std::array<double, 3>>("slope_reduction");
   const auto& inputs = description::rolling_inputs();
@@ -203,13 +203,13 @@ void bind_rolling_problem(py::module_& module) {
            text_of("By keywords. Error for numbers out of range and what is missing.", problem_keywords).c_str())
       .def(
           "replace", [](const RollingProblem& self, const py::kwargs& changes) { return replaced(self, changes); },
-          "The same with other keywords [SI units]; None takes one away. A force goes in place of a creepage, an\n"
+          "Copy with other keywords [SI units]; None removes one. A force replaces a creepage, an\n"
           "approach in place of the force, and so on.");
   add_keywords(problem, problem_keywords, problem_from);
   py::implicitly_convertible<EllipticContact, RollingProblem>();
 
   py::class_<Method> method(module, "Method",
-                            "How a RollingProblem is solved. What is left out takes the best value for the problem.");
+                            "Solution method of a RollingProblem; options left out take the best value for it.");
   method
       .def(py::init([](const py::kwargs& given) { return method_from_keywords(given); }),
            text_of("By keywords. Error for values out of range.", method_keywords).c_str())
@@ -220,7 +220,7 @@ void bind_rolling_problem(py::module_& module) {
             all.attr("update")(changes);
             return method_from_keywords(all);
           },
-          "The same with other keywords [SI units]; None takes one away.");
+          "Copy with other keywords [SI units]; None removes one.");
   add_keywords(method, method_keywords, method_from_keywords);
 }
 

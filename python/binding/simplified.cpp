@@ -82,7 +82,7 @@ ContactSolution patch_fields(RowSolver& solver, const py::object& y, const py::o
 
 void bind_row_solver(py::module_& module) {
   auto solver = py::class_<RowSolver>(module, "RowSolver",
-                                      "What Fastsim and Fastsim2 have in common: all memory is taken when one is made, "
+                                      "Base of Fastsim and Fastsim2: all memory is taken when one is made, "
                                       "then it is used again and again.");
   const auto def_call = [&](const char* name, const auto& call, const char* text) {
     solver.def(name, call, "contact"_a, text)
@@ -93,7 +93,7 @@ void bind_row_solver(py::module_& module) {
               return call(self, contact);
             },
             "contact"_a, "longitudinal"_a, "lateral"_a, "spin"_a,
-            "The same with other creepages [-], [-] and spin [1/m] than those of the contact.");
+            "Solves with other creepages [-], [-] and spin [1/m] than those of the contact.");
   };
   def_call(
       "solve", [](RowSolver& self, const EllipticContact& contact) { return self.solve(contact); },
@@ -113,7 +113,7 @@ void bind_row_solver(py::module_& module) {
            "leading to their trailing edges x [m], shape (my), with the pressure p_n [Pa] at the centres of\n"
            "mx cells each, shape (my, mx), x ascending; row_width [m], flexibilities L [m/Pa] for\n"
            "longitudinal creepage, lateral creepage and spin, friction [-] or a law,\n"
-           "creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense.")
+           "creepages [-], [-], [1/m] and the speed V [m/s]. Error for an invalid patch.")
       .def_property_readonly(
           "mx", [](const RowSolver& self) { return self.options().mx; }, "Cells of a row [-].")
       .def_property_readonly(

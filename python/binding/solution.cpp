@@ -69,7 +69,7 @@ void bind_fields(py::module_& module) {
 void bind_step(py::module_& module) {
   py::class_<SolutionStep> step(module, "SolutionStep", "One of the steps of transient rolling.");
   step.def_readonly("creepage", &SolutionStep::creepage,
-                    "As given, or found where a force is prescribed [-], [-], [1/m].")
+                    "Creepages as given, or found where a force is prescribed [-], [-], [1/m].")
       .def_property_readonly(
           "forces",
           [](const SolutionStep& self) {
@@ -133,7 +133,7 @@ void bind_solution(py::module_& module) {
   bind_step(module);
   py::class_<ContactSolution> solution(
       module, "ContactSolution",
-      "What any solver finds for a contact; in transient rolling after the last step. Forces act on body 1.");
+      "Solution of a contact by any solver; in transient rolling after the last step. Forces act on body 1.");
   for (const Quantity& quantity : quantities()) {
     const std::string text = capitalised(quantity.description) + unit_text(quantity.unit, quantity.shift_unit) +
                              "; None if the solution does not have it.";
@@ -153,10 +153,10 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "forces", [](const ContactSolution& self) { return self.forces(); }, "Forces and areas, as ContactForces.")
       .def_readonly("creepage", &ContactSolution::creepage,
-                    "As given, or as found where a force is prescribed [-], [-], [1/m].")
+                    "Creepages as given, or as found where a force is prescribed [-], [-], [1/m].")
       .def_property_readonly(
           "status", [](const ContactSolution& self) { return self.report.status; },
-          "How the calculation ended, a Status [-].")
+          "Outcome of the calculation, a Status [-].")
       .def_property_readonly(
           "reason", [](const ContactSolution& self) { return self.report.reason; },
           "Why the status is not ok; empty if it is.")

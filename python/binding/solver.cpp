@@ -83,7 +83,7 @@ void bind_solver(py::module_& module) {
            "Error if the grid needs more memory than the machine has [-].")
       .def(py::init(
                [](const py::kwargs& method) { return std::make_unique<PythonSolver>(method_from_keywords(method)); }),
-           "With the keywords of a Method [-] in place of one.")
+           "Made with the keywords of a Method [-] instead of one.")
       .def_property_readonly(
           "method", [](const PythonSolver& self) { return self.object.method(); }, "The Method.")
       .def("solve", call(&Solver::solve), "problem"_a,

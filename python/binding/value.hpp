@@ -107,7 +107,7 @@ template <class T> void read_state(const pybind11::handle& state, const std::str
   }
 }
 
-/// Whether two values are equal in all their fields; NaN is equal to NaN, so that a copy is equal to what was copied.
+/// Returns true if all fields of two values are equal; NaN equals NaN, so that a copy equals its original.
 template <class T> bool are_equal(const T& one, const T& other) {
   if constexpr (std::is_same_v<T, FrictionLaw>) {
     return state_of(one).equal(state_of(other));
@@ -179,7 +179,7 @@ void add_value(pybind11::class_<T, Options...>& of, const std::vector<std::strin
                       }));
 }
 
-/// The same with a text of all fields.
+/// Adds a value type with a text of all fields.
 template <class T, class... Options> void add_value(pybind11::class_<T, Options...>& of) {
   std::vector<std::string> names;
   detail::for_each_field<T>([&](const std::string& name, auto) { names.push_back(name); });

@@ -239,7 +239,7 @@ void bind_patch(py::module_& module) {
   add_value(patch, {"rail_y", "wheel_y", "angle", "normal_force", "fx", "fy", "mz", "status"});
 }
 
-/// By name, a number or an array that varies.
+/// Inputs by name, a number or an array that varies.
 py::dict inputs_of(const SolvedStates& self) {
   const auto numpy = py::module_::import("numpy");
   py::dict out;
@@ -272,7 +272,7 @@ void bind_wheel_solution(py::module_& module) {
   auto solution = py::class_<WheelRailSolution>(
       module, "WheelRailSolution",
       "Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.\n"
-      "What needs a number of the SurfaceStrength, or a flange, is None without it.");
+      "A quantity that needs a number of the SurfaceStrength, or a flange, is None without it.");
   show_quantities(solution, wheel_quantities(), number_or_none<WheelRailSolution>);
   solution
       .def_readonly("patches", &WheelRailSolution::patches,
@@ -282,10 +282,10 @@ void bind_wheel_solution(py::module_& module) {
                     "for; else empty.")
       .def_property_readonly(
           "at_profile_end", [](const WheelRailSolution& self) { return self.warnings.has(Warning::profile_end); },
-          "Whether a patch ends where a profile ends: its forces are too small.")
+          "True if a patch ends where a profile ends: its forces are too small.")
       .def_property_readonly(
           "warnings", [](const WheelRailSolution& self) { return self.warnings.texts(); },
-          "What makes the result doubtful, as texts: pressures beyond elasticity, a profile's end, a flange that\n"
+          "Reasons to doubt the result, as texts: pressures beyond elasticity, a profile's end, a flange that\n"
           "climbs, numbers that look like other units.")
       .def_property_readonly(
           "reason", [](const WheelRailSolution& self) { return to_string(self.reason); },
@@ -319,7 +319,7 @@ void bind_wheel_solution(py::module_& module) {
           [](const SolvedStates& self) {
             return array_of<std::uint32_t>(self.shape, self.solutions, [](const auto& s) { return s.warnings.code; });
           },
-          "What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
+          "Reasons to doubt results as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts().")
       .def_property_readonly("inputs", &inputs_of, inputs_text().c_str())
       .def("__len__", [](const SolvedStates& self) { return self.solutions.size(); });
   add_description(states, {"force_x", "force_y", "force_z", "vertical", "patch_count", "status"});

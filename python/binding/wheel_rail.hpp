@@ -36,11 +36,11 @@ pybind11::tuple tuple_of(const std::vector<std::string_view>& names);
 
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
-/// Of a left wheel, both bodies of one material.
+/// Bodies of a left wheel, both of one material.
 WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                             const ProfileValue& wheel, const Material& material, const pybind11::object& friction,
                             const SurfaceStrength& strength);
-/// With theory "table" and no table the one that microslip has, for the bodies' Poisson's ratio.
+/// Method; theory "table" without a table takes the built-in one, for the bodies' Poisson's ratio.
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,
                             double poisson_ratio);
@@ -48,8 +48,8 @@ WheelRailMethod method_from(const std::string& theory, const std::optional<std::
 /// Numbers of the state by their names, as arrays that broadcast. Keeps them alive.
 class StateArrays {
 public:
-  /// Throws Error for names that are unknown, for arrays that are no real numbers or do not go together, and unless
-  /// there is either a height or a force.
+  /// Throws Error for names that are unknown, for arrays that are no real numbers or whose shapes do not match, and
+  /// unless there is either a height or a force.
   StateArrays(const pybind11::kwargs& given, double nominal_radius);
 
   /// Reads a single state, for calls that take numbers. Throws Error for arrays.

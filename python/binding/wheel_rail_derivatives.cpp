@@ -76,7 +76,7 @@ DifferentiatedStates differentiate_batch(PythonWheelRail& self, int threads, con
   return out;
 }
 
-/// One derivative in all states.
+/// Derivative in all states.
 template <class Solution>
 py::object derivative(const Differentiated<Solution>& self, const std::string& of, const std::string& by) {
   const std::size_t row = index_of(of, results(), "number that is differentiated"),
@@ -87,7 +87,7 @@ py::object derivative(const Differentiated<Solution>& self, const std::string& o
   return self.shape.empty() ? py::object(py::float_(*out.data())) : py::object(std::move(out));
 }
 
-/// What both classes have.
+/// Binds what both classes have.
 template <class Solution>
 py::class_<Differentiated<Solution>> bind(py::module_& module, const char* name, const char* text, const char* shape) {
   using Self = Differentiated<Solution>;

@@ -74,12 +74,12 @@ std::unique_ptr<WheelsetGeometry> make_geometry(const Track& track, const Profil
 
 WheelsetContacts contact(const WheelsetGeometry& self, const py::object& lateral, const py::object& yaw, RollRule roll,
                          int threads) {
-  auto places = real_array("lateral", lateral), yaws = real_array("yaw", yaw);
+  auto laterals = real_array("lateral", lateral), yaws = real_array("yaw", yaw);
   WheelsetContacts found{{}, {}, self.sides};
-  broadcast(found.shape, "lateral", places);
+  broadcast(found.shape, "lateral", laterals);
   broadcast(found.shape, "yaw", yaws);
-  places = spread(places, found.shape), yaws = spread(yaws, found.shape);
-  const auto y = span_of(places), psi = span_of(yaws);
+  laterals = spread(laterals, found.shape), yaws = spread(yaws, found.shape);
+  const auto y = span_of(laterals), psi = span_of(yaws);
   found.contacts.resize(y.size());
   const int count = thread_count(threads);
   run_batch(y.size(), 64, count, [&]() -> BatchWorker {
@@ -162,7 +162,7 @@ constexpr double nonlinearity_reach = 4e-3; ///< [m], the larger amplitude of no
 void bind_contacts(py::module_& module) {
   auto contacts = py::class_<WheelsetContacts>(
       module, "WheelsetContacts",
-      "Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact.");
+      "Contact points of both wheels of a rigid wheelset: arrays of the input's shape, NaN where there is no contact.");
   for (const WheelsetContactQuantity& q : wheelset_contact_quantities())
     contacts.def_property_readonly(
         q.name.c_str(),
@@ -196,7 +196,7 @@ auto of_amplitude(OfAmplitude value) {
   };
 }
 
-/// The same of a geometry, for its gauge or others.
+/// Function of a geometry, for its gauge or others.
 auto of_gauge(OfAmplitude value) {
   return [value](const WheelsetGeometry& self, const py::object& amplitude, const py::object& gauge, RollRule roll,
                  int threads) {

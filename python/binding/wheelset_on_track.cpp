@@ -31,7 +31,7 @@ Names rows() {
   return names;
 }
 
-/// Of WheelsetVariable.
+/// Names of WheelsetVariable.
 Names columns() {
   Names names;
   for (std::size_t k = 0; k < static_cast<std::size_t>(WheelsetVariable::vertical_force); ++k)
@@ -113,7 +113,7 @@ void bind_wheelset_solution(py::module_& module) {
       .def_readonly("status", &WheelsetSolution::status, "How the calculation ended.")
       .def_property_readonly(
           "warnings", [](const WheelsetSolution& self) { return self.warnings.texts(); },
-          "What makes the result doubtful, as texts; those of both wheels, and a wheel that has lifted off.")
+          "Reasons to doubt the result, as texts; those of both wheels, and a wheel that has lifted off.")
       .def_property_readonly(
           "reason", [](const WheelsetSolution& self) { return to_string(self.reason); },
           "Why the status is not ok; else empty.")

@@ -81,7 +81,7 @@ class CaseCreepage(Creepage):
     """The Creepage of a case, to be read, not changed."""
 
 class CellState(enum.IntEnum):
-    """What a cell is in [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays
+    """State of a cell [-]: 0 exterior, outside the contact; 1 adhesion; 2 slip. An IntEnum: arrays
     of codes compare with it."""
     exterior = 0
     adhesion = 1
@@ -90,7 +90,7 @@ class CellState(enum.IntEnum):
 class CombinedMaterial:
     """The constants of two bodies in contact, as half-space theory needs them; combine() makes them."""
     def __init__(self, shear_modulus: float, poisson_ratio: float, dissimilarity: float = 0.0) -> None:
-        """From combined constants: G [Pa], nu [-], K [-]."""
+        """Made from combined constants: G [Pa], nu [-], K [-]."""
     @property
     def shear_modulus(self) -> float:
         """Combined shear modulus G [Pa]."""
@@ -125,7 +125,7 @@ class ContactCase:
         """What was left out or done differently."""
     @property
     def status(self) -> Status:
-        """How the calculation ended, a Status [-]."""
+        """Outcome of the calculation, a Status [-]."""
     @property
     def totals(self) -> ContactTotals | None:
         """ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel."""
@@ -222,7 +222,7 @@ class ContactPatch:
         """ContactTotals, CONTACT's units [N], [mm]; fy is FS."""
     @property
     def status(self) -> Status:
-        """How the calculation ended, a Status [-]."""
+        """Outcome of the calculation, a Status [-]."""
     @property
     def grid(self) -> ElementGrid:
         """The ElementGrid, SI units."""
@@ -241,7 +241,7 @@ class ContactRun:
     def __next__(self) -> ContactCase: ...
 
 class ContactSolution:
-    """What any solver finds for a contact; in transient rolling after the last step. Forces act on body 1."""
+    """Solution of a contact by any solver; in transient rolling after the last step. Forces act on body 1."""
     @property
     def fx(self) -> object:
         """Longitudinal force on body 1 [N]; None if the solution does not have it."""
@@ -316,10 +316,10 @@ class ContactSolution:
         """Forces and areas, as ContactForces."""
     @property
     def creepage(self) -> Creepage:
-        """As given, or as found where a force is prescribed [-], [-], [1/m]."""
+        """Creepages as given, or as found where a force is prescribed [-], [-], [1/m]."""
     @property
     def status(self) -> Status:
-        """How the calculation ended, a Status [-]."""
+        """Outcome of the calculation, a Status [-]."""
     @property
     def reason(self) -> str:
         """Why the status is not ok; empty if it is."""
@@ -410,7 +410,7 @@ class CreepCurve:
         """Unit of the variable."""
     @property
     def value(self) -> NDArray[numpy.float64]:
-        """Of the variable, shape (n), [-] or [1/m]."""
+        """Values of the variable, shape (n), [-] or [1/m]."""
     @property
     def fx(self) -> NDArray[numpy.float64]:
         """Shape (n) [N]."""
@@ -456,7 +456,7 @@ class CreepForceTable:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
-        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out
         of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
@@ -464,13 +464,13 @@ class CreepForceTable:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
-        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out
         of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class Creepage:
     """Rigid relative motion of the bodies per metre rolled: relative rigid slip w = (xi - phi y, eta + phi x)."""
     def __init__(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None:
-        """From xi [-], eta [-] and phi [1/m]."""
+        """Made from xi [-], eta [-] and phi [1/m]."""
     @property
     def longitudinal(self) -> float:
         """xi [-]; of a braked wheel positive. For a shift [m]."""
@@ -528,7 +528,7 @@ class DerivativeArrays:
         attrs what result it is, and the version; needs xarray."""
 
 class DiscretisationError:
-    """How far totals are from those on another grid."""
+    """Differences of totals from those on another grid."""
     @property
     def fx(self) -> float:
         """In units of mu Fn [-]."""
@@ -591,7 +591,7 @@ class EllipticContact:
     theory take. Fields may be changed between calls; solvers check them, and what is out of range
     gives Status.invalid_input and NaN."""
     def __init__(self, a: float, b: float, shear_modulus: float, poisson_ratio: float, normal_force: float, friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float] = ..., rolling_speed: float | None = None, dissimilarity: float = 0.0) -> None:
-        """From the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's
+        """Made from the semi-axes a along x and b along y [m], the combined shear modulus [Pa] and Poisson's
         ratio [-], the normal force [N], a friction coefficient [-] or FrictionLaw, a Creepage or
         (xi [-], eta [-], phi [1/m]), the speed V [m/s] and the combined K [-] of dissimilar bodies. Without a
         speed it is 1 m/s; Error if friction depends on it."""
@@ -602,10 +602,10 @@ class EllipticContact:
         """Raises Error, which names field, value and range, if a field is out of range: solvers answer such a
         contact with Status.invalid_input and NaN."""
     def check_simplified(self) -> None:
-        """The same for the simplified theory, in which dissimilarity must be 0."""
+        """Checks for the simplified theory, in which dissimilarity must be 0."""
     @property
     def warnings(self) -> list[str]:
-        """What makes the contact doubtful, as texts with its numbers: the peak pressure beside Young's modulus, a
+        """Reasons to doubt the contact, as texts with its numbers: the peak pressure beside Young's modulus, a
         modulus that may be in MPa; empty where check() raises."""
     @property
     def a(self) -> float:
@@ -657,7 +657,7 @@ class EllipticContact:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class Error(ValueError):
-    """A set-up that makes no sense: the text names the field, its value, its unit and the allowed range."""
+    """An invalid set-up: the text names the field, its value, its unit and the allowed range."""
 
 class ExactDerivatives:
     """Forces in steady rolling and their derivatives."""
@@ -733,10 +733,10 @@ class ForceArrays:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     @property
     def warning_code(self) -> NDArray[numpy.uint32]:
-        """What makes contacts doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
+        """Reasons to doubt contacts as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:
-        """What was given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],
+        """Inputs as given: creepage_longitudinal [-], creepage_lateral [-], spin [1/m], a [m], b [m],
         shear_modulus [Pa], poisson_ratio [-], normal_force [N], friction [-] at rest, rolling_speed [m/s],
         dissimilarity [-]; by name numbers, or arrays of shape (...) of what varies."""
     def __len__(self) -> int: ...
@@ -765,13 +765,13 @@ class FrictionLaw:
         """Coulomb friction, coefficient [-] in [0, 10]."""
     @staticmethod
     def linear(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
-        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
+        """Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
     def rational(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
-        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
+        """Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
     def exponential(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
-        """From the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
+        """Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
     def polach(static_coefficient: float, ratio: float, decay: float) -> FrictionLaw:
         """Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law."""
@@ -821,7 +821,7 @@ class GaugePoint:
         """Length along the curve [m]."""
     @property
     def reaches_height(self) -> bool:
-        """Whether the profile reaches down to the gauge's height."""
+        """True if the profile reaches down to the gauge's height."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -859,7 +859,7 @@ class InterfaceLayer:
     beyond the yield stress tau_c0 + k u_pl, with the plastic deformation u_pl, it deforms
     plastically."""
     def __init__(self, flexibility: float, yield_stress: float = ..., hardening: float = 0.0) -> None:
-        """From h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it
+        """Made from h/G [m/Pa] >= 0, tau_c0 [Pa] > 0, infinite: it stays elastic, and k [Pa/m], negative: it
         gets softer. Error for numbers out of range."""
     @property
     def flexibility(self) -> float:
@@ -890,12 +890,12 @@ class InteriorField:
         """The elements, as ElementGrid."""
 
 class InteriorLayers:
-    """The same at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point."""
+    """States at the centres of all elements in planes of constant depth, by fast transforms: 4 to 8 us a point."""
     def __init__(self, field: InteriorField, margin: int = 0) -> None:
         """Points at the centres of the field's elements and of `margin` more columns and rows on each side [-]."""
     @property
     def grid(self) -> ElementGrid:
-        """Where the points are, as ElementGrid."""
+        """Grid of the points, an ElementGrid."""
     def at_depth(self, depth: float) -> InteriorStates:
         """States at the points in the depth [m] >= 0, shape (my, mx), as InteriorStates."""
     def find_largest(self, depths: ArrayLike, measure: Literal["von_mises", "tresca", "hydrostatic"] = 'von_mises') -> InteriorPeak:
@@ -992,11 +992,11 @@ class LineContact:
 class Material:
     """A linearly elastic, isotropic body."""
     def __init__(self, shear_modulus: float, poisson_ratio: float) -> None:
-        """From the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],
+        """Made from the shear modulus G [Pa], > 0, infinite for a rigid body, and Poisson's ratio [-],
         in [0, 0.5]. Values are checked where they are used."""
     @staticmethod
     def from_young(young_modulus: float, poisson_ratio: float) -> Material:
-        """From Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's
+        """Made from Young's modulus E [Pa], > 0, infinite for a rigid body: G = E/(2 (1 + nu)). Poisson's
         ratio [-] in [0, 0.5]. Error if out of range."""
     @property
     def shear_modulus(self) -> float:
@@ -1008,9 +1008,9 @@ class Material:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class MaterialCreep:
-    """What makes a Material a standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau))."""
+    """Constants of a Material as a standard linear solid: under a constant stress its elastic deformation grows by the share f (1 - exp(-t/tau))."""
     def __init__(self, ratio: float, time: float) -> None:
-        """From f [-] >= 0, 0 for an elastic body, and tau [s] >= 0."""
+        """Made from f [-] >= 0, 0 for an elastic body, and tau [s] >= 0."""
     @property
     def ratio(self) -> float:
         """f [-]."""
@@ -1021,7 +1021,7 @@ class MaterialCreep:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class Method:
-    """How a RollingProblem is solved. What is left out takes the best value for the problem."""
+    """Solution method of a RollingProblem; options left out take the best value for it."""
     def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
         """By keywords. Error for values out of range.
             theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'
@@ -1038,7 +1038,7 @@ class Method:
             slope_reduction [-]: initial, at_infinity and decay, which lessen the creep curve's slope
             table [-]: the CreepForceTable of theory 'table'; left out: the one that microslip has"""
     def replace(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = ..., grid: int | tuple[int, int] | None = ..., accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = ..., coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = ..., slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> Method:
-        """The same with other keywords [SI units]; None takes one away."""
+        """Copy with other keywords [SI units]; None removes one."""
     @property
     def theory(self) -> Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"]:
         """theory [-]: the exact theory of half-spaces, an algorithm of the simplified theory, or a creep-force table; fastsim, fastsim_half_step, fastsim2, exact, fastrip or table; default 'fastsim2'"""
@@ -1119,7 +1119,7 @@ class NormalSolution:
         """Elements in contact [-]."""
     @property
     def touches_border(self) -> bool:
-        """Whether contact reaches the rim of the grid, which then is too small."""
+        """True if contact reaches the rim of the grid, which then is too small."""
     @property
     def residual(self) -> float:
         """Relative to the largest displacement [-]."""
@@ -1144,10 +1144,10 @@ class Profile:
         """rail or wheel."""
     @property
     def length(self) -> float:
-        """Of the polygon through the points [m], the largest s."""
+        """Length of the polygon through the points [m], the largest s."""
     @property
     def extent(self) -> tuple[float, float] | None:
-        """Of a profile that varies: where its first and its last slice are, along the track [m] or around the
+        """Positions of the first and the last slice of a varying profile, along the track [m] or around the
         wheel [rad]; else None. Its points are those of the first one."""
     @property
     def y(self) -> NDArray[numpy.float64]:
@@ -1299,10 +1299,10 @@ class RollingContactResult:
         """InteriorStates at the case's points, shape (z, y, x) as their lists; None without any."""
     @property
     def status(self) -> Status:
-        """Of the theory that the case asks for, a Status [-]."""
+        """Status of the theory that the case asks for [-]."""
     @property
     def warnings(self) -> list[str]:
-        """What makes the contact implausible for half-spaces, as texts; solve_case warns of it. Often a
+        """Reasons why the contact is implausible for half-spaces, as texts; solve_case warns of it. Often a
         length in mm or a modulus in MPa."""
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the HDF5 file that `microslip solve` writes, SI units [-]: whole or not at all. Error if it cannot be written."""
@@ -1344,7 +1344,7 @@ class RollingProblem:
             step [m]: distance rolled in a step; left out: the elements' length; positive
             steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
     def replace(self, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> RollingProblem:
-        """The same with other keywords [SI units]; None takes one away. A force goes in place of a creepage, an
+        """Copy with other keywords [SI units]; None removes one. A force replaces a creepage, an
         approach in place of the force, and so on."""
     @property
     def bodies(self) -> Bodies:
@@ -1444,21 +1444,21 @@ class RollingRadiusDifference:
         radius [m], shape (...) [-]: from 1 on the wheelset can steer itself radially."""
 
 class RowSolver:
-    """What Fastsim and Fastsim2 have in common: all memory is taken when one is made, then it is used again and again."""
+    """Base of Fastsim and Fastsim2: all memory is taken when one is made, then it is used again and again."""
     @overload
     def solve(self, contact: EllipticContact) -> ContactForces:
         """Forces [N], [N m] and areas [m^2] of a contact, as ContactForces. Input out of range gives
         Status.invalid_input and NaN. Full sliding gives mu Fn to rounding on every grid. Cost O(mx my)."""
     @overload
     def solve(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactForces:
-        """The same with other creepages [-], [-] and spin [1/m] than those of the contact."""
+        """Solves with other creepages [-], [-] and spin [1/m] than those of the contact."""
     @overload
     def differentiate(self, contact: EllipticContact) -> ContactDerivatives:
         """Forces [N], [N m] and their derivatives with respect to xi [-], eta [-], phi [1/m] and Fn [N],
         as ContactDerivatives: forward differentiation of the same code."""
     @overload
     def differentiate(self, contact: EllipticContact, longitudinal: float, lateral: float, spin: float) -> ContactDerivatives:
-        """The same with other creepages [-], [-] and spin [1/m] than those of the contact."""
+        """Solves with other creepages [-], [-] and spin [1/m] than those of the contact."""
     def fields(self, contact: EllipticContact) -> ContactSolution:
         """Forces [N] with tractions [Pa], slip [-] and state of every cell, as ContactSolution."""
     def patch_fields(self, y: ArrayLike, leading: ArrayLike, trailing: ArrayLike, pressure: ArrayLike, *, row_width: float, flexibilities: tuple[float, float, float], friction: FrictionLaw | float, creepage: Creepage | tuple[float, float, float], rolling_speed: float = 1.0) -> ContactSolution:
@@ -1466,7 +1466,7 @@ class RowSolver:
         leading to their trailing edges x [m], shape (my), with the pressure p_n [Pa] at the centres of
         mx cells each, shape (my, mx), x ascending; row_width [m], flexibilities L [m/Pa] for
         longitudinal creepage, lateral creepage and spin, friction [-] or a law,
-        creepages [-], [-], [1/m] and the speed V [m/s]. Error for a patch that makes no sense."""
+        creepages [-], [-], [1/m] and the speed V [m/s]. Error for an invalid patch."""
     @property
     def mx(self) -> int:
         """Cells of a row [-]."""
@@ -1479,7 +1479,7 @@ class RowSolver:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
-        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out
         of range have Status.invalid_input and NaN. Returns ForceArrays."""
     def differentiate_batch(self, like: EllipticContact, longitudinal: ArrayLike | None = None, lateral: ArrayLike | None = None, spin: ArrayLike | None = None, *, a: ArrayLike | None = None, b: ArrayLike | None = None, shear_modulus: ArrayLike | None = None, poisson_ratio: ArrayLike | None = None, normal_force: ArrayLike | None = None, friction: ArrayLike | None = None, rolling_speed: ArrayLike | None = None, dissimilarity: ArrayLike | None = None, threads: int = 0) -> DerivativeArrays:
         """Many contacts in one call, on all processors (threads = 0) or as many threads as given. `like`
@@ -1487,11 +1487,11 @@ class RowSolver:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
-        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out
         of range have Status.invalid_input and NaN. Returns DerivativeArrays."""
 
 class SimplifiedResult:
-    """What the simplified theory makes of a case."""
+    """Result of the simplified theory for a case."""
     @property
     def solution(self) -> ContactSolution:
         """The ContactSolution."""
@@ -1531,7 +1531,7 @@ class SolutionStep:
     """One of the steps of transient rolling."""
     @property
     def creepage(self) -> Creepage:
-        """As given, or found where a force is prescribed [-], [-], [1/m]."""
+        """Creepages as given, or found where a force is prescribed [-], [-], [1/m]."""
     @property
     def forces(self) -> ContactForces:
         """The totals, as ContactForces."""
@@ -1556,7 +1556,7 @@ class Solver:
         """Error if the grid needs more memory than the machine has [-]."""
     @overload
     def __init__(self, *, theory: Literal["fastsim", "fastsim_half_step", "fastsim2", "exact", "fastrip", "table"] | None = 'fastsim2', grid: int | tuple[int, int] | None = 20, accuracy: float | None = ..., discretisation: Literal["second_order", "classical"] | None = ..., elements: Literal["constant", "bilinear"] | None = ..., tolerance: float | None = 1e-06, coupling: Literal["newton", "alternating"] | None = ..., slip_start: Literal["below", "above"] | None = ..., bound: Literal["parabolic", "elliptic"] | None = ..., flexibility: Literal["three", "one", "blended"] | None = ..., coefficients: Literal["kalker", "computed"] | None = 'kalker', slope_reduction: tuple[float, float, float] | None = ..., table: CreepForceTable | None = ...) -> None:
-        """With the keywords of a Method [-] in place of one."""
+        """Made with the keywords of a Method [-] instead of one."""
     @property
     def method(self) -> Method:
         """The Method."""
@@ -1578,12 +1578,12 @@ class Solver:
         longitudinal [-], lateral [-], spin [1/m], a [m], b [m], shear_modulus [Pa], poisson_ratio [-],
         normal_force [N], friction [-], rolling_speed [m/s], dissimilarity [-]. Results have the
         broadcast shape (...) and do not depend on the number of threads. Ctrl-C ends the call with
-        KeyboardInterrupt. Error for arrays that are no real numbers or do not go together; contacts out
+        KeyboardInterrupt. Error for arrays that are no real numbers or do not match; contacts out
         of range have Status.invalid_input and NaN. A problem may stand for it. Returns SolutionArrays. Of the simplified theory
         Fastsim2.solve_batch is much faster."""
 
 class Status(enum.IntEnum):
-    """How a calculation ended [-]: ok; invalid_input, an input is out of range and the numbers are
+    """Outcome of a calculation [-]: ok; invalid_input, an input is out of range and the numbers are
     NaN; not_converged, the result is the best one found; no_contact, the bodies do not touch;
     no_solution, the force given is beyond friction and the result slides fully; out_of_range, beyond
     the range of a creep-force table, the forces are those of limits; implausible, solved, but it
@@ -1660,7 +1660,7 @@ class SurfaceFields:
         attrs what result it is, and the version; needs xarray."""
 
 class SurfaceStrength:
-    """What surfaces bear before they wear or yield; None: not known."""
+    """Strength of surfaces against wear and yield; None: not known."""
     def __init__(self, *, hardness: float | None = None, shear_yield_strength: float | None = None, wear_map: WearMap = WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)) -> None:
         """Hardness H [Pa] of the surface that wears, yield strength k [Pa] in shear of the work-hardened surface,
         and the WearMap. Values are checked where they are used."""
@@ -1710,7 +1710,7 @@ class TangentialProblem:
         """Error for bodies with K != 0 and for a grid that needs more memory than the machine has; some
         5,900 bytes for an element at most."""
     def solve(self, bound: ArrayLike, creepage: Creepage | tuple[float, float, float], *, kind: Literal["steady", "transient", "shift"] = 'steady', force_longitudinal: float | None = None, force_lateral: float | None = None, step: float = 0.0, direction: Literal["forward", "backward"] = 'forward', rolling_speed: float = 1.0, previous: TangentialSolution | None = None, tolerance: float = 1e-06) -> TangentialSolution:
-        """One problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;
+        """Solves one problem, or one step: bound g = mu p_n [Pa], shape (my, mx), zero outside the contact;
         creepages [-], [-], [1/m], for a shift [m], [m], [rad]; force_longitudinal, force_lateral [N]
         on body 1 instead of the creepage in that direction; step dq [m], 0 the elements' length; rolling_speed V [m/s];
         previous: the TangentialSolution that a shift or a step of transient rolling starts from, none:
@@ -1748,7 +1748,7 @@ class TangentialSolution:
         """The totals, as ContactForces."""
     @property
     def creepage(self) -> Creepage:
-        """As given, or as found where a force is prescribed [-], [-], [1/m]."""
+        """Creepages as given, or as found where a force is prescribed [-], [-], [1/m]."""
     @property
     def elastic_energy(self) -> float:
         """Of the tractions [J]."""
@@ -1768,9 +1768,9 @@ class TangentialSolution:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class TemperatureEffect:
-    """What the temperature T of the surfaces adds to a friction coefficient: change min(1, max(0, (T - begin)/range))."""
+    """Change of a friction coefficient with the surfaces' temperature T: change min(1, max(0, (T - begin)/range))."""
     def __init__(self, change: float, begin: float, range: float) -> None:
-        """From the whole change [-], the temperature [deg C] up to which there is none, and the range [K]
+        """Made from the whole change [-], the temperature [deg C] up to which there is none, and the range [K]
         > 0 over which it grows. Error for numbers out of range."""
     @property
     def change(self) -> float:
@@ -1787,7 +1787,7 @@ class TemperatureEffect:
 class ThermalBody:
     """What a body is for heat."""
     def __init__(self, bulk_temperature: float, conductivity: float, density: float, heat_capacity: float) -> None:
-        """From the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]
+        """Made from the temperature [deg C] with which it enters the contact, lambda [W/(m K)], rho [kg/m^3]
         and c [J/(kg K)], all three > 0. Error for numbers out of range."""
     @property
     def bulk_temperature(self) -> float:
@@ -2096,7 +2096,7 @@ class WheelRailArrays:
         """Codes of Status as uint8, shape (...) [-]; compare with Status.ok."""
     @property
     def warning_code(self) -> NDArray[numpy.uint32]:
-        """What makes results doubtful as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
+        """Reasons to doubt results as uint32, shape (...) [-]: sum of 2^k of the warnings k of warning_texts()."""
     @property
     def inputs(self) -> dict[str, Any]:
         """The states that were given, by keyword:
@@ -2297,7 +2297,7 @@ class WheelRailPatch:
 
 class WheelRailSolution:
     """Forces on a wheel in track axes: x forward, y to the left, z up; and its patches.
-    What needs a number of the SurfaceStrength, or a flange, is None without it."""
+    A quantity that needs a number of the SurfaceStrength, or a flange, is None without it."""
     @property
     def force_x(self) -> float | None:
         """Force on the wheel along the track [N]."""
@@ -2358,10 +2358,10 @@ class WheelRailSolution:
         for; else empty."""
     @property
     def at_profile_end(self) -> bool:
-        """Whether a patch ends where a profile ends: its forces are too small."""
+        """True if a patch ends where a profile ends: its forces are too small."""
     @property
     def warnings(self) -> list[str]:
-        """What makes the result doubtful, as texts: pressures beyond elasticity, a profile's end, a flange that
+        """Reasons to doubt the result, as texts: pressures beyond elasticity, a profile's end, a flange that
         climbs, numbers that look like other units."""
     @property
     def reason(self) -> str:
@@ -2394,7 +2394,7 @@ class Wheelset:
         """All fields [SI units] as a dict; arrays are copies."""
 
 class WheelsetContacts:
-    """Where both wheels of a rigid wheelset touch: arrays of the shape of the places, NaN where there is no contact."""
+    """Contact points of both wheels of a rigid wheelset: arrays of the input's shape, NaN where there is no contact."""
     @property
     def lateral(self) -> NDArray[numpy.float64]:
         """Displacement of the wheelset's centre, to the left positive, shape (...) [m]."""
@@ -2621,7 +2621,7 @@ class WheelsetSolution:
         """How the calculation ended."""
     @property
     def warnings(self) -> list[str]:
-        """What makes the result doubtful, as texts; those of both wheels, and a wheel that has lifted off."""
+        """Reasons to doubt the result, as texts; those of both wheels, and a wheel that has lifted off."""
     @property
     def reason(self) -> str:
         """Why the status is not ok; else empty."""
@@ -2629,7 +2629,7 @@ class WheelsetSolution:
         """All fields [SI units] as a dict; arrays are copies."""
 
 def build_info() -> dict[str, str]:
-    """What the library was built from: a dict of version, commit, compiler and build_type [-]."""
+    """Identification of the library's build: a dict of version, commit, compiler and build_type [-]."""
 
 def combine(body1: Material, body2: Material) -> CombinedMaterial:
     """Combines two bodies: 1/G = (1/G1 + 1/G2)/2 [1/Pa], nu/G = (nu1/G1 + nu2/G2)/2 [1/Pa], K/G =
@@ -2651,10 +2651,10 @@ def gap_curvatures(rolling1: float, rolling2: float, transverse1: float, transve
     positive."""
 
 def hertz_from_approach(gap: GapCurvatures, material: CombinedMaterial, approach: float) -> HertzContact:
-    """The same from the approach [m] instead of the load."""
+    """Contact from the approach [m] instead of the load."""
 
 def hertz_from_ellipse(a: float, b: float, material: CombinedMaterial, normal_force: float) -> HertzContact:
-    """The same from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5]."""
+    """Contact from the semi-axes [m] and the load [N]: finds the curvatures. Error for a/b outside [1e-5, 1e5]."""
 
 def hertz_from_load(gap: GapCurvatures, material: CombinedMaterial, normal_force: float) -> HertzContact:
     """Ellipse, approach and pressure from curvatures [1/m] and load [N] (Johnson 1985, section 4.2).
@@ -2672,7 +2672,7 @@ def inputs(kind: Literal["rail", "wheel"]) -> list:
     of all sections with a profile."""
 
 def line_contact_from_half_width(curvature: float, material: CombinedMaterial, half_width: float) -> LineContact:
-    """The same from the half-width a [m]."""
+    """Line contact from the half-width a [m]."""
 
 def line_contact_from_load(curvature: float, material: CombinedMaterial, force_per_length: float) -> LineContact:
     """a = sqrt(4 R fn/(pi E*)), R = 1/(2A), from the curvature A [1/m] and fn [N/m] (Johnson 1985, section 4.2c)."""
@@ -2685,10 +2685,10 @@ def nadal_limit(angle: float, friction: float) -> float:
     """Nadal's limit of Y/Q [-] at the contact angle [rad] with friction [-]."""
 
 def parse_case(text: str, name: str = 'case') -> RollingCase:
-    """The same from TOML text, SI units; `name` is the file's name for messages [-]."""
+    """Reads TOML text, SI units; `name` is the file's name for messages [-]."""
 
 def point_shakedown_limit(traction_coefficient: float) -> float:
-    """The same of a circular point contact [-]."""
+    """Shakedown limit of a circular point contact [-]."""
 
 def read_case(path: str | os.PathLike[str]) -> RollingCase:
     """Reads a case file in TOML: numbers in SI units, texts with a unit. Returns RollingCase. Error with
@@ -2738,7 +2738,7 @@ def viscoelastic(body1: Material, creep1: MaterialCreep, body2: Material, creep2
     'backward', and an InterfaceLayer between them or none. Error for constants out of range."""
 
 def warning_texts() -> dict[str, str]:
-    """What makes results doubtful [-]: name and text of each warning, in the order of the bits of `warning_code`."""
+    """Reasons to doubt results [-]: name and text of each warning, in the order of the bits of `warning_code`."""
 
 def wear_depth(solution: ContactSolution, *, hardness: float, rolling_speed: float, wear_map: WearMap = WearMap(slow=0.00055, medium=0.0035, fast=0.00055, seizure=0.035, medium_from=0.2, medium_to=0.7, seizure_above=0.8)) -> NDArray[numpy.float64]:
     """Depth [m] that each element of a contact wears off a surface that runs through it once, by Archard's law,

@@ -54,7 +54,7 @@ class ContactCells:
         self.shown = self.inside & self.outline.contain(x, y)
 
     def spans(self, state, row):
-        """From where to where along x the cells of a row are in a state, neighbours joined."""
+        """Intervals along x in which the cells of a row are in a state, neighbours joined."""
         inside = np.concatenate(([False], self.state[row] == state, [False])).astype(np.int8)
         steps = np.diff(inside)
         for first, last in zip(np.flatnonzero(steps == 1), np.flatnonzero(steps == -1) - 1):

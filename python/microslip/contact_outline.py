@@ -139,7 +139,7 @@ def padded(levels):
 
 
 def smoothed(levels):
-    """Without the scatter from row to row; what is cubic across rows stays as it is."""
+    """Levels without the scatter from row to row; cubics across rows remain unchanged."""
     result = list(levels)
     for number in range(2, len(levels) - 2):
         before, around, after = levels[number - 2], levels[number - 1:number + 2], levels[number + 2]

@@ -34,7 +34,7 @@ def fastsim2_table1_pictures(result):
 
 
 def draw_distribution(axes, result, variant, bound, force):
-    """One line, with the published 80 % and 95 % as open markers where there are any."""
+    """Draw one line, with the published 80 % and 95 % as open markers where there are any."""
     label, colour = FORCES[force]
     name, dashes = BOUNDS[bound]
     errors = result.array(f"/{variant}/error_{force}")

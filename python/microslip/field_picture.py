@@ -84,11 +84,11 @@ class FieldOfContacts:
         self.colours, self.scale = colours_of(factor * low, factor * high)
 
     def label(self):
-        """For a scale."""
+        """Label of a scale."""
         return f"{self.title} [{self.unit}]"
 
     def heading(self):
-        """For a figure."""
+        """Title of a figure."""
         return self.title[0].upper() + self.title[1:]
 
 

@@ -61,7 +61,7 @@ def figure_of(graph_objects, field, theory, title):
 
 
 def plain(text):
-    """Without the signs of TeX, as plotly shows it."""
+    """Text without the signs of TeX, as plotly shows it."""
     for old, new in ((r"\mathbf{p}", "p"), (r"\mathbf{s}", "s"), ("$10^{-3}$", "1e-3"), ("p_n", "p<sub>n</sub>"), ("$", ""),
                      ("p_x", "p<sub>x</sub>"), ("p_y", "p<sub>y</sub>"), ("s_x", "s<sub>x</sub>"), ("s_y", "s<sub>y</sub>"),
                      ("u_x", "u<sub>x</sub>"), ("u_y", "u<sub>y</sub>")):

@@ -16,7 +16,7 @@ MOST_LINES = 12
 
 
 def sweep_pictures(result):
-    """One panel for each force: of a grid lines over the parameter with most numbers, one for each combination of the
+    """Draw one panel for each force: of a grid lines over the parameter with most numbers, one for each combination of the
     others; of a list or a sample points over its first parameter."""
     forces = ([name for name in FORCES if name in result] or result.numbers_of(("contact", "wheel", "wheelset", "left", "right")))[:3]
     if not forces:

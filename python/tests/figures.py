@@ -1,4 +1,4 @@
-"""What tests of pictures share."""
+"""Helpers of the tests of pictures."""
 
 import tempfile
 from pathlib import Path
@@ -17,7 +17,7 @@ def figures_of(path):
 
 
 def figures_written_by(write, *arguments, **named):
-    """The same of the file that `write` makes at a path."""
+    """Figures of the file that `write` makes at a path."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "result.h5"
         write(path, *arguments, **named)

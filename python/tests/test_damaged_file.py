@@ -1,4 +1,4 @@
-"""Of a damaged result file the pictures are drawn, or one line names it."""
+"""A damaged result file gives its pictures, or one line that names it."""
 
 import json
 import subprocess
@@ -34,7 +34,7 @@ for place in places:
 
 class DamagedFileTest(unittest.TestCase):
     def outcomes(self, path, places):
-        """What became of the file damaged at each of these offsets; None where HDF5 crashed or did not return."""
+        """Outcome of the file damaged at each of these offsets; None where HDF5 crashed or did not return."""
         found = {}
         while places:
             with subprocess.Popen([sys.executable, "-c", DRAW, path, json.dumps(places)], cwd=PYTHON_FOLDER,

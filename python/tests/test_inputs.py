@@ -27,7 +27,7 @@ class InputsTest(unittest.TestCase):
             microslip.inputs("bogie")
 
     def defaults(self, function):
-        """Of the parameters that a signature in a docstring has."""
+        """Defaults of the parameters in a docstring's signature."""
         found = re.findall(r"(\w+): [^=,]*(?:\[[^\]]*\])? = ('[^']*'|[-\d.e]+)", function.__doc__.splitlines()[0])
         return {name: value.strip("'") for name, value in found}
 

@@ -6,7 +6,7 @@ from microslip.interior_picture import panels_of
 
 
 class InteriorPicture(unittest.TestCase):
-    """What lies in both bodies is drawn for each by itself."""
+    """Points in both bodies are drawn for each by itself."""
 
     def test_bodies_have_panels_of_their_own(self):
         x, z = (values.ravel() for values in np.meshgrid([-1e-3, 0, 1e-3], [-2e-3, -1e-3, 1e-3, 2e-3]))

@@ -148,7 +148,7 @@ class BatchTest(unittest.TestCase):
         for wrong in ("abc", [1j], [True], [None], [[1, 2], [3]], [np.datetime64("2020")]):
             with self.assertRaisesRegex(microslip.Error, "^lateral: "):
                 solver.solve_batch(contact(), 1e-3, wrong)
-        with self.assertRaisesRegex(microslip.Error, r"spin has shape \(3,\): does not go with \(2,\)"):
+        with self.assertRaisesRegex(microslip.Error, r"spin has shape \(3,\): does not match \(2,\)"):
             solver.solve_batch(contact(), [1, 2], spin=[1, 2, 3])
         with self.assertRaisesRegex(microslip.Error, r"friction = -1 \[-\]"):
             solver.solve_batch(contact(), friction=[0.3, -1])

@@ -71,7 +71,7 @@ class SweepTest(unittest.TestCase):
         self.assertEqual((report.cases, report.failed, report.from_checkpoint), (30, 10, 0))
 
     def path(self, name):
-        """In the test's folder."""
+        """Path in the test's folder."""
         return Path(self.folder.name) / name
 
     def test_executors_find_the_same_bits(self):

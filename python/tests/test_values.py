@@ -141,7 +141,7 @@ class DissimilarityTest(unittest.TestCase):
     def made(self, xi, **options):
         return microslip.EllipticContact.from_hertz(self.hertz, self.pair, 0.3, (xi, 0, 0), **options)
 
-    def test_all_doors_agree_and_differ_from_similar_bodies(self):
+    def test_all_interfaces_agree_and_differ_from_similar_bodies(self):
         text = CASE.replace("210e9", "70e9", 1).replace("0.28", "0.33", 1).replace("0.1\n", "0.05\n")
         for xi in (0.0, 3e-4, 1e-3):
             with self.subTest(xi):

@@ -110,7 +110,7 @@ class WheelsetGeometryTest(unittest.TestCase):
                            ("gauge", lambda: s1002().equivalent_conicity(1e-3, gauge=-1.0)),
                            ("amplitude", lambda: s1002().equivalent_conicity([1e-3, -2e-3])),
                            ("curve_radius", lambda: s1002().radial_steering_index(1e-3, -5.0)),
-                           ("does not go with", lambda: s1002().contact([0.0, 1e-3, 2e-3], [0.0, 1e-3])),
+                           ("does not match", lambda: s1002().contact([0.0, 1e-3, 2e-3], [0.0, 1e-3])),
                            ("from must be", lambda: s1002().curve(0.0, 0.0)),
                            ("ascend", lambda: microslip.RollingRadiusDifference([0.0, -1.0], [0.0, 0.0])),
                            ("rolling radius difference = nan", lambda: microslip.RollingRadiusDifference([0.0, 1.0], [np.nan, 0.0]))):

@@ -25,14 +25,14 @@ double growth(const std::vector<double>& u, std::size_t k, int n, int count, std
 /// -sum of p.s dx dy in steady rolling with the slip at the elements' centres, (E23a) without V [N].
 double work_on_centred_slip(const ElementGrid& grid, const ContactSolution& s, const TangentialInput& motion) {
   const double side = motion.direction == RollingDirection::forward ? 1 : -1;
-  const Vec2 way = {side * std::cos(motion.heading), side * std::sin(motion.heading)};
+  const Vec2 direction = {side * std::cos(motion.heading), side * std::sin(motion.heading)};
   TangentialInput at_centres = motion;
   at_centres.spin_offset = 0;
   std::vector<double> sx(grid.count()), sy(grid.count());
   find_rigid_slip(grid, at_centres, s.creepage, 0, sx, sy);
   const auto add_growth = [&](const std::vector<double>& u, std::size_t k, int i, int j, double& slip) {
-    slip += way.x * growth(u, k, i, grid.mx, 1, grid.dx);
-    if (way.y != 0) slip += way.y * growth(u, k, j, grid.my, static_cast<std::size_t>(grid.mx), grid.dy);
+    slip += direction.x * growth(u, k, i, grid.mx, 1, grid.dx);
+    if (direction.y != 0) slip += direction.y * growth(u, k, j, grid.my, static_cast<std::size_t>(grid.mx), grid.dy);
   };
   const SurfaceFields& f = s.fields;
   double work = 0;

@@ -14,8 +14,8 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Of a step, with all attempts counted: nearly all take some tens, those of the study random-problems that
-/// have a solution at most 200, nearly frictionless unlike cylinders that roll freely more than 400.
+/// Newton steps of one step, with all attempts: nearly all take some tens, those of the study random-problems that have
+/// a solution at most 200, nearly frictionless dissimilar cylinders that roll freely more than 400.
 constexpr int most_newton_steps_of_a_step = 800;
 constexpr long most_products_of_a_step = 20L * most_newton_steps_of_a_step;
 constexpr double tolerance_of_pressure = 1e-10; // of viscoelastic bodies; Newton's last steps cost little
@@ -132,8 +132,8 @@ Field first_slip(const ContactStep& step, const TangentialState& start) {
 double time_of(const ContactStep& step) {
   const TangentialInput& m = step.motion;
   if (m.motion == ContactMotion::shift) return 1;
-  const double way = m.motion == ContactMotion::steady || !(m.step > 0) ? step.grid.dx : m.step;
-  return way / m.rolling_speed;
+  const double distance = m.motion == ContactMotion::steady || !(m.step > 0) ? step.grid.dx : m.step;
+  return distance / m.rolling_speed;
 }
 
 /// Coefficients that the particles of the elements had before the step.
@@ -171,7 +171,7 @@ Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
   return v;
 }
 
-/// Returns whether the forces given are beyond what any slip lets friction bear.
+/// Returns whether the forces given are beyond what any slip lets friction carry.
 bool is_beyond(const ContactStep& step, const SlipFriction& law, const Field& pressure) {
   Field bound(pressure.size());
   law.largest(pressure, bound);
@@ -191,7 +191,7 @@ std::string reason_of_no_solution(const ContactStep& step, const ContactStepSolu
   return "prescribed force exceeds what the layer bears as it yields; the result shown is full sliding";
 }
 
-/// Without friction or contact nothing resists.
+/// Solution without tractions: without friction or contact nothing resists.
 TangentialSolution without_tractions(const ContactStep& step) {
   const auto n = step.grid.count();
   TangentialSolution s;
@@ -202,7 +202,7 @@ TangentialSolution without_tractions(const ContactStep& step) {
   return s;
 }
 
-/// What the next step may go on from.
+/// State from which the next step may go on.
 TangentialState state_after(const ContactStep& step, const ContactStepSolution& s) {
   if (s.status == Status::invalid_input) return {};
   TangentialState state = s.tangential.tractions;

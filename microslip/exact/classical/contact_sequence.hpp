@@ -31,7 +31,7 @@ public:
   const State& carried() const { return after_; }
   /// State from which the last step began.
   const State& started_from() const { return before_; }
-  /// The next step goes on from this in place of it.
+  /// The next step goes on from this instead of it.
   void carry(State state) { after_ = std::move(state); }
 
 private:

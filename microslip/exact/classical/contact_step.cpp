@@ -28,9 +28,9 @@ std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const
 ElementGrid origin_of_particles(const ContactStep& step) {
   ElementGrid origin = step.grid;
   if (step.motion.motion != ContactMotion::transient) return origin;
-  const Vec2 way = way_of(step.motion, signed_step(step.motion, step.grid));
-  origin.x0 += way.x;
-  origin.y0 += way.y;
+  const Vec2 offset = way_of(step.motion, signed_step(step.motion, step.grid));
+  origin.x0 += offset.x;
+  origin.y0 += offset.y;
   return origin;
 }
 

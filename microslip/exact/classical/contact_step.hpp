@@ -42,7 +42,7 @@ struct ContactStep {
   std::vector<double> gap = {};    ///< undeformed distance h of the elements [m]
   std::vector<char> excluded = {}; ///< 1 for elements that cannot come into contact; empty: none
   NormalLoad load = {};
-  std::optional<GivenPressure> given = {};   ///< in place of gap and load
+  std::optional<GivenPressure> given = {};   ///< instead of gap and load
   std::vector<FrictionLaw> friction = {};    ///< of each row of the grid; one: the same for all
   FrictionMemory friction_memory = {};       ///< of friction that depends on the slip
   SlipStart slip_start = SlipStart::below;   ///< where the slip of such friction begins
@@ -62,7 +62,7 @@ struct ContactStep {
 /// The traction bound of a step's elements.
 struct ElementFriction {
   std::span<const double> coefficients;   ///< mu [-]
-  SlipFriction* slip_dependent = nullptr; ///< in place of mu p_n; mu then is that at rest
+  SlipFriction* slip_dependent = nullptr; ///< instead of mu p_n; mu then is that at rest
 };
 
 struct ContactStepSolution {
@@ -73,7 +73,7 @@ struct ContactStepSolution {
   Status status = Status::ok;
   std::string reason = {};      ///< of a status that is not ok, where there is more to say than usual; else empty
   std::vector<double> friction; ///< traction bound of the elements over their pressure [-]; empty without tractions
-  /// Where the bound depends on the slip, else empty.
+  /// State of friction where the bound depends on the slip, else empty.
   SlipFriction::State slip_friction;
   int plastic_elements = 0; ///< where it yields; they do not count as slip
   int alternations = 0;     ///< with Coupling::alternating: how often both problems were solved

@@ -31,7 +31,7 @@ bool is_trial(const ContactStep& step) {
   return step.motion.most_steps < most_newton_steps;
 }
 
-/// Returns whether the forces given are beyond what these pressures let friction bear.
+/// Returns whether the forces given are beyond what these pressures let friction carry.
 bool is_beyond(const ContactStep& step, const ElementFriction& friction, const Field& pressure) {
   Field bound = pressure;
   if (friction.slip_dependent)
@@ -43,7 +43,7 @@ bool is_beyond(const ContactStep& step, const ElementFriction& friction, const F
   return wanted > 0 && wanted * normal >= std::accumulate(bound.begin(), bound.end(), 0.0);
 }
 
-/// Of the tractions, sum of p.u dx dy/2 [J].
+/// Elastic energy of the tractions, sum of p.u dx dy/2 [J].
 double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
   Totals totals;
   for (std::size_t k = 0; k < t.ux.size(); ++k)
@@ -63,19 +63,19 @@ CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, co
 
 CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
-  const Vec2 way = way_of(motion, step);
-  if (motion_ != motion.motion || step_.x != way.x || step_.y != way.y) {
+  const Vec2 offset = way_of(motion, step);
+  if (motion_ != motion.motion || step_.x != offset.x || step_.y != offset.y) {
     coupled_operator_ = std::make_unique<CoupledOperator>(
         motion.motion == ContactMotion::steady
-            ? CoupledOperator::difference(bodies_, grid_, way, motion.progress, response_)
+            ? CoupledOperator::difference(bodies_, grid_, offset, motion.progress, response_)
             : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress, response_));
     motion_ = motion.motion;
-    step_ = way;
+    step_ = offset;
   }
   return *coupled_operator_;
 }
 
-/// What a particle loses of its previous displacement, over the step.
+/// Adds what a particle loses of its previous displacement over the step.
 void CoupledContact::add_previous(const TangentialInput& motion, double step, const TangentialState& previous,
                                   Field& cx, Field& cy) {
   const auto n = grid_.count();
@@ -91,13 +91,13 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
 }
 
-/// Displacements at the points `way` further.
-CoupledOperator& CoupledContact::displacement_at(Vec2 way, const Progress& progress) {
-  if (way.x == 0 && way.y == 0) return displacement_;
-  if (!ahead_ || way_.x != way.x || way_.y != way.y) {
-    ahead_ =
-        std::make_unique<CoupledOperator>(CoupledOperator::displacement(bodies_, grid_, way, 1, progress, response_));
-    way_ = way;
+/// Displacements at the points `offset` further.
+CoupledOperator& CoupledContact::displacement_at(Vec2 offset, const Progress& progress) {
+  if (offset.x == 0 && offset.y == 0) return displacement_;
+  if (!ahead_ || offset_.x != offset.x || offset_.y != offset.y) {
+    ahead_ = std::make_unique<CoupledOperator>(
+        CoupledOperator::displacement(bodies_, grid_, offset, 1, progress, response_));
+    offset_ = offset;
   }
   return *ahead_;
 }
@@ -122,7 +122,7 @@ NormalSolution CoupledContact::solve_alone(const ContactStep& step) {
 ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const ElementFriction& friction,
                                                  const TangentialState& previous, const TangentialState& start) {
   const auto n = grid_.count();
-  const double way = signed_step(step.motion, grid_);
+  const double distance = signed_step(step.motion, grid_);
   ContactStepSolution out;
   NormalSolution& normal = out.normal;
   TangentialSolution& tangential = out.tangential;
@@ -130,8 +130,8 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   if (step.force_x) tangential.creepage.longitudinal = 0;
   if (step.force_y) tangential.creepage.lateral = 0;
   Field cx(n), cy(n);
-  find_rigid_slip(grid_, motion_of(step), tangential.creepage, way, cx, cy);
-  add_previous(step.motion, way, previous, cx, cy);
+  find_rigid_slip(grid_, motion_of(step), tangential.creepage, distance, cx, cy);
+  add_previous(step.motion, distance, previous, cx, cy);
 
   const Field gap = gap_within(step);
   const NormalSolution alone = solve_alone(step);
@@ -140,7 +140,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
     return out;
   }
   // Without tractions motion does not matter.
-  CoupledOperator& response = step.frictionless ? displacement_ : coupled_operator(step.motion, way);
+  CoupledOperator& response = step.frictionless ? displacement_ : coupled_operator(step.motion, distance);
   if (step.motion.motion == ContactMotion::steady && !step.frictionless)
     response.expect_contact(alone.pressure, step.motion.direction);
   const bool starts = !start.px.empty() && !start.pressure.empty();
@@ -201,11 +201,12 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
                                      ContactStepSolution& out) {
   const auto n = grid_.count();
   if (!tangential_) tangential_ = std::make_unique<TangentialProblem>(bodies_, grid_);
-  const double way = signed_step(step.motion, grid_);
+  const double distance = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);
-  coupled_operator(step.motion, way).apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
-  add_previous(step.motion, way, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
+  coupled_operator(step.motion, distance)
+      .apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
+  add_previous(step.motion, distance, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
   for (std::size_t k = 0; k < n; ++k) {
     bound[k] = friction.coefficients[k] * pressure[k];
@@ -281,7 +282,7 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
   return out;
 }
 
-/// If everything slides in the direction of the forces given and bears less than these: then no creepage gives them.
+/// If everything slides in the direction of the forces given and carries less than these: then no creepage gives them.
 /// Sliding changes the pressure of dissimilar bodies, with which their friction is compared; of viscoelastic ones it is
 /// that without tractions.
 std::optional<ContactStepSolution> CoupledContact::slide_fully(const ContactStep& step, const ElementFriction& friction,

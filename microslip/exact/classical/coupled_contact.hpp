@@ -30,7 +30,7 @@ public:
 private:
   using Field = std::vector<double>;
 
-  CoupledOperator& displacement_at(Vec2 way, const Progress& progress);
+  CoupledOperator& displacement_at(Vec2 offset, const Progress& progress);
   CoupledOperator& coupled_operator(const TangentialInput& motion, double step);
   void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
   ContactStepSolution solve_newton(const ContactStep& step, const ElementFriction& friction,
@@ -54,7 +54,7 @@ private:
   ContactMotion motion_ = ContactMotion::shift;
   Vec2 step_ = {};
   std::unique_ptr<CoupledOperator> ahead_; ///< displacements further on, kept for the next step of the same length
-  Vec2 way_ = {};                          ///< of it
+  Vec2 offset_ = {};                       ///< of it
   CoupledNewton newton_;
 };
 

@@ -73,9 +73,9 @@ public:
   bool is_constant() const;
   /// Returns whether friction changes with the slip or the temperature, so that there may be several solutions.
   bool falls() const;
-  /// At rest and cold.
+  /// Coefficients at rest and cold.
   std::vector<double> static_coefficients() const;
-  /// For the slip velocity s [m/s] and pressure [Pa] of the elements.
+  /// State at the slip velocity s [m/s] and pressure [Pa] of the elements.
   State state(std::span<const double> slip_velocity, std::span<const double> pressure) const;
 
   void largest(std::span<const double> pressure, std::span<double> bound) const override;

@@ -111,7 +111,7 @@ std::optional<Field> moved(const Field& field, const ElementGrid& grid, int colu
   return result;
 }
 
-/// How many elements go into a distance; none if that is not a whole number, or more than the grid has.
+/// Number of elements in a distance; none if that is not a whole number, or more than the grid has.
 std::optional<int> whole_elements(double distance, double size, int most) {
   constexpr double rounding = 1e-12;
   const double elements = distance / size, nearest = std::round(elements);
@@ -120,7 +120,7 @@ std::optional<int> whole_elements(double distance, double size, int most) {
   return static_cast<int>(nearest);
 }
 
-/// Of work that its progress function has ended before the first step.
+/// Solution of work that its progress function has ended before the first step.
 TangentialSolution nothing_found(const ElementGrid& grid, const TangentialInput& input, TangentialSolution out) {
   const Field zero(grid.count());
   out.ux = out.uy = zero;
@@ -156,30 +156,31 @@ SlipOperator& TangentialProblem::displacement(const Progress& progress) {
 }
 
 SlipOperator& TangentialProblem::difference(const TangentialInput& input, double step) {
-  const Vec2 way = way_of(input, step);
-  if (step_.x != way.x || step_.y != way.y) {
+  const Vec2 offset = way_of(input, step);
+  if (step_.x != offset.x || step_.y != offset.y) {
     difference_.reset();
     rolling_.reset();
-    step_ = way;
+    step_ = offset;
   }
   const int columns = bodies_.are_elastic() && input.heading == 0 ? columns_of(step, grid_) : 0;
   if (columns != 0) return rolling_ ? *rolling_ : rolling_.emplace(bodies_, grid_, columns, input.progress);
-  if (!difference_) difference_ = TangentialOperator::difference(bodies_, grid_, way, input.progress);
+  if (!difference_) difference_ = TangentialOperator::difference(bodies_, grid_, offset, input.progress);
   return *difference_;
 }
 
-/// Of tractions at the points `way` further. Where these are elements' centres, those of tractions that far behind at
-/// the elements.
-void TangentialProblem::find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress,
+/// Finds displacements at the points `offset` further. Where these are elements' centres, by tractions that far behind
+/// at the elements.
+void TangentialProblem::find_displacements(const TangentialState& tractions, Vec2 offset, const Progress& progress,
                                            std::span<double> ux, std::span<double> uy) {
-  const auto columns = whole_elements(-way.x, grid_.dx, grid_.mx), rows = whole_elements(-way.y, grid_.dy, grid_.my);
+  const auto columns = whole_elements(-offset.x, grid_.dx, grid_.mx),
+             rows = whole_elements(-offset.y, grid_.dy, grid_.my);
   if (columns && rows) {
     const auto px = moved(tractions.px, grid_, *columns, *rows), py = moved(tractions.py, grid_, *columns, *rows);
     if (px && py) return displacement(progress).apply(*px, *py, ux, uy);
   }
-  if (!ahead_ || way_.x != way.x || way_.y != way.y) {
-    ahead_ = TangentialOperator::displacement(bodies_, grid_, way, 1, progress);
-    way_ = way;
+  if (!ahead_ || offset_.x != offset.x || offset_.y != offset.y) {
+    ahead_ = TangentialOperator::displacement(bodies_, grid_, offset, 1, progress);
+    offset_ = offset;
   }
   ahead_->apply(tractions.px, tractions.py, ux, uy);
 }
@@ -227,8 +228,8 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const TangentialState& before = *input.previous;
   const double length = shift ? 1 : std::abs(step);
   Field ux(cx.size()), uy(cx.size());
-  const Vec2 way = way_of(input, shift ? 0 : step);
-  find_displacements(before, way, input.progress, ux, uy);
+  const Vec2 offset = way_of(input, shift ? 0 : step);
+  find_displacements(before, offset, input.progress, ux, uy);
   if (!entering.empty()) {
     Field here_x(cx.size()), here_y(cx.size());
     displacement(input.progress).apply(before.px, before.py, here_x, here_y);

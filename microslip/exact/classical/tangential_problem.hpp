@@ -54,10 +54,10 @@ struct TangentialInput {
   Progress progress = {};
 };
 
-/// Whether D has a positive definite symmetric part, so that the problem has one solution, and the solver finds it. So
-/// it is with bilinear elements. With constant ones it is except for steady rolling with a step below 0.55 dx on
+/// Returns true if D has a positive definite symmetric part, so that the problem has one solution, and the solver finds
+/// it. This holds for bilinear elements, and for constant ones except for steady rolling with a step below 0.55 dx on
 /// elements that are longer than wide (dx > dy): there the differences of displacements over a step miss what changes
-/// within an element. Such problems have solutions, but maybe several. Of 500 seeded ones with steps of 0.05 to 0.5 dx,
+/// within an element. Such problems have solutions, possibly several. Of 500 seeded ones with steps of 0.05 to 0.5 dx,
 /// a/b of 0.1 to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
 
@@ -83,7 +83,7 @@ struct TangentialSolution {
 
 /// The tangential contact problem of the exact theory (R3), (R6)-(R8), (E2), (E14) on a grid of elements. With the step
 /// dq and particles that come from x + dq: steady rolling s = w(x + dq/2) + (u(x) - u(x + dq))/dq, transient rolling
-/// the same with the previous u' in place of u(x + dq), a shift s = w + u - u'.
+/// the same with the previous u' instead of u(x + dq), a shift s = w + u - u'.
 class TangentialProblem {
 public:
   /// Throws Error for a grid without elements, or one that needs more memory than the machine has.
@@ -94,7 +94,7 @@ public:
   /// Status::invalid_input.
   TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
 
-  /// The same elements elsewhere: (x0, y0) is now the first one's centre [m].
+  /// Moves the elements: (x0, y0) becomes the first one's centre [m].
   void move_to(double x0, double y0);
 
 private:
@@ -110,7 +110,7 @@ private:
   CoarseStart start_from_coarser(std::span<const double> bound, const TangentialInput& input, double step);
 
 private:
-  void find_displacements(const TangentialState& tractions, Vec2 way, const Progress& progress, std::span<double> ux,
+  void find_displacements(const TangentialState& tractions, Vec2 offset, const Progress& progress, std::span<double> ux,
                           std::span<double> uy);
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
@@ -124,7 +124,7 @@ private:
   Vec2 step_ = {};                             ///< of it
   std::unique_ptr<TangentialProblem> coarser_; ///< on elements twice as long and wide, for steady rolling
   std::optional<TangentialOperator> ahead_;    ///< displacements further on, kept for the next step of the same length
-  Vec2 way_ = {};                              ///< of it
+  Vec2 offset_ = {};                           ///< of it
   FrictionNewton newton_;
 };
 

@@ -18,7 +18,7 @@ public:
   /// `centred`: 1 for each element whose slip is to be moved.
   CentredSlip(const FittedContact& contact, std::span<const char> centred);
 
-  /// One component of all elements' slip, on their paths; then at the centres. Cost O(N).
+  /// Moves one component of all elements' slip from their paths to the centres. Cost O(N).
   void move(std::span<Real> slip);
   /// Approximate inverse, 2 - T for the map T of `move`: for preconditioners. Cost O(N).
   void nearly_undo(std::span<Real> slip);

@@ -77,8 +77,8 @@ private:
   std::array<double, 4> values_{};  ///< of w z u^k
 };
 
-/// Where a polynomial falls through zero, near 0: steps of Newton's method, whose number and least slope are fixed so
-/// that the place is a continuous function of the coefficients.
+/// Zero near 0 of a falling polynomial: steps of Newton's method, whose number and least slope are fixed so
+/// that it is a continuous function of the coefficients.
 double falling_zero(const std::array<double, 4>& c) {
   constexpr int steps = 6;
   constexpr double least_slope = 0.3, farthest = 1;
@@ -114,7 +114,7 @@ public:
 
   const std::vector<Run>& runs() const { return runs_; }
 
-  /// Where the edge of a run is [columns] (`side` 1: high x, -1: low).
+  /// Position of the edge of a run [columns] (`side` 1: high x, -1: low).
   double edge(const Run& run, int side) const {
     constexpr double largest_share = 0.7, largest_of_none = 0.5, largest_growth = 0.1; // limits of the correction
     const double half = run.half(), share = 1 - fade(half, all_moments, all_fit);
@@ -124,7 +124,7 @@ public:
     CubicFit fit;
     add_elements(fit, run, run, side, width, 1);
     if (!line_)
-      for (const int way : {-1, 1}) add_neighbours(fit, run, way, side, width);
+      for (const int direction : {-1, 1}) add_neighbours(fit, run, direction, side, width);
     std::array<double, 4> c = fit.coefficients();
     c[1] -= 1, c[2] -= width / (2 * half);
     const double limit = std::min(largest_share * half, largest_of_none + largest_growth * half);
@@ -186,11 +186,11 @@ private:
   }
 
   /// Adds runs of the rows to one side, as far as rows with load connect them and they lie beside the run.
-  void add_neighbours(CubicFit& fit, const Run& run, int way, int side, double width) const {
+  void add_neighbours(CubicFit& fit, const Run& run, int direction, int side, double width) const {
     const double rows = half_window(rows_, window_across);
     double connected = 1;
     for (int distance = 1; distance < rows && connected > 0; ++distance) {
-      const int j = run.elements.row + way * distance;
+      const int j = run.elements.row + direction * distance;
       if (j < 0 || j >= grid_.my) return;
       double borne = 0;
       for (std::size_t k = first_[static_cast<std::size_t>(j)]; k < first_[static_cast<std::size_t>(j) + 1]; ++k) {

@@ -58,13 +58,13 @@ double leading_element_width(double distance) {
 double leading_element_width_of_step(double distance) {
   require_between("distance", distance, "-", nearest_edge_of_step, nearest_edge_of_step + 1);
   constexpr int intervals = static_cast<int>(widths_of_step.size()) - 1, nodes = 4;
-  const double place = (distance - nearest_edge_of_step) * intervals;
-  const int first = std::clamp(static_cast<int>(place) - 1, 0, intervals + 1 - nodes);
+  const double position = (distance - nearest_edge_of_step) * intervals;
+  const int first = std::clamp(static_cast<int>(position) - 1, 0, intervals + 1 - nodes);
   double width = 0; // by Lagrange's polynomial of degree 3
   for (int i = first; i < first + nodes; ++i) {
     double weight = 1;
     for (int other = first; other < first + nodes; ++other)
-      if (other != i) weight *= (place - other) / (i - other);
+      if (other != i) weight *= (position - other) / (i - other);
     width += weight * widths_of_step[static_cast<std::size_t>(i)];
   }
   return width;

@@ -24,9 +24,9 @@ double leading_element_width(double distance);
 /// omega + beta(omega) [-].
 double edge_distance(double omega);
 
-/// The same width where displacements are taken at the centres of the grid's elements also for the leading one, h/2 and
-/// 3 h/2 from its rear side, as in steps of transient rolling: section 10 there. Error below 1e-3. Throws Error unless
-/// the distance is in [nearest_edge_of_step, nearest_edge_of_step + 1]: widths of 0.94 to 1.65.
+/// Width of the leading element where displacements are taken at the centres of the grid's elements also for the
+/// leading one, h/2 and 3 h/2 from its rear side, as in steps of transient rolling: section 10 there. Error below 1e-3.
+/// Throws Error unless the distance is in [nearest_edge_of_step, nearest_edge_of_step + 1]: widths of 0.94 to 1.65.
 inline constexpr double nearest_edge_of_step = 1.3;
 double leading_element_width_of_step(double distance);
 

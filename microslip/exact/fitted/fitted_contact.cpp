@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int margin = 3; // interpolation and moments of the fitted elements reach that far ahead
 
-/// How leading elements are fitted.
+/// Rule by which leading elements are fitted.
 struct LeadingFit {
   double nearest; ///< the distance from their rear sides to the edge is between this and 1 more [elements]
   double (*width)(double distance);
@@ -135,7 +135,7 @@ FittedContact stretched(FittedContact contact, double along, double across) {
   ElementGrid& grid = contact.grid;
   grid.x0 *= along, grid.dx *= along;
   grid.y0 *= across, grid.dy *= across;
-  check(grid); // sizes whose elements underflow or overflow have no places
+  check(grid); // sizes whose elements underflow or overflow have no positions
   for (FittedElement& e : contact.elements) e.left *= along, e.right *= along, e.point *= along, e.end *= along;
   for (double& share : contact.load_share) share /= along * across;
   return contact;
@@ -208,7 +208,7 @@ private:
   static constexpr double smallest_share = 0.2;       // of the run's mean factor, that is left at an edge
   static constexpr double trust = 1e-2;               // weight of the run's mean factor without a slope, in elements
 
-  /// Of the factor over the distance from an edge [elements].
+  /// Line of the factor over the distance from an edge [elements].
   struct Line {
     double value, slope;
     double at(double distance) const { return value + slope * (distance - good_to); }

@@ -39,7 +39,7 @@ struct FittedContact {
 /// widths (leading_element_width_of_step).
 FittedContact fit_ellipse(double a, double b, int n, int m, ContactMotion motion = ContactMotion::steady);
 
-/// The same elements when x is stretched by `along` and y by `across`: fit_ellipse(a, b, n, m) is fit_ellipse(1, 1, n,
+/// Elements with x stretched by `along` and y by `across`: fit_ellipse(a, b, n, m) is fit_ellipse(1, 1, n,
 /// m) stretched by a and b, up to rounding. Throws Error where the elements' sizes underflow or overflow.
 FittedContact stretched(FittedContact contact, double along, double across);
 

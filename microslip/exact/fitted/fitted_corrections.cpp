@@ -59,7 +59,7 @@ public:
     for (auto& values : of_) values.resize(values.size() + Product::lanes);
   }
 
-  /// From the offset on, |offset| <= 16 and < mx.
+  /// Table from the offset on, |offset| <= 16 and < mx.
   const double* from(std::size_t c, int row, int offset) const {
     return of_[c].data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(2 * most_ + 1) +
            static_cast<std::size_t>(most_ + offset);
@@ -114,11 +114,11 @@ public:
   }
 
 private:
-  /// Where the strip table has half strips that end at the sides of the grid's columns, from `first` on.
+  /// Positions in the strip table of half strips that end at the sides of the grid's columns, from `first` on.
   struct Shape {
     int first, last; ///< columns
-    /// For the leading element's point; for the end of its slip; for its sides, half an element further ahead, as they
-    /// then are as far from an end as from the middle of the column behind.
+    /// Index of the leading element's point; of the end of its slip; of its sides, half an element further ahead, as
+    /// they then are as far from an end as from the middle of the column behind.
     std::array<std::size_t, 4> in_table;
   };
   enum : std::size_t { from_point, from_end, from_left, from_right };
@@ -168,7 +168,7 @@ private:
   }
   const Shape& shape(std::size_t k) const { return shapes_[shape_of_[k - first_]]; }
 
-  /// What leading elements do to one another's points, row offset by row offset.
+  /// Finds influences of leading elements at one another's points, row offset by row offset.
   void find_pairs(std::size_t begin, std::size_t end) {
     std::vector<std::vector<double>> x(static_cast<std::size_t>(table_rows_));
     for (std::size_t k = begin; k < end; ++k)
@@ -223,7 +223,7 @@ private:
     });
   }
 
-  /// To the results; for negative offsets in y with the other sign of xy.
+  /// Writes to the results; for negative offsets in y with the opposite sign of xy.
   static void put(const Block& block, int offset, int count, std::array<double*, 3>& out) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double side = c == component::xy && offset < 0 ? -1 : 1;
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  /// From `count` elements of the grid.
+  /// Corrects the influence of `count` elements of the grid.
   void correct_by_regular(const Shape& shape, std::size_t which, const LeadingElement::Point& point, int offset,
                           int first_column, int count, Block& out) const {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -247,7 +247,7 @@ private:
     }
   }
 
-  /// From a leading element, which stands in the transforms as three of the grid's.
+  /// Corrects the influence of a leading element, which stands in the transforms as three of the grid's.
   void correct_by_leading(const LeadingElement::Point& point, const LeadingElement& source, int offset, Block& out) {
     const std::size_t at = next_pair_[offset];
     next_pair_[offset] += 2;
@@ -279,8 +279,8 @@ private:
     });
   }
 
-  /// At `count` of the grid's points. The strip table has the leading element's sides from there: in the opposite
-  /// order, where xx and yy are the same and xy changes its sign.
+  /// Corrects the influence at `count` of the grid's points. The strip table has the leading element's sides from
+  /// there: in the opposite order, where xx and yy are the same and xy changes its sign.
   void correct_for_regular(const Shape& shape, const LeadingElement& e, int offset, int first_column, int count,
                            Block& out) const {
     const int first = first_column - shape.first + 1;

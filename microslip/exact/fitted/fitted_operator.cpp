@@ -31,7 +31,7 @@ void FittedOperator::renew(const CombinedMaterial& material, const FittedContact
   make_product(material, contact, progress, plans);
 }
 
-/// In the memory of the product that there is.
+/// Makes the product, in the memory of the one before.
 void FittedOperator::make_product(const CombinedMaterial& material, const FittedContact& contact,
                                   const Progress& progress, const TransformPlans& plans) {
   const FittedContact used = without_spare_elements(contact);

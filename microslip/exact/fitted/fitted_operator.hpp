@@ -29,10 +29,10 @@ public:
   FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress = {},
                  const TransformPlans& plans = {});
 
-  /// For the same contact and material but for size and stiffness: dx [m] and G [Pa]. Costs nothing.
+  /// Changes size and stiffness of the same contact and material: dx [m] and G [Pa]. Costs nothing.
   void rescale(double dx, double shear_modulus);
 
-  /// As one made anew, in the memory of this one; products are counted anew. Of no use if it is stopped.
+  /// Makes the operator anew in its memory; products are counted anew. Unusable if stopped.
   void renew(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
              const TransformPlans& plans);
 

@@ -22,7 +22,7 @@ typename FittedProduct<Real>::Corrections converted(const FittedProduct<double>:
 
 template <class Real> typename FittedProduct<Real>::Tables converted(const FittedProduct<double>::Tables& from) {
   typename FittedProduct<Real>::Tables to;
-  for (const auto& p : from.places) to.places.push_back({p.element, p.cell});
+  for (const auto& p : from.grid_elements) to.grid_elements.push_back({p.element, p.cell});
   for (const auto& m : from.moments) {
     to.moments.push_back({m.element, m.first_cell, {}});
     convert(m.weight, 1, to.moments.back().weight);
@@ -36,8 +36,8 @@ template <class Real> typename FittedProduct<Real>::Tables converted(const Fitte
   to.of_elements = converted<Real>(from.of_elements);
   to.points = from.points;
   to.end_point = from.end_point;
-  to.way.resize(from.way.size());
-  convert(from.way, 1, to.way);
+  to.slip_distance.resize(from.slip_distance.size());
+  convert(from.slip_distance, 1, to.slip_distance);
   return to;
 }
 
@@ -46,7 +46,7 @@ template <class Real> typename FittedProduct<Real>::Tables converted(const Fitte
 template <class Real>
 FittedProduct<Real>::FittedProduct(Tables tables, SymmetricToeplitz<Real> transform, double compliance)
     : tables_(std::move(tables)), transform_(std::move(transform)), compliance_(compliance),
-      px_(tables_.way.size() + lanes), py_(px_), ux_(tables_.points + lanes), uy_(ux_) {}
+      px_(tables_.slip_distance.size() + lanes), py_(px_), ux_(tables_.points + lanes), uy_(ux_) {}
 
 template <class Real>
 FittedProduct<Real>::FittedProduct(const FittedProduct<double>& other, double factor, const TransformPlans& plans)
@@ -57,7 +57,7 @@ template <class Real> void FittedProduct<Real>::load(std::span<const Real> px, s
   std::copy(px.begin(), px.end(), px_.begin());
   std::copy(py.begin(), py.end(), py_.begin());
   const auto [x, y] = transform_.cleared_field();
-  for (const Place& p : tables_.places) x[p.cell] = px[p.element], y[p.cell] = py[p.element];
+  for (const GridElement& p : tables_.grid_elements) x[p.cell] = px[p.element], y[p.cell] = py[p.element];
   for (const Moments& m : tables_.moments)
     for (std::size_t i = 0; i < 3; ++i) {
       x[m.first_cell + i] += m.weight[i] * px[m.element];
@@ -68,7 +68,7 @@ template <class Real> void FittedProduct<Real>::load(std::span<const Real> px, s
 /// The displacements by the transforms.
 template <class Real> void FittedProduct<Real>::read() {
   const auto [x, y] = transform_.apply();
-  for (const Place& p : tables_.places) ux_[p.element] = x[p.cell], uy_[p.element] = y[p.cell];
+  for (const GridElement& p : tables_.grid_elements) ux_[p.element] = x[p.cell], uy_[p.element] = y[p.cell];
   for (const Stencil& s : tables_.stencils) {
     Real ux = 0, uy = 0;
     for (int i = 0; i < tables_.nodes; ++i) {
@@ -120,9 +120,9 @@ void FittedProduct<Real>::apply(std::span<const Real> px, std::span<const Real> 
   correct_points();
   correct_for_elements();
   const auto compliance = static_cast<Real>(compliance_);
-  for (std::size_t k = 0; k < tables_.way.size(); ++k) {
+  for (std::size_t k = 0; k < tables_.slip_distance.size(); ++k) {
     const std::size_t end = tables_.end_point[k];
-    const Real factor = compliance / tables_.way[k];
+    const Real factor = compliance / tables_.slip_distance[k];
     sx[k] = factor * (ux_[k] - ux_[end]);
     sy[k] = factor * (uy_[k] - uy_[end]);
   }

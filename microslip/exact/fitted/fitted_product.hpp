@@ -17,7 +17,7 @@ public:
   static constexpr std::size_t lanes = 4; ///< numbers that are corrected together
 
   /// An element of the grid: its index in the transforms' field.
-  struct Place {
+  struct GridElement {
     std::size_t element, cell;
   };
   /// A fitted element as `weight` times the grid's.
@@ -48,7 +48,7 @@ public:
   /// Lengths are in units of the grid's dx, displacements by unit tractions in units of dx/G: nothing depends on size
   /// or stiffness. Points are those of the elements and then the ends of slip that are none of these.
   struct Tables {
-    std::vector<Place> places;
+    std::vector<GridElement> grid_elements;
     std::vector<Moments> moments;
     std::vector<Stencil> stencils; ///< of the points that are none of the grid's
     int nodes = most_nodes;        ///< of a stencil
@@ -56,11 +56,11 @@ public:
     Corrections of_elements;       ///< of fitted elements, at the grid's points
     std::size_t points = 0;
     std::vector<std::size_t> end_point; ///< of each element
-    std::vector<Real> way;              ///< from each element's point to the end of its slip
+    std::vector<Real> slip_distance;    ///< from each element's point to the end of its slip
 
     /// Nothing, in the memory that there is.
     void clear() {
-      places.clear(), moments.clear(), stencils.clear(), end_point.clear(), way.clear();
+      grid_elements.clear(), moments.clear(), stencils.clear(), end_point.clear(), slip_distance.clear();
       at_points.clear(), of_elements.clear();
     }
   };

@@ -49,16 +49,16 @@ LeadingElement::Point place_point(int mx, int nodes, std::size_t point, double x
 /// Points are numbered as Tables has them.
 std::vector<LeadingElement> find_leading(const FittedContact& contact, int nodes) {
   const ElementGrid& grid = contact.grid;
-  const auto place = [&](double x) { return (x - grid.x0) / grid.dx; };
+  const auto column_of = [&](double x) { return (x - grid.x0) / grid.dx; };
   std::vector<LeadingElement> leading;
   std::size_t point = 0;
   for (std::size_t k = 0; k < contact.elements.size(); ++k, ++point) {
     const FittedElement& e = contact.elements[k];
     if (!e.fitted) continue;
-    LeadingElement out{k, e.row, place(e.left), place(e.right), 0, {}, {}};
+    LeadingElement out{k, e.row, column_of(e.left), column_of(e.right), 0, {}, {}};
     find_moments(grid.mx, out);
-    out.points = {place_point(grid.mx, nodes, k, place(e.point)),
-                  place_point(grid.mx, nodes, contact.elements.size() + leading.size(), place(e.end))};
+    out.points = {place_point(grid.mx, nodes, k, column_of(e.point)),
+                  place_point(grid.mx, nodes, contact.elements.size() + leading.size(), column_of(e.end))};
     leading.push_back(out);
   }
   return leading;
@@ -109,8 +109,8 @@ FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedCo
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const FittedElement& e = elements[k];
     tables.end_point.push_back(k + 1); // the next centre; else below
-    tables.way.push_back((e.end - e.point) / grid.dx);
-    if (!e.fitted) tables.places.push_back({k, cell(e.row, static_cast<int>(e.cell % grid.mx))});
+    tables.slip_distance.push_back((e.end - e.point) / grid.dx);
+    if (!e.fitted) tables.grid_elements.push_back({k, cell(e.row, static_cast<int>(e.cell % grid.mx))});
   }
   for (const LeadingElement& e : leading) {
     tables.end_point[e.element] = e.points[1].point;

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// The same contact on the part of its grid that FittedProduct uses: columns and rows with elements, and those beside
+/// Contact on the part of its grid that FittedProduct uses: columns and rows with elements, and those beside
 /// them by which fitted elements and their points are represented. The whole grid for a line contact, whose
 /// displacements are 0 at a distance that the grid tells.
 FittedContact without_spare_elements(const FittedContact& contact);

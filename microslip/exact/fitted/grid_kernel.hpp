@@ -18,7 +18,7 @@ namespace component {
 inline constexpr std::size_t xx = 0, yy = 1, xy = 2;
 }
 
-/// From KernelIntegrals to the displacements, in place: pi G Axx = xx + (1 - nu) yy and so on.
+/// Turns KernelIntegrals into displacements, in place: pi G Axx = xx + (1 - nu) yy and so on.
 void combine_integrals(double poisson_ratio, std::span<double> xx, std::span<double> yy, std::span<double> xy);
 
 /// The displacements that an element of the grid makes at the centres of others. xx and yy are even in both components
@@ -27,7 +27,7 @@ class GridKernel {
 public:
   GridKernel(double poisson_ratio, const ElementGrid& grid, const Progress& progress);
 
-  /// In the memory of another transform, if there is one of this size.
+  /// Transforms, in the memory of another transform if there is one of this size.
   SymmetricToeplitz<double> transform(const TransformPlans& plans,
                                       std::optional<SymmetricToeplitz<double>> memory = {}) const;
 

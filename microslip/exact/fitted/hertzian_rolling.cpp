@@ -37,7 +37,7 @@ HertzianRolling::HertzianRolling(int mx, int my) {
     mx = (mx + 1) / 2, my = (my + 1) / 2;
 }
 
-/// From a level on, down to the coarsest one.
+/// Makes the levels from one on, down to the coarsest.
 std::unique_ptr<NestedRolling> HertzianRolling::nested(std::size_t level, const Progress& progress) const {
   auto coarser = level + 1 < of_circle_.size() ? nested(level + 1, progress) : nullptr;
   return std::make_unique<NestedRolling>(material_, stretched(of_circle_[level], a_, b_), std::move(coarser), progress,

@@ -20,19 +20,19 @@ public:
     prepare(a, b, material, progress);
   }
 
-  /// For an ellipse and the bodies' material; before anything else. What depends on the number of elements alone has
-  /// been found before. Next to nothing is to do for an ellipse with the axes' ratio of the last one and bodies with
-  /// its Poisson's ratio: everything else scales. Throws Stopped if `progress` returns false.
+  /// Prepares for an ellipse and the bodies' material; to be called first. What depends on the number of elements alone
+  /// has been found before. Next to nothing is to do for an ellipse with the axes' ratio of the last one and bodies
+  /// with its Poisson's ratio: everything else scales. Throws Stopped if `progress` returns false.
   void prepare(double a, double b, const CombinedMaterial& material, const Progress& progress = {});
 
   const FittedContact& contact() const { return rolling_->contact(); }
 
-  /// Creepages and spin of the contact, or forces [N] in place of its creepages. Newton steps, products and progress as
+  /// Creepages and spin of the contact, or forces [N] instead of its creepages. Newton steps, products and progress as
   /// in NestedRolling.
   SecondOrderSolution solve(const EllipticContact& contact, std::optional<double> force_x,
                             std::optional<double> force_y, double tolerance, const Progress& progress = {});
 
-  /// As SecondOrderRolling::differentiate, for a solution with creepages given.
+  /// Differentiates as SecondOrderRolling does, for a solution with creepages given.
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
                                                 double tolerance, const Progress& progress = {});
 

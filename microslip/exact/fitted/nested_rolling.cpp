@@ -36,7 +36,7 @@ VectorField derivative(const RollingEstimate& estimate, const FittedContact& con
 
 } // namespace
 
-/// What is empty is not known.
+/// Start of a solution; members that are empty are not known.
 struct NestedRolling::Start {
   VectorField tractions;
   std::optional<Vec2> creepage;
@@ -51,7 +51,7 @@ struct NestedRolling::Start {
   }
 };
 
-/// By the estimate, `near` the creepage of the coarser contact if that is known.
+/// Start by the estimate, `near` the creepage of the coarser contact if that is known.
 NestedRolling::Start NestedRolling::start(std::span<const double> bound, const SecondOrderInput& input,
                                           const std::optional<Creepage>& near, const RollingEstimate& estimate) const {
   Start start;

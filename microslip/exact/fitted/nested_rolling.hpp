@@ -19,7 +19,7 @@ struct RollingEstimate {
       tractions;
   /// The creepages with which they have the prescribed forces; nothing if there are none.
   std::function<std::optional<Creepage>()> creepage;
-  double stiffness = 0; ///< G a b [N]: by how much, but for a factor of the order of 4, forces grow with a creepage
+  double stiffness = 0; ///< G a b [N]: slope of forces by a creepage, up to a factor of the order of 4
   bool near = false;    ///< the tractions are so near the solution that coarser elements would tell nothing
 };
 
@@ -31,7 +31,7 @@ public:
   NestedRolling(const CombinedMaterial& material, FittedContact contact, std::unique_ptr<NestedRolling> coarser,
                 const Progress& progress = {}, const TransformPlans& plans = {});
 
-  /// As SecondOrderRolling's; without what is coarser.
+  /// Renews as SecondOrderRolling does; without coarser levels.
   void renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress) {
     rolling_.renew(material, std::move(contact), progress);
   }
@@ -48,7 +48,7 @@ public:
   /// grids; false ends the solve with status not_converged.
   SecondOrderSolution solve(double capacity, SecondOrderInput input, const RollingEstimate& estimate);
 
-  /// As SecondOrderRolling::differentiate.
+  /// Differentiates as SecondOrderRolling does.
   SecondOrderRolling::Derivatives differentiate(double capacity, const SecondOrderSolution& solution, double tolerance,
                                                 const Progress& progress) {
     return rolling_.differentiate(bound(capacity), solution, tolerance, progress);

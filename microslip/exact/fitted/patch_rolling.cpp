@@ -40,8 +40,8 @@ Extent extent_of(const PressureField& f) {
   return e;
 }
 
-/// On elements twice as long and wide around the contact: the root of the mean square, as p_n^2 falls linearly to zero
-/// at the edges.
+/// Pressure on elements twice as long and wide around the contact: the root of the mean square, as p_n^2 falls linearly
+/// to zero at the edges.
 PressureField coarser(const PressureField& fine, const Extent& contact) {
   constexpr int columns_to_spare = 8; // which are half as many coarser ones
   PressureField around{fine.grid, {}};
@@ -74,7 +74,7 @@ std::unique_ptr<NestedRolling> nested(const CombinedMaterial& material, const Pr
                                          progress, plans);
 }
 
-/// For a contact whose x axis points in the opposite direction where `side` is -1.
+/// Variation for a contact whose x axis points in the opposite direction where `side` is -1.
 RowVariation turned(RowVariation variation, double side) {
   if (side < 0 && variation.creepage)
     variation.creepage = [given = variation.creepage](double y) {

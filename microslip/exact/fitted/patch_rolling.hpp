@@ -45,7 +45,7 @@ public:
                const NormalLoad& load, RollingDirection direction = RollingDirection::forward,
                const Progress& progress = {}, const TransformPlans& plans = {});
 
-  /// With the normal problem solved: a pressure on the grid. The gap is taken from there.
+  /// Patch with the normal problem solved: a pressure on the grid. The gap is taken from there.
   PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, NormalSolution normal,
                RollingDirection direction = RollingDirection::forward, const Progress& progress = {},
                const TransformPlans& plans = {});

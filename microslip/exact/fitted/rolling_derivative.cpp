@@ -33,7 +33,7 @@ double largest(std::span<const double> v) {
 
 } // namespace
 
-/// What LinearisedProblem needs. Tractions are counted in units of 1/rho, which makes slip of them.
+/// Equations of LinearisedProblem. Tractions are counted in units of 1/rho, which makes slip of them.
 class RollingDerivative::Equations {
 public:
   using Real = float;

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// By how much the tractions of steady rolling change when the slip without tractions changes: the implicit function
+/// Derivatives of the tractions of steady rolling with respect to the slip without tractions: the implicit function
 /// theorem for the equations F(p) = 0 of FrictionNewton, with forces not given. Solved in single precision, which takes
 /// less time and whose rounding is far below the accuracy wanted of derivatives of forces.
 class RollingDerivative {

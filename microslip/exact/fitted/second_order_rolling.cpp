@@ -10,8 +10,8 @@
 namespace microslip {
 namespace {
 
-/// Of the solution that tells where contact slides. By trial on 8 to 192 rows: with 1e-2 the errors of fine grids grow,
-/// with 3e-4 no figure of the accuracy changes and products are more by a tenth.
+/// Tolerance of the solution that tells where contact slides. By trial on 8 to 192 rows: with 1e-2 the errors of fine
+/// grids grow, with 3e-4 no figure of the accuracy changes and products are more by a tenth.
 constexpr double tolerance_of_first = 3e-3;
 
 } // namespace
@@ -36,8 +36,8 @@ void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
   operator_.rescale(contact_.grid.dx, shear_modulus);
 }
 
-/// With the slip on the elements' paths, roughly, unless it is known which of them slide; then with that at the centres
-/// of these.
+/// Solves with the slip on the elements' paths, roughly, unless it is known which of them slide; then with that at the
+/// centres of these.
 void SecondOrderRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                      SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);

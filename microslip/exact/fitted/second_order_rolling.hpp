@@ -32,7 +32,7 @@ struct SecondOrderSolution {
   Creepage creepage;
   double frictional_work = 0; ///< per metre rolled [N]
 
-  /// One to be solved for: creepages as given, 0 where a force is.
+  /// Solution to be found: creepages as given, 0 where a force is.
   SecondOrderSolution(const SecondOrderInput& input, std::size_t elements);
   SecondOrderSolution() = default;
   /// Adds the creepages that were found for the given forces.
@@ -51,10 +51,10 @@ public:
   SecondOrderRolling(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {},
                      const TransformPlans& plans = {});
 
-  /// As one made anew, in the memory of this one. Of no use if it is stopped.
+  /// Makes the problem anew in its memory. Unusable if stopped.
   void renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress = {});
 
-  /// The same contact stretched evenly, and bodies with another shear modulus. Costs next to nothing.
+  /// Sets the contact stretched evenly, and bodies with another shear modulus. Costs next to nothing.
   void rescale(FittedContact contact, double shear_modulus);
 
   const FittedContact& contact() const { return contact_; }
@@ -62,7 +62,7 @@ public:
   /// `bound` is g [Pa] of each element. Not converging and a force beyond friction are statuses.
   SecondOrderSolution solve(std::span<const double> bound, const SecondOrderInput& input);
 
-  /// By how much the tractions change with xi, eta (each per 1) and phi (per 1/m), for a solution with creepages
+  /// Derivatives of the tractions with respect to xi, eta (per 1) and phi (per 1/m), for a solution with creepages
   /// given; the linear systems are solved to `tolerance`. Holds where no element is just between adhesion and slip.
   /// Cost: three linear solves. Throws Stopped if `progress` returns false.
   struct Derivatives {

@@ -59,14 +59,14 @@ void TransientRolling::restart() {
   for (Field* field : {&px_, &py_, &ahead_x_, &ahead_y_, &slip_x_, &slip_y_}) field->clear();
 }
 
-/// Of the particles that are an element ahead now, in the step before; zero for those that were not in contact.
+/// Slip, in the step before, of the particles that are an element ahead now; zero for those that were not in contact.
 Vec2 TransientRolling::slip_before(std::size_t element) const {
   if (slip_x_.empty() || contact_.elements[element].leads) return {};
   return {slip_x_[element + 1], slip_y_[element + 1]};
 }
 
-/// With the slip of the step, roughly, then with that at the step's end where elements slide: from the means s of this
-/// step and s' of the one before it is (3 s - s')/2, and only its direction counts.
+/// Solves with the slip of the step, roughly, then with that at the step's end where elements slide: from the means s
+/// of this step and s' of the one before it is (3 s - s')/2, and only its direction counts.
 void TransientRolling::solve_twice(std::span<const double> bound, const SecondOrderInput& input,
                                    SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);

@@ -7,7 +7,7 @@
 namespace microslip {
 namespace {
 
-/// Of the mean of both components.
+/// Scale of the mean of both components.
 double scale_of(const DisplacementQuadrant& quadrant, int mx) {
   std::vector<double> mean(quadrant.xx.size());
   for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = (quadrant.xx[k] + quadrant.yy[k]) / 2;

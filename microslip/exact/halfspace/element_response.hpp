@@ -19,7 +19,7 @@ struct FullInfluence {
 /// opposite sign.
 class InfluenceTable {
 public:
-  /// For elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
+  /// Table of elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
   InfluenceTable(int mx, int my, double dx, double dy);
 
   int mx() const { return mx_; }
@@ -27,7 +27,7 @@ public:
   double dx() const { return dx_; }
   double dy() const { return dy_; }
   FullInfluence& at(int i, int j) { return values_[index(i, j)]; }
-  /// For any i and j: zero beyond the table.
+  /// Influence for any i and j: zero beyond the table.
   FullInfluence find(int i, int j) const;
 
 private:
@@ -56,7 +56,7 @@ struct WeightedPatches {
 /// R(c alpha), where R turns lateral and normal components. The first correction of this kind, of Blanco-Lorenzo et al.
 /// (2011), has c = 1; c = 0 takes the half-space at the loaded row; c = 1/2 is the only one that is reciprocal, B_IJ =
 /// B_JI^T, as influences of elastic bodies are. In one variant of the correction pressure displaces along x as it would
-/// in a plane: B_xn = A_xn in place of A_xn cos alpha - A_xs sin alpha.
+/// in a plane: B_xn = A_xn instead of A_xn cos alpha - A_xs sin alpha.
 struct RowInclination {
   std::vector<double> angle;   ///< of each row's plane [rad]; empty: all lie in one
   double traction_share = 0.5; ///< c: how much of the turn the traction takes, in [0, 1] [-]
@@ -68,12 +68,12 @@ struct RowInclination {
 
 /// Deviations from the influence of elements on one another on two half-spaces.
 struct ElementResponse {
-  std::shared_ptr<const InfluenceTable> table; ///< in place of the half-spaces' coefficients
+  std::shared_ptr<const InfluenceTable> table; ///< instead of the half-spaces' coefficients
   WeightedPatches patches;
   RowInclination inclination; ///< not with a table
 
   bool is_half_space() const { return !table && patches.count == 1 && inclination.is_flat(); }
-  /// The same table, not an equal one.
+  /// Returns true for the same table, not an equal one.
   friend bool operator==(const ElementResponse&, const ElementResponse&) = default;
 };
 

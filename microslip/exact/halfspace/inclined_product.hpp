@@ -14,12 +14,12 @@ namespace microslip {
 /// The product of CoupledOperator for rows whose planes are turned against one another. Since rotations about x
 /// commute, B = R(-t_I) [R(t_J) A R(-r_I)] R(r_J) with t = (1 - c) alpha, r = c alpha, and each sine and cosine of a
 /// row is a factor before or behind a product with the Toeplitz matrix A: 3 fields are loaded and 15 read for c = 1, 9
-/// and 5 for c = 0, 9 and 15 else, in place of 3 and 3 for a plane. Cost O(N log N), memory O(N).
+/// and 5 for c = 0, 9 and 15 else, instead of 3 and 3 for a plane. Cost O(N log N), memory O(N).
 class InclinedProduct {
 public:
   InclinedProduct(const InclinedKernel& kernel, const ElementGrid& grid, const RowInclination& inclination);
 
-  /// As CoupledOperator::apply.
+  /// Three components, as in CoupledOperator::apply.
   using Fields = std::array<std::span<const double>, 3>;
   void apply(const Fields& p, std::span<const std::span<double>> out);
   long products() const { return products_; }

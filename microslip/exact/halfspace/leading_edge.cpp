@@ -9,7 +9,7 @@
 namespace microslip {
 namespace {
 
-/// How far the edge of row j is ahead of the centre of the leading element, column i [m]. An element may be in contact
+/// Distance from the centre of the leading element, column i, to the edge of row j [m]. An element may be in contact
 /// whose centre is just outside the true edge.
 double distance_to_edge(const ElementGrid& grid, const LeadingEdge& edge, double direction, int i, int j) {
   if (edge.true_edge.empty()) return edge.theta * grid.dx;

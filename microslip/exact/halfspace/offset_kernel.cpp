@@ -14,7 +14,7 @@
 namespace microslip {
 namespace {
 
-/// Where an endless strip's displacement is 0 [m].
+/// Distance at which an endless strip's displacement is 0 [m].
 double far_of(const ElementGrid& grid) {
   return grid.mx * grid.dx;
 }
@@ -26,10 +26,10 @@ Influence influence_at(const CombinedMaterial& material, const ElementGrid& grid
                    : bilinear_influence(material, grid.dx, grid.dy, x, y);
 }
 
-/// 1 for a point within an element of length `side`, half on its edge; `place` is its distance from the centre.
-double share_within(double place, double side) {
+/// 1 for a point within an element of length `side`, half on its edge; `x` is its distance from the centre.
+double share_within(double x, double side) {
   constexpr double rounding = 1e-9;
-  const double distance = 2 * std::abs(place) / side;
+  const double distance = 2 * std::abs(x) / side;
   return distance < 1 - rounding ? 1 : distance < 1 + rounding ? 0.5 : 0;
 }
 
@@ -73,7 +73,7 @@ std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& gr
   return row;
 }
 
-/// What a particle's displacement contributes to its slip, (E14): (u(x + shift) - u(x + before))/length, or without the
+/// Contribution of a particle's displacement to its slip, (E14): (u(x + shift) - u(x + before))/length, or without the
 /// second term.
 struct SlipRate {
   Vec2 shift = {};
@@ -149,12 +149,12 @@ InclinedKernel inclined_kernel(const Bodies& bodies, const ElementGrid& grid, co
   return kernel;
 }
 
-/// Columns or rows to a position [m] that is a whole number of elements away.
-int whole_elements(const char* field, double way, double size) {
+/// Columns or rows to a position [m] that is a whole number of elements ashift.
+int whole_elements(const char* field, double distance, double size) {
   constexpr double rounding = 1e-6;
-  const double count = std::round(way / size);
-  if (!(std::abs(way / size - count) <= rounding && std::abs(count) <= most_cells))
-    throw Error(field, way, "m", "a whole number of elements with influence coefficients from a table");
+  const double count = std::round(distance / size);
+  if (!(std::abs(distance / size - count) <= rounding && std::abs(count) <= most_cells))
+    throw Error(field, distance, "m", "a whole number of elements with influence coefficients from a table");
   return static_cast<int>(count);
 }
 
@@ -173,8 +173,8 @@ FullInfluence influence_in(const InfluenceTable& table, int i, int j) {
 CoupledKernel table_kernel(const InfluenceTable& table, const ElementGrid& grid, const SlipRate& rate) {
   check(grid);
   const OffsetTable empty(grid);
-  const auto columns = [&](Vec2 way) { return whole_elements("step along x", way.x, grid.dx); };
-  const auto rows = [&](Vec2 way) { return whole_elements("step along y", way.y, grid.dy); };
+  const auto columns = [&](Vec2 shift) { return whole_elements("step along x", shift.x, grid.dx); };
+  const auto rows = [&](Vec2 shift) { return whole_elements("step along y", shift.y, grid.dy); };
   const Vec2 before = rate.before.value_or(Vec2{});
   const int i_now = columns(rate.shift), j_now = rows(rate.shift), i_before = columns(before), j_before = rows(before);
   CoupledKernel kernel{

@@ -44,7 +44,7 @@ private:
 
 /// Half strips of the grid's rows, with the grid's dx for the unit of length: endless ones for a line contact.
 HalfStrips half_strips(const ElementGrid& grid, std::vector<double> x);
-/// With `count` points, the first one at `first` and one more for each element.
+/// Half strips with `count` points, the first one at `first` and one more for each element.
 HalfStrips half_strips(const ElementGrid& grid, double first, std::size_t count);
 
 /// The influence of a constant element of any width in a grid's rows on a point at an offset from its centre; of an
@@ -59,7 +59,7 @@ OffsetTable normal_kernel(const CombinedMaterial& material, const ElementGrid& g
 /// Its entry for the element i columns and j rows further, which may lie beyond the grid.
 double normal_coefficient(const CombinedMaterial& material, const ElementGrid& grid, int i, int j);
 
-/// The same for rows of offsets 0, 1, 2 ... columns and j = 0, 1, 2 ... rows, in turn, which share what they can.
+/// Influences for rows of offsets 0, 1, 2 ... columns and j = 0, 1, 2 ... rows, in turn, which share what they can.
 class NormalRows {
 public:
   NormalRows(const CombinedMaterial& material, const ElementGrid& grid) : material_(material), grid_(grid) {}
@@ -75,10 +75,10 @@ private:
 struct TangentialKernel {
   OffsetTable xx, xy, yy; ///< D_yx = D_xy
 
-  /// As SlipOperator::diagonal.
+  /// Diagonal, as of SlipOperator.
   double diagonal() const { return (xx.at(0, 0) + yy.at(0, 0)) / 2; }
 
-  /// As TangentialOperator::displacement and TangentialOperator::difference.
+  /// Kernels of TangentialOperator::displacement and TangentialOperator::difference.
   static TangentialKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {},
                                        double length = 1, const Progress& progress = {});
   static TangentialKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
@@ -111,12 +111,12 @@ struct CoupledKernel {
   OffsetTable zx, zy, zz;        ///< normal displacement [m] from tractions and pressure
   bool is_displacement;          ///< slip is a displacement at the elements' centres over a length
 
-  /// As CoupledOperator::displacement and CoupledOperator::difference.
+  /// Kernels of CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,
                                     const Progress& progress = {});
   static CoupledKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step,
                                   const Progress& progress = {});
-  /// The same from a table. Throws Error for a shift or a step that is not a whole number of elements.
+  /// Kernel of displacements from a table. Throws Error for a shift or a step that is not a whole number of elements.
   static CoupledKernel displacement(const InfluenceTable& table, const ElementGrid& grid, Vec2 shift, double length);
   static CoupledKernel difference(const InfluenceTable& table, const ElementGrid& grid, Vec2 step);
 };
@@ -125,7 +125,7 @@ struct CoupledKernel {
 struct InclinedKernel {
   std::array<OffsetTable, 9> slip, displacement;
 
-  /// As CoupledOperator::displacement and CoupledOperator::difference.
+  /// Kernels of CoupledOperator::displacement and CoupledOperator::difference.
   static InclinedKernel displacements(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
                                       const Progress& progress);
   static InclinedKernel difference(const Bodies& bodies, const ElementGrid& grid, Vec2 step, const Progress& progress);

@@ -29,20 +29,20 @@ void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
   add(to.pn, factor, a.pn);
 }
 
-/// Integrals of exp(-q/l)/l A(x + way q) over q (B4), (B5), way = +-1, l > 0.
+/// Integrals of exp(-q/l)/l A(x + sign q) over q (B4), (B5), sign = +-1, l > 0.
 template <class Value> class RetardedIntegral {
 public:
-  RetardedIntegral(const RowInfluence<Value>& influence, double dx, double length, double way)
-      : influence_(influence), dx_(dx), length_(length), way_(way) {}
+  RetardedIntegral(const RowInfluence<Value>& influence, double dx, double length, double sign)
+      : influence_(influence), dx_(dx), length_(length), sign_(sign) {}
 
-  /// From 0 to `end`.
+  /// Integral from 0 to `end`.
   Value up_to(double x, double end) const {
     end = std::min(end, farthest * length_);
     std::vector<double> breaks = {0, end};
     const auto add_break = [&](double q) {
       if (q > 0 && q < end) breaks.push_back(q);
     };
-    for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(way_ * (edge - x));
+    for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(sign_ * (edge - x));
     for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
     std::sort(breaks.begin(), breaks.end());
     Value sum = {};
@@ -58,12 +58,12 @@ private:
     static const TanhSinh rule;
     for (int k = 0; k < TanhSinh::count; ++k) {
       const double q = rule.node(k, from, to);
-      add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + way_ * q));
+      add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + sign_ * q));
     }
   }
 
   const RowInfluence<Value>& influence_;
-  double dx_, length_, way_;
+  double dx_, length_, sign_;
 };
 
 } // namespace

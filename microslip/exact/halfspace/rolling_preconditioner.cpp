@@ -27,7 +27,7 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   static constexpr int lanes = block_lanes<Real>;
   static constexpr std::ptrdiff_t column_size = 2 * line_size<Real>; ///< of a block's waves, for x and for y
 
-  /// Of an element in contact: its numbers, and its index in the columns.
+  /// Entry of an element in contact: its numbers, and its index in the columns.
   struct ColumnEntry {
     std::size_t element, index;
     bool leads;
@@ -80,11 +80,11 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
     for (const ColumnEntry& e : entries) x[e.index] = px[e.element], y[e.index] = py[e.element];
     const int threads = waves.threads();
     const RowPairs<Real> columns = {x.data(), y.data(), static_cast<std::size_t>(my)};
-    share_out(waves.batches(), threads, [&](int b, int thread) {
+    distribute(waves.batches(), threads, [&](int b, int thread) {
       waves.forward(b, {columns.even, columns.odd, columns.stride}, my, thread);
     });
-    share_out(waves.count(), threads, [&](int b, int) { filter_both_ways(waves.block(b), filters[b]); });
-    share_out(waves.batches(), threads, [&](int b, int thread) { waves.backward(b, columns, my, thread); });
+    distribute(waves.count(), threads, [&](int b, int) { filter_both_ways(waves.block(b), filters[b]); });
+    distribute(waves.batches(), threads, [&](int b, int thread) { waves.backward(b, columns, my, thread); });
     Real ahead_x = 0, ahead_y = 0;
     for (std::size_t k = entries.size(); k-- > 0;) { // each row from its leading element on
       const ColumnEntry& e = entries[k];

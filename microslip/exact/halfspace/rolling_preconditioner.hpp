@@ -27,10 +27,10 @@ struct RollingElement {
 /// of OpenMP threads, which large grids use. In double or in single precision.
 template <class Real> class RollingPreconditioner {
 public:
-  /// For elements row after row, in each from the trailing to the leading edge, at most one in each of the grid's.
+  /// Preconditions elements row by row, each from the trailing to the leading edge, at most one in each of the grid's.
   RollingPreconditioner(const ElementGrid& grid, RollingDirection direction, std::span<const RollingElement> elements,
                         const TransformPlans& plans = {});
-  /// For the elements of a grid that have a traction bound; numbers of the others are neither read nor written.
+  /// Preconditioner of the elements that have a traction bound; numbers of the others are neither read nor written.
   RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound, RollingDirection direction,
                         const TransformPlans& plans = {});
   RollingPreconditioner(RollingPreconditioner&&) noexcept;

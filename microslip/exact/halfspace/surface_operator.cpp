@@ -17,7 +17,7 @@ std::vector<double> quadrant(const OffsetTable& kernel) {
   return values;
 }
 
-/// The same of its part that is even along x; a kernel of retarded deformation has another one.
+/// Part of the kernel that is even along x; a kernel of retarded deformation has another one.
 std::vector<double> even_part(const OffsetTable& kernel) {
   std::vector<double> values;
   for (int j = 0; j < kernel.my(); ++j)
@@ -127,7 +127,7 @@ void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> 
   for (int patch = 0; patch < patches_.count; ++patch) add_weight_of(patch, p[normal], out[normal]);
 }
 
-/// Without the patches' factors.
+/// Applies the operator without the patches' factors.
 void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<double>> out) {
   if (inclined_) return inclined_->apply(p, out);
   transform_.load(p);
@@ -136,7 +136,7 @@ void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<dou
   transform_.apply(std::span(kernels).first(3 * out.size()), out);
 }
 
-/// What the factors change of the normal displacement that a patch's pressure causes.
+/// Adds what the factors change of the normal displacement that a patch's pressure causes.
 void CoupledOperator::add_weight_of(int patch, std::span<const double> pressure, std::span<double> displacement) {
   const auto for_rows = [&](auto function) {
     for (int j = 0; j < grid_.my; ++j)

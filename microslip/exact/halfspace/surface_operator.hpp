@@ -90,7 +90,7 @@ public:
   /// Diagonal entries of an interior element: the mean of D_xx and D_yy; A_zz [m/Pa].
   double slip_diagonal() const { return slip_diagonal_; }
   double normal_diagonal() const { return normal_diagonal_; }
-  /// As SlipOperator::scale, of slip from tractions and of A_zz.
+  /// Scales, as SlipOperator::scale, of slip from tractions and of A_zz.
   double slip_scale() const { return slip_scale_; }
   double normal_scale() const { return normal_scale_; }
 
@@ -100,7 +100,7 @@ public:
   void precondition_tractions(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                               std::span<double> qy);
   void precondition_pressure(std::span<const double> pressure, std::span<double> q);
-  /// For steady rolling: the elements that are about in contact, those with a pressure.
+  /// Sets the elements that are about in contact, those with a pressure, for steady rolling.
   void expect_contact(std::span<const double> pressure, RollingDirection direction);
 
   long products() const { return inclined_ ? inclined_->products() : transform_.products(); }
@@ -117,7 +117,7 @@ private:
   ToeplitzTransform transform_;
   ToeplitzTransform::Spectrum xx_, xy_, yx_, yy_, xz_, yz_, zx_, zy_, zz_; ///< no yx: it is xy
   double slip_diagonal_, normal_diagonal_, slip_scale_, normal_scale_;
-  std::optional<InclinedProduct> inclined_; ///< in place of the spectra
+  std::optional<InclinedProduct> inclined_; ///< instead of the spectra
   std::optional<NearInverse> slip_inverse_; ///< of displacements
   NearInverse normal_inverse_;
   std::optional<RollingPreconditioner<double>> rolling_; ///< of differences

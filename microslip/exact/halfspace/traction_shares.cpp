@@ -39,12 +39,12 @@ Vec2 TractionShares::at(double x, double y) const {
     if (next == row.end()) return before->share;
     return between(before->share, next->share, (x - before->x) / (next->x - before->x));
   };
-  const double place = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);
-  const int below = std::min(static_cast<int>(place), std::max(grid_.my - 2, 0));
+  const double position = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);
+  const int below = std::min(static_cast<int>(position), std::max(grid_.my - 2, 0));
   const auto low = row(below), high = row(std::min(below + 1, grid_.my - 1));
   if (low.empty() && high.empty()) return {};
   if (low.empty() || high.empty()) return in_row(low.empty() ? high : low);
-  return between(in_row(low), in_row(high), place - below);
+  return between(in_row(low), in_row(high), position - below);
 }
 
 } // namespace microslip

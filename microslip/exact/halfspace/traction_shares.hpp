@@ -14,7 +14,7 @@ namespace microslip {
 class TractionShares {
 public:
   explicit TractionShares(const ElementGrid& grid) : grid_(grid) {}
-  /// At the elements of a regular grid that have a traction bound, g [Pa].
+  /// Shares at the elements of a regular grid that have a traction bound, g [Pa].
   TractionShares(const ElementGrid& grid, std::span<const double> bound, std::span<const double> px,
                  std::span<const double> py);
 

@@ -24,7 +24,7 @@ std::size_t elements_of(std::span<const double> pressure) {
 
 } // namespace
 
-/// What is projected, in the unknowns' units, and the pressure's.
+/// Point that is projected, in the unknowns' units, and the pressure's.
 struct CoupledEquations::Point {
   double zx, zy, z_normal;
 };
@@ -162,7 +162,7 @@ void CoupledEquations::precondition_pressure(std::span<double> pressure) {
     if (in_contact_[k]) pressure[k] = py_[k];
 }
 
-/// As FrictionEquations does.
+/// Preconditions as FrictionEquations does.
 void CoupledEquations::precondition_tractions(std::span<double> tractions) {
   friction_.free_part(tractions, change_);
   problem_.coupled_operator.precondition_tractions(std::span(change_).first(n_), std::span(change_).subspan(n_), px_,

@@ -29,7 +29,7 @@ public:
   std::size_t responses() const { return 3 * n_; }
   /// The norm of the pressure, in which |F| counts.
   double scale() const { return scale_; }
-  /// As FrictionEquations::strictness.
+  /// Strictness as of FrictionEquations.
   double strictness() const;
 
   /// Unknowns and response to begin with.

@@ -22,7 +22,7 @@ struct CoupledFrictionProblem {
   std::span<const double> cx, cy;                   ///< slip without tractions and pressure
   double element_area;                              ///< [m^2]
   std::optional<double> force_x = {}, force_y = {}; ///< over Fn [-]; where given, cx or cy is known up to a constant
-  SlipDependentBound* slip_dependent = nullptr;     ///< in place of mu p_n; mu then tells the size of tractions only
+  SlipDependentBound* slip_dependent = nullptr;     ///< instead of mu p_n; mu then tells the size of tractions only
 };
 
 struct CoupledFrictionSolution {

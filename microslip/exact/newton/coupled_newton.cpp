@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// Of |F| over the pressure's norm: what rounding leaves of it on fine grids.
+/// Least goal of |F| over the pressure's norm: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
 } // namespace

@@ -17,7 +17,7 @@ public:
     int most_steps = 200;
     NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     bool preconditioned = true;     ///< else slower, and at times where that does not converge
-    Progress progress = {};         ///< is told after each step and before each product; false ends the iteration
+    Progress progress = {};         ///< called after each step and before each product; false ends the iteration
   };
 
   /// Forces that no creepage gives end at once, with the pressure of the start: full_sliding().

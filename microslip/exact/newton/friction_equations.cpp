@@ -39,7 +39,7 @@ void FrictionEquations::find_sizes(std::span<const double> unknowns, std::span<c
     wide_size_[elements_[k]] = std::hypot(unknowns[k] - rho_ * slip[k], unknowns[n_ + k] - rho_ * slip[n_ + k]);
 }
 
-/// Those that depend on the slip.
+/// Finds the bounds that depend on the slip.
 void FrictionEquations::find_bounds(std::span<const double> unknowns, std::span<const double> slip) {
   if (!problem_.slip_dependent) return;
   find_sizes(unknowns, slip);
@@ -81,7 +81,7 @@ double FrictionEquations::evaluate(std::span<const double> unknowns, std::span<c
   return evaluate(rho_, unknowns, slip, f);
 }
 
-/// With the bounds of the last point.
+/// Evaluates F with the bounds of the last point.
 double FrictionEquations::evaluate(double rho, std::span<const double> unknowns, std::span<const double> slip,
                                    std::span<double> f) const {
   double norm2 = 0;
@@ -187,7 +187,7 @@ void FrictionEquations::choose_constants(std::span<double> unknowns, std::span<d
   }
 }
 
-/// By the operator's preconditioner, for the part of the tractions that slip can change.
+/// Applies the operator's preconditioner, for the part of the tractions that slip can change.
 void FrictionEquations::precondition_tractions(std::span<double> unknowns) {
   friction_.free_part(unknowns, change_);
   if (!apply_preconditioner()) return;
@@ -232,7 +232,7 @@ void FrictionEquations::satisfy_forces(std::span<double> unknowns) const {
   }
 }
 
-/// What tractions contribute to the equation of force i (E20).
+/// Contribution of tractions to the equation of force i (E20).
 double FrictionEquations::mean_force(std::size_t i, std::span<const double> px, std::span<const double> py) const {
   const std::span<const double> along = forces_[i] == 0 ? px : py;
   double sum = 0;
@@ -240,7 +240,7 @@ double FrictionEquations::mean_force(std::size_t i, std::span<const double> px, 
   return sum / std::sqrt(double(n_));
 }
 
-/// Also makes a unit of each constant one that changes its force's equation by one.
+/// Takes the derivatives and makes a unit of each constant one that changes its force's equation by one.
 void FrictionEquations::use_derivatives(const std::array<TractionsView, 2>& by_constants) {
   derivatives_given_ = !forces_.empty() && n_ > 0 &&
                        std::all_of(forces_.begin(), forces_.end(), [&](auto f) { return !by_constants[f].px.empty(); });
@@ -262,7 +262,7 @@ void FrictionEquations::use_derivatives(const std::array<TractionsView, 2>& by_c
   if (!derivatives_known_) unit_ = unit;
 }
 
-/// By the operator's preconditioner: the slip of the tractions' change is to undo that of the constant.
+/// Estimates by the operator's preconditioner: the slip of the tractions' change is to undo that of the constant.
 void FrictionEquations::estimate_derivatives() {
   derivatives_known_ = false;
   for (std::size_t f = 0; f < forces_.size() && n_ > 0; ++f) {
@@ -278,8 +278,8 @@ void FrictionEquations::estimate_derivatives() {
   derivatives_known_ = !forces_.empty() && n_ > 0 && find_force_slopes();
 }
 
-/// Of the forces' equations with the constants. False if a force hardly depends on its constant, or one constant does
-/// what the other does.
+/// Finds slopes of the forces' equations by the constants. False if a force hardly depends on its constant, or one
+/// constant does what the other does.
 bool FrictionEquations::find_force_slopes() {
   constexpr double least_slope = 0.02; // of that where all adheres; near full sliding the forces hardly depend on it
   constexpr double least_determinant = 0.1; // over the product of the diagonal entries

@@ -26,8 +26,8 @@ public:
   std::size_t responses() const { return 2 * n_; }
   /// |g|, in which |F| counts.
   double scale() const { return scale_; }
-  /// How much smaller |F| must be for |p - P_g(p - s/D_kk)| to be as small as wanted, with the operator's diagonal, in
-  /// which a solution's residual is told: F grows at most as rho does.
+  /// Factor by which |F| must be smaller for |p - P_g(p - s/D_kk)| to be as small as wanted, with the operator's
+  /// diagonal, in which a solution's residual is measured: F grows at most as rho does.
   double strictness() const { return std::max(1.0, 1 / (rho_ * problem_.slip_operator.diagonal())); }
 
   /// Unknowns and slip to begin with. The derivatives of `from`, if it has them, hold until the next start.

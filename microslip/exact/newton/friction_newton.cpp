@@ -13,7 +13,7 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Of |F| over |g|: what rounding leaves of it on fine grids.
+/// Least goal of |F| over |g|: what rounding leaves of it on fine grids.
 constexpr double least_goal = 1e-12;
 
 /// Returns whether a start is nothing but these tractions.

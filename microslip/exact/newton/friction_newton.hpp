@@ -22,7 +22,7 @@ public:
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
     /// below 1e-12: a step however small is solved to its scale, and nothing of it is lost in the next one.
     std::optional<TractionsView> before = {};
-    Progress progress = {}; ///< is told after each step; false ends the iteration
+    Progress progress = {}; ///< called after each step; false ends the iteration
   };
 
   /// Forces that no creepage gives end at once: full_sliding().

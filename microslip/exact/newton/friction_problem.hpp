@@ -23,7 +23,7 @@ struct FrictionProblem {
   std::optional<double> force_x = {}, force_y = {}; ///< [N]; where given, cx or cy is known up to a constant ...
   std::span<const double> constant_share = {};      ///< ... times this for each element; empty: times 1
   std::span<const double> area_share = {};          ///< an element's area over element_area; empty: 1
-  SlipDependentBound* slip_dependent = nullptr;     ///< in place of the bound, which then is its largest
+  SlipDependentBound* slip_dependent = nullptr;     ///< instead of the bound, which then is its largest
   std::span<const double> pressure = {};            ///< p_n [Pa], of a slip-dependent bound
 };
 

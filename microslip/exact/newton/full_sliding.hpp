@@ -14,8 +14,8 @@ namespace microslip {
 /// of the bounds is what tractions along the force would have.
 std::optional<FrictionSolution> full_sliding(const FrictionProblem& problem);
 
-/// The same of a problem whose pressure is to be found. The sum of its bounds is not known then, but that it is at most
-/// the largest coefficient of friction times the normal force. The tractions are those that belong to `pressure`.
+/// Full sliding of a problem whose pressure is to be found. The sum of its bounds is not known then, but that it is at
+/// most the largest coefficient of friction times the normal force. The tractions are those that belong to `pressure`.
 std::optional<FrictionSolution> full_sliding(const CoupledFrictionProblem& problem, std::span<const double> pressure);
 
 } // namespace microslip

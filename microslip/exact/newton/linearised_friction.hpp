@@ -17,7 +17,7 @@ public:
 
   /// Sets element k. Without a traction bound it slides, and its traction is fixed.
   void set(std::size_t k, double zx, double zy, double g);
-  /// Of element k whose traction has the size q <= |z| with the derivative `beta` with respect to |z|.
+  /// Sets element k whose traction has the size q <= |z| with the derivative `beta` with respect to |z|.
   void set(std::size_t k, double zx, double zy, double q, double beta);
 
   /// beta of element k.

@@ -17,7 +17,7 @@ struct NewtonLimits {
   double goal; ///< of |F|
   int most_steps;
   NewtonBudget* budget = nullptr; ///< of the whole solve; none: that of this iteration alone
-  Progress progress = {};         ///< is told after each step and before each product; false ends the iteration
+  Progress progress = {};         ///< called after each step and before each product; false ends the iteration
 };
 
 /// Ends a linear solve when the progress function returns false.

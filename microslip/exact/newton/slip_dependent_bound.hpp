@@ -4,7 +4,7 @@
 
 namespace microslip {
 
-/// A traction bound q that depends on the slip, in place of g in (E15). An element with |z| = |p - rho s| adheres if
+/// A traction bound q that depends on the slip, instead of g in (E15). An element with |z| = |p - rho s| adheres if
 /// |z| does not exceed its bound at rest. Else its traction is q(l) and its slip the l > 0 with q(l) + rho l = |z|,
 /// (B8). What particles bring along from element to element, such as plastic deformation, counts as well: a bound may
 /// depend on |z| of the elements that its particles come through before. Fields have all elements of a grid.
@@ -12,9 +12,9 @@ class SlipDependentBound {
 public:
   virtual ~SlipDependentBound() = default;
 
-  /// The largest q of any slip: the residual counts in its norm, and where it is zero an element bears nothing.
+  /// The largest q of any slip: the residual counts in its norm, and where it is zero an element carries nothing.
   virtual void largest(std::span<const double> pressure, std::span<double> bound) const = 0;
-  /// From this rho on there is one slip for each |z|, where the bound falls with the slip [Pa].
+  /// Least rho with one slip for each |z|, where the bound falls with the slip [Pa].
   virtual double least_rho(std::span<const double> pressure) const = 0;
   /// q for |z|, in adhesion that at rest.
   virtual void project(std::span<const double> size, std::span<const double> pressure, double rho,

@@ -48,7 +48,7 @@ private:
   Field values_;
 };
 
-/// What stands for the contact as a whole.
+/// Ellipse that stands for the contact as a whole.
 struct EquivalentEllipse {
   GapCurvatures gap;
   double a, b, middle_y;
@@ -58,11 +58,11 @@ struct EquivalentEllipse {
 double longitudinal_curvature(const ElementGrid& grid, const Overlap& h, int i, int j, double level) {
   int k = 1;
   while (i - k > 0 && i + k < grid.mx - 1 && std::max(h.at(i - k, j), h.at(i + k, j)) <= level) ++k;
-  const double way = k * grid.dx;
-  return (h.at(i + k, j) - 2 * h.at(i, j) + h.at(i - k, j)) / (2 * way * way);
+  const double distance = k * grid.dx;
+  return (h.at(i + k, j) - 2 * h.at(i, j) + h.at(i - k, j)) / (2 * distance * distance);
 }
 
-/// Where the deepest line crosses `level` between the row inside and the next one outside, or on beyond it.
+/// Position where the deepest line crosses `level` between the row inside and the next one outside, or on beyond it.
 double crossing(const ElementGrid& grid, const Overlap& h, int inside, int outwards, double level) {
   const int i = h.deepest(inside);
   const double rise = h.at(i, inside + outwards) - h.at(i, inside);
@@ -137,8 +137,8 @@ Field kik_piotrowski_pressure(const CombinedMaterial& material, const ElementGri
   std::vector<Interval> rows;
   int longest = 0;
   for (int j = 0; j < grid.my; ++j) {
-    const double place = (grid.y(j) - middle_y) / b;
-    const double eps = std::clamp((along - (along - across) * place * place) / depth, 0.0, 1.0);
+    const double ratio = (grid.y(j) - middle_y) / b;
+    const double eps = std::clamp((along - (along - across) * ratio * ratio) / depth, 0.0, 1.0);
     rows.push_back(interval(grid, h, j, -(1 - eps) * depth));
     longest = std::max(longest, rows.back().last - rows.back().first + 1);
   }
@@ -175,8 +175,8 @@ Field analyn_pressure(const CombinedMaterial& material, const ElementGrid& grid,
     const double half = whole.a * std::sqrt(here / depth);
     const double peak = hertz_from_approach(curvatures, material, here).peak_pressure;
     for (int k = 0; k < grid.mx; ++k) {
-      const double place = (grid.x(k) - grid.x(i)) / half;
-      p[static_cast<std::size_t>(j) * grid.mx + k] = peak * std::sqrt(std::max(0.0, 1 - place * place));
+      const double ratio = (grid.x(k) - grid.x(i)) / half;
+      p[static_cast<std::size_t>(j) * grid.mx + k] = peak * std::sqrt(std::max(0.0, 1 - ratio * ratio));
     }
   }
   return p;

@@ -22,7 +22,7 @@ std::vector<double> sampled(const GapFunction& gap, const ElementGrid& grid) {
   return h;
 }
 
-/// With `columns` and `rows` more elements on the sides that the contact reaches.
+/// Grid with `columns` and `rows` more elements on the sides that the contact reaches.
 ElementGrid grown(const ElementGrid& grid, const BorderSides& reached, int columns, int rows) {
   ElementGrid larger = grid;
   if (reached.low_x) larger.mx += columns, larger.x0 -= columns * grid.dx;

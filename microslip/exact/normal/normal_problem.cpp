@@ -28,7 +28,7 @@ double dot(const Field& a, const Field& b) {
   return sum;
 }
 
-/// One solve; members are the fields of the iteration.
+/// State of one solve; members are the fields of the iteration.
 class Iteration {
 public:
   Iteration(NormalOperator& normal_operator, const ElementGrid& grid, std::span<const double> gap,
@@ -60,7 +60,7 @@ public:
 private:
   double nearest() const { return *std::min_element(gap_.begin(), gap_.end()); }
 
-  /// With the force given, pressure everywhere.
+  /// Overlap over its depth; 1 everywhere if the force is prescribed.
   Field overlap() const {
     Field p(grid_.count(), 1.0);
     if (by_force_) return p;
@@ -147,7 +147,7 @@ private:
     for (std::size_t k = 0; k < field.size(); ++k) field[k] = free_[k] ? field[k] - mean : 0;
   }
 
-  /// Of the energy along a change of the pressure, where positive is downhill.
+  /// Slope of the energy along a change of the pressure, where positive is downhill.
   double slope(const Field& change) const {
     return -dot(distance_, change);
   }
@@ -183,7 +183,7 @@ private:
     return least < 0;
   }
 
-  /// How much of the step the pressure can make before it is zero somewhere.
+  /// Largest share of the step before the pressure is zero somewhere.
   double longest_share() const {
     double share = HUGE_VAL;
     for (std::size_t k = 0; k < step_.size(); ++k)
@@ -191,9 +191,9 @@ private:
     return share;
   }
 
-  /// To the trial, so that the elements without pressure there leave the contact, or to the least energy along the
-  /// direction. False if no direction leads downhill, which is so when rounding is all that is left, or if the progress
-  /// function does not want to go on between its two products.
+  /// Moves to the trial, so that the elements without pressure there leave the contact, or to the least energy along
+  /// the direction. False if no direction leads downhill, which is so when rounding is all that is left, or if the
+  /// progress function does not want to go on between its two products.
   bool step(const Progress& progress) {
     find_direction();
     if (!progress(0)) return false;

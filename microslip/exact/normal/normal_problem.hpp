@@ -53,11 +53,11 @@ public:
                 const TransformPlans& plans = {});
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN, a load or a
-  /// tolerance out of range. Input so large that the result overflows gives Status::invalid_input. `progress` is told
-  /// of the iterations on all grids; false ends them, with status not_converged.
+  /// tolerance out of range. Input so large that the result overflows gives Status::invalid_input. `progress` is called
+  /// in the iterations on all grids; false ends them, with status not_converged.
   NormalSolution solve(std::span<const double> gap, const NormalLoad& load, double tolerance = 1e-8,
                        const Progress& progress = {});
-  /// The same from a pressure near the solution, of which the shape counts, instead of from coarser elements: that of a
+  /// Solves from a pressure near the solution, of which the shape counts, instead of from coarser elements: that of a
   /// load which differs by a hundredth takes some half of the iterations.
   NormalSolution solve_from(std::vector<double> pressure, std::span<const double> gap, const NormalLoad& load,
                             double tolerance = 1e-8, const Progress& progress = {});

@@ -110,8 +110,8 @@ template <class Real> struct Lines {
 };
 template <class Real> Lines(const BlockLines<Real>&, bool) -> Lines<Real>;
 
-/// One pass, for `vectors` registers side by side. `inputs` and `outputs` of a butterfly's numbers may be there, all of
-/// them unless this is an edge, the first or the last pass.
+/// One pass, for `vectors` registers side by side. `inputs` and `outputs` of a butterfly's numbers may be present, all
+/// of them unless this is an edge, the first or the last pass.
 template <class Z, int radix, int inputs, int outputs, bool edge> class Pass {
 public:
   using Real = typename Z::Real;
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  /// Those with the k-th factors.
+  /// Butterflies with the k-th factors.
   template <bool has_factors> MICROSLIP_INLINE void butterflies(int k, const Real* factors) const {
     const std::size_t in_step = static_cast<std::size_t>(together_) * groups_ * in_.stride;
     const std::size_t out_step = static_cast<std::size_t>(together_) * out_.stride;
@@ -156,7 +156,7 @@ private:
   int vectors_;
 };
 
-/// In products with Toeplitz matrices half of the numbers are zero, and half are not wanted. Even radices come first.
+/// Runs one pass. In products with Toeplitz matrices half of the numbers are zero, half not wanted. Even radices first.
 template <class Z, int radix, class Real = typename Z::Real>
 void run_pass(const TransformPass<Real>& pass, const Lines<const Real>& in, const Lines<Real>& out, int vectors) {
   constexpr int half = (radix + 1) / 2;
@@ -278,7 +278,7 @@ public:
 private:
   static constexpr int width = Z::width, lanes = block_lanes<Real>, line = line_size<Real>;
 
-  /// Where the waves from k on of the rows in the v-th register begin.
+  /// Offset of the waves from k on of the rows in the v-th register.
   static std::size_t of_wave(int k, int v, std::size_t block_stride) {
     return k / lanes * block_stride + static_cast<std::size_t>(2 * width * v) * line + k % lanes;
   }

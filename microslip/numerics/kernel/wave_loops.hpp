@@ -11,7 +11,7 @@ template <class Real> struct WaveLoops {
   /// Products with real numbers that are even in the line, of `rows` lines: `table` has rows/2 + 1 lines of one number
   /// for each lane.
   void (*multiply_even)(const Real* table, int rows, Real* waves);
-  /// The same of pairs (x, y) with [xx, xy; xy, yy], where xx and yy are even in the line and xy is odd: `table` has
+  /// Multiplies pairs (x, y) by [xx, xy; xy, yy], where xx and yy are even in the line and xy is odd: `table` has
   /// rows/2 + 1 lines of all xx, xy, yy.
   void (*multiply_symmetric)(const Real* table, int rows, Real* x, Real* y);
   /// to += table waves, all of them complex numbers in `rows` lines.

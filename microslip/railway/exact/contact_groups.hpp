@@ -30,7 +30,7 @@ struct RowSums {
   Vec2 extent() const;
 };
 
-/// Where wheel and rail touch, or nearly so.
+/// Extent of the region where wheel and rail touch, or nearly so.
 struct ContactExtent {
   double x_low = 0, x_high = 0; ///< along the track [m]
   double s_low = 0, s_high = 0; ///< of the rail's profile [m]
@@ -53,7 +53,7 @@ struct ContactGroup {
 
   double cosine() const { return std::cos(group.outline.frame.angle); }
   bool covers_overlap() const;
-  /// With the wheel's overlap `depth` [m]; nothing where it does not touch.
+  /// Extent at the wheel's overlap `depth` [m]; nothing where it does not touch.
   std::optional<ContactExtent> extent(double depth) const;
 };
 

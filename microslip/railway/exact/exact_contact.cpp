@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-/// Of the tractions on a patch, each along the axes of its row.
+/// Vertical force of the tractions on a patch, each along the axes of its row.
 double vertical_force_of(const ContactGroup& one) {
   const ContactSolution& s = one.solution;
   double sum = 0;
@@ -58,7 +58,7 @@ void sum(const RowContact& coarse, std::vector<ContactGroup>& loaded, WheelRailS
   out.force = wheel.force, out.moment = wheel.moment;
 }
 
-/// Of the way by which the wheel is lowered further [m], how much to go before patches are found anew: none where it is
+/// Share of a further lowering of the wheel [m] to go before patches are found anew: none where it is
 /// small beside the greatest overlap times the squared cosine of the inclination, since they hold then, all where it is
 /// large, and a share in between, so that nothing changes at once. Frames on steep flanks turn the more with the
 /// height.
@@ -75,12 +75,12 @@ bool hold_contacts(const std::vector<ContactGroup>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const ContactGroup& one) { return one.exact.holds_contact(); });
 }
 
-/// Returns whether elements further out are of no use: there are none in the overlap.
+/// Returns true if elements further out are useless: there are none in the overlap.
 bool cover_overlap(const std::vector<ContactGroup>& loaded) {
   return std::all_of(loaded.begin(), loaded.end(), [](const ContactGroup& one) { return one.covers_overlap(); });
 }
 
-/// No load of these patches bears the vertical force: that is for other heights to find.
+/// No load of these patches carries the vertical force: that is for other heights to find.
 bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
   out.patches.clear(), out.fields.clear();
   out.force = out.moment = {};
@@ -90,7 +90,7 @@ bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
 
 /// The patches that the fast theory has in its height, pressed together. Elements cover what is given of the overlap,
 /// or all of it where they do not hold the contact. Returns by how much the wheel is lowered [m]; nothing where no load
-/// of the patches bears the vertical force.
+/// of the patches carries the vertical force.
 std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                                     std::optional<double> vertical_force, std::span<const ContactExtent> extents,
                                     std::vector<ContactGroup>& loaded, const Progress& progress) {
@@ -105,10 +105,10 @@ std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& b
   return lowering;
 }
 
-/// What few elements over all of the overlap tell.
+/// Forecast by few elements over all of the overlap.
 struct Forecast {
-  std::vector<ContactExtent> extents; ///< of the contact, also where the fast theory's rows bear nothing
-  std::optional<double> lowering;     ///< of the wheel until the patches bear the vertical force [m]
+  std::vector<ContactExtent> extents; ///< of the contact, also where the fast theory's rows carry nothing
+  std::optional<double> lowering;     ///< of the wheel until the patches carry the vertical force [m]
   double share_to_go = 0;             ///< of a further lowering of that size
 };
 
@@ -126,7 +126,7 @@ Forecast forecast(RowContact& coarse, const WheelRailBodies& bodies, WheelRailMe
   return found;
 }
 
-/// Lowers the wheel to the height in which few elements bear the vertical force, in one step of Newton's method, or in
+/// Lowers the wheel to the height in which few elements carry the vertical force, in one step of Newton's method, or in
 /// two where the first one is large: frames and elements are then those of nearly the right height, and smooth
 /// functions of the state.
 Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
@@ -146,7 +146,7 @@ Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelR
 }
 
 /// Solves with the patches that the fast theory has in its height. False if `others` may be found and these do not
-/// hold in the height that bears the vertical force, towards which the wheel has gone then.
+/// hold in the height that carries the vertical force, towards which the wheel has gone then.
 bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                         std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
                         WheelRailSolution& out, const Progress& progress) {
@@ -177,7 +177,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
     if (!held) break;
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
     const double same_elements = round < 2 ? 5e-4 : 1e-2;
-    // The first round is to tell how much of the weight the tangential forces bear.
+    // The first round is to tell how much of the weight the tangential forces carry.
     const double tolerance = round == 0 && vertical_force ? 1e-3 : 1e-6;
     double vertical = 0;
     for (ContactGroup& one : loaded) {
@@ -199,7 +199,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
   return true;
 }
 
-/// In a state, from the patches of the fast theory there.
+/// Solves a state from the patches of the fast theory there.
 void solve_from_coarse(RowContact& coarse, WheelState<double> state, const WheelRailBodies& bodies,
                        const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                        const Progress& progress) {
@@ -239,7 +239,7 @@ public:
     return out_.force.z / vertical_force_ - 1;
   }
 
-  /// Brackets the height that bears the vertical force in steps that grow, from `start` on and not below `least` [m].
+  /// Brackets the height that carries the vertical force in steps that grow, from `start` on and not below `least` [m].
   void find(double start, double least) {
     constexpr double first_step = 4e-6, growth = 3, precision = 1e-9, finest = 1e-12; // [m], [-], [m]
     constexpr int most_steps = 7;                                                     // up to 4 mm away
@@ -266,7 +266,7 @@ public:
       before = here;
       if (std::abs(here.value) < std::abs(nearest.value)) nearest = here;
     }
-    if (beyond_elements_ > 0) { // one of these heights may bear the force
+    if (beyond_elements_ > 0) { // one of these heights may carry the force
       no_balance(out_, Unsolved::beyond_elements);
       return;
     }

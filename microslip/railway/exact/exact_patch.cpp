@@ -81,16 +81,16 @@ Vec3<double> ExactPatch::place(std::size_t element) const {
   return rows_[element / mx].point + Vec3<double>{grid_.x(static_cast<int>(element % mx)), 0, 0};
 }
 
-void ExactPatch::lift(std::span<const PointLoad> loads) {
+void ExactPatch::apply_lift(std::span<const PointLoad> loads) {
   lifted_ = gaps_;
   for (const PointLoad& load : loads) {
     const double factor = far_field(material_) * load.force * std::cos(load.angle - frame_.angle);
     for (int j = 0; j < grid_.my; ++j) {
-      const Vec3<double> way = row(j).point - load.place;
-      const double across = way.y * way.y + way.z * way.z;
+      const Vec3<double> offset = row(j).point - load.place;
+      const double across = offset.y * offset.y + offset.z * offset.z;
       double* h = &lifted_[static_cast<std::size_t>(j) * grid_.mx];
       for (int i = 0; i < grid_.mx; ++i) {
-        const double x = way.x + grid_.x(i);
+        const double x = offset.x + grid_.x(i);
         h[i] += factor / std::sqrt(x * x + across);
       }
     }
@@ -158,7 +158,7 @@ void ExactPatch::correct_angles(const CombinedMaterial& material) {
   added_ = on_grid_;
 }
 
-/// Those of the last tractions and of the pressures that there are.
+/// Displacements by the last tractions and the present pressures.
 ExactPatch::Fields ExactPatch::added_displacements() {
   on_grid_[2] = pressed_.pressure;
   Fields added = correction_->find(on_grid_);
@@ -167,7 +167,7 @@ ExactPatch::Fields ExactPatch::added_displacements() {
   return added;
 }
 
-/// With the half-space's displacements alone.
+/// Solves with the half-space's displacements alone.
 void ExactPatch::solve_plane(const NormalLoad& load, double tolerance) {
   std::vector<double> gap = lifted_;
   if (correction_)
@@ -177,7 +177,7 @@ void ExactPatch::solve_plane(const NormalLoad& load, double tolerance) {
                  : normal_.solve(gap, load, tolerance, progress_);
 }
 
-/// What the rows' angles add is taken from the last pressures until it stays.
+/// Solves; what the rows' angles add is taken from the last pressures until it stays.
 void ExactPatch::solve(const NormalLoad& load, double tolerance) {
   solve_plane(load, tolerance);
   for (int k = 0; correction_; ++k) {
@@ -192,7 +192,7 @@ void ExactPatch::solve(const NormalLoad& load, double tolerance) {
   find_loads();
 }
 
-void ExactPatch::press(double approach, double tolerance) {
+void ExactPatch::solve_normal(double approach, double tolerance) {
   solve({NormalLoad::Given::approach, approach - least_}, tolerance);
 }
 
@@ -228,7 +228,7 @@ void ExactPatch::keep_tractions(const ContactSolution& solution) {
   }
 }
 
-/// What the rows' angles add to the tangential displacements, by cubic polynomials along rows and straight lines
+/// Addition of the rows' angles to the tangential displacements, by cubic polynomials along rows and straight lines
 /// across.
 Vec2 ExactPatch::added_at(double x, double y) const {
   const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0), i = (x - grid_.x0) / grid_.dx;
@@ -249,7 +249,7 @@ Vec2 ExactPatch::added_at(double x, double y) const {
   return {at(added_[0]), at(added_[1])};
 }
 
-/// With what the rows' angles add taken from the last tractions until it stays.
+/// Rolls with what the rows' angles add, taken from the last tractions until it stays.
 ContactSolution ExactPatch::roll_plane(PatchRollingMotion motion) {
   constexpr int settling = 4;
   if (correction_) {

@@ -33,7 +33,7 @@ public:
     RollingDirection direction = RollingDirection::forward;
   };
 
-  /// On which surface it is solved.
+  /// Surface on which it is solved.
   struct Shape {
     PatchShape surface = PatchShape::curved;
     double conformity = 0; ///< in [0, 1], WheelRailMethod::conformity
@@ -50,12 +50,12 @@ public:
   const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }
 
   /// Loads on other patches from now on lift the rail's surface here.
-  void lift(std::span<const PointLoad> loads);
-  /// By how much a load elsewhere lifts the pressure's centre [m].
+  void apply_lift(std::span<const PointLoad> loads);
+  /// Lift of the pressure's centre by a load elsewhere [m].
   double lift_by(const PointLoad& load) const;
 
-  /// Normal problems: the wheel comes nearer by `approach` [m] along the frame's normal, or bears a normal force [N].
-  void press(double approach, double tolerance);
+  /// Normal problems: the wheel comes nearer by `approach` [m] along the frame's normal, or carries a normal force [N].
+  void solve_normal(double approach, double tolerance);
   void press_with(double normal_force, double tolerance);
   /// A normal force [N] so near the last one that all pressures are multiplied.
   void scale_to(double normal_force);
@@ -63,7 +63,7 @@ public:
   double approach() const { return pressed_.approach + least_; }
   double least_gap() const { return least_; }
   Status status() const { return pressed_.status; }
-  /// For a conformal patch: distance by which the tractions that were found last would still move the surfaces that the
+  /// Unsettled distance of a conformal patch, by which the last tractions would still move the surfaces that the
   /// pressures know of, over the largest displacement [-]; else 0.
   double unsettled() const { return unsettled_; }
   /// Returns whether the outline holds the contact, as the elements need it.

@@ -47,7 +47,7 @@ void couple(const std::vector<ContactGroup>& groups, std::vector<double>& direct
   for (std::size_t k = 0; k < n; ++k) direct[k] = rows[k * (n + 2) + n], lowered[k] = rows[k * (n + 2) + n + 1];
 }
 
-/// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that bear a vertical force
+/// A step of Newton's method for normal forces F_i = N_i(zeta cos(angle_i) - sum C_ij F_j) that carry a vertical force
 /// [N] where one is given. Returns the change of zeta [m], nothing where lowering the wheel would lift it less.
 std::optional<double> correct(std::vector<ContactGroup>& groups, std::optional<double> vertical_force) {
   std::vector<double> direct, lowered;
@@ -80,11 +80,11 @@ double hertzian_stiffness(const ContactGroup& one, std::span<const PointLoad> lo
 }
 
 /// Presses a patch with the wheel lowered by `zeta`, the others lifting it; a secant improves its stiffness.
-void press(std::vector<ContactGroup>& groups, ContactGroup& one, double zeta, double tolerance) {
+void solve_normal(std::vector<ContactGroup>& groups, ContactGroup& one, double zeta, double tolerance) {
   constexpr double least_change = 5e-4; // of the force, beyond what tolerances leave
   const std::vector<PointLoad> loads = loads_on(groups, one);
-  one.exact.lift(loads);
-  one.exact.press(zeta * one.cosine(), tolerance);
+  one.exact.apply_lift(loads);
+  one.exact.solve_normal(zeta * one.cosine(), tolerance);
   one.pressed = one.exact.normal_force();
   const double approach = approach_of(one, loads, zeta);
   if (one.force_before && std::abs(one.pressed - *one.force_before) > least_change * one.pressed) {
@@ -115,12 +115,12 @@ void press_first(std::vector<ContactGroup>& groups) {
     std::vector<PointLoad> rows;
     for (const ContactGroup& other : groups)
       if (&other != &one) rows.insert(rows.end(), other.start.begin(), other.start.end());
-    one.exact.lift(rows);
+    one.exact.apply_lift(rows);
     if (one.force > 0) {
       one.exact.press_with(one.force, tolerance);
       one.pressed = one.force - hertzian_stiffness(one, rows) * one.exact.approach();
     } else {
-      one.exact.press(0, tolerance);
+      one.exact.solve_normal(0, tolerance);
       one.pressed = one.force = one.exact.normal_force();
     }
     one.stiffness = hertzian_stiffness(one, rows);
@@ -136,7 +136,7 @@ std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optiona
     if (vertical_force && !(only.share > 0)) return {};
     if (vertical_force) only.force = *vertical_force / only.share;
     if (!vertical_force)
-      only.exact.press(0, tolerance);
+      only.exact.solve_normal(0, tolerance);
     else if (!scale(groups))
       only.exact.press_with(only.force, tolerance);
     return only.exact.approach() / only.cosine();
@@ -150,7 +150,7 @@ std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optiona
     if (!first && step == 0 && scale(groups)) break;
     double largest = 0, error = 0;
     for (ContactGroup& one : groups) {
-      press(groups, one, zeta, of_pressures);
+      solve_normal(groups, one, zeta, of_pressures);
       largest = std::max(largest, one.pressed), error = std::max(error, std::abs(one.pressed - one.force));
     }
     if (error <= tolerance * largest && of_pressures <= tolerance) break;

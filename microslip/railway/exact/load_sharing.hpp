@@ -7,13 +7,13 @@
 
 namespace microslip {
 
-/// Presses all patches with the forces of the fast theory, which tells how stiff they are, and what they would bear in
+/// Presses all patches with the forces of the fast theory, which tells how stiff they are, and what they would carry in
 /// the fast theory's height.
 void press_first(std::vector<ContactGroup>& groups);
 
-/// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they bear it:
+/// Finds the normal forces and, where a vertical force [N] is given, the lowering zeta [m] with which they carry it:
 /// Newton's method from `zeta` and what the patches bore there, in the first round to less accuracy. Returns zeta,
-/// nothing where no load of the patches bears the force.
+/// nothing where no load of the patches carries the force.
 std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optional<double> vertical_force, double zeta,
                                  bool first);
 

@@ -5,8 +5,8 @@
 namespace microslip {
 namespace {
 
-/// Of two patches with a clearance between them, in depths: from 1 where they share a grid smoothly to 0 where they
-/// have different frames.
+/// Nearness of two patches with a clearance between them, in depths: from 1 where they share a grid smoothly to 0 where
+/// they have different frames.
 double nearness(double clearance) {
   constexpr double one_grid = 0.02, own_frames = 0.25;
   const double t = std::clamp((own_frames - clearance) / (own_frames - one_grid), 0.0, 1.0);

@@ -13,10 +13,10 @@ namespace microslip {
 /// each other than 1e-9 m. Ends early where a wheel leaves its rail.
 using WheelsetCurve = std::vector<WheelsetContact>;
 
-/// From `from` to `to` [m], from < to, with 0 between or at an end: at steps of `step` and between them, as fine as the
-/// rolling radius difference needs to be linear in between within 1e-7 m. Throws Error for a range that is empty, and
-/// if there is no contact at 0. Cost 100 to 1000 contacts per mm, each of which `progress` is told before, of no
-/// fraction; where it returns false Stopped is thrown.
+/// Curve from `from` to `to` [m], from < to, with 0 between or at an end: at steps of `step` and between them, as fine
+/// as the rolling radius difference needs to be linear in between within 1e-7 m. Throws Error for a range that is
+/// empty, and if there is no contact at 0. Cost 100 to 1000 contacts per mm; `progress` is called before each, without
+/// a fraction; if it returns false Stopped is thrown.
 WheelsetCurve wheelset_curve(WheelsetSearch& search, double from, double to, RollRule rule = RollRule::equilibrium,
                              double yaw = 0, const Progress& progress = {}, double step = 1e-4);
 
@@ -57,7 +57,7 @@ struct WheelsetBase {
   double nominal_radius = 0.46;  ///< r0 [m], > 0
 };
 
-/// One period of the motion of a free wheelset that rolls without slip on straight track.
+/// Period of the motion of a free wheelset that rolls without slip on straight track.
 struct KinematicOscillation {
   double from = 0, to = 0; ///< [m], extreme lateral displacements, 2 amplitudes apart
   double wavelength = 0;   ///< [m]

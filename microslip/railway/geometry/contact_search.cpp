@@ -55,7 +55,7 @@ private:
   double y_, z_, cosine_, sine_, angle_;
 };
 
-/// Of cosines of angles between two that differ by less than a straight angle.
+/// Range of cosines of angles between two that differ by less than a straight angle.
 Range between_angles(double c0, double s0, double c1, double s1) {
   Range range = Range::between(c0, c1);
   if (s0 * s1 < 0 && c0 + c1 > 0) range.high = 1;
@@ -104,7 +104,7 @@ template <class Function> double monotone_root(double a, double b, bool rising, 
   return u;
 }
 
-/// Where the straight line through (a, f(a)) and (b, f(b)) is zero.
+/// Zero of the straight line through (a, f(a)) and (b, f(b)).
 double secant(double a, double fa, double b, double fb) {
   return fa == fb ? (a + b) / 2 : a - fa * (b - a) / (fb - fa);
 }
@@ -120,7 +120,7 @@ Frame<double> seen_from(const Frame<double>& frame, double view) {
 } // namespace
 
 /// One search: pairs of arcs that may hold a point of equal inclination.
-struct Traversal {
+struct ArcPairSearch {
   ContactSearch& search;
   double approach;
   const ProfileArcs &rail_arcs = search.rail_, &wheel_arcs = search.wheel_;
@@ -380,7 +380,7 @@ struct Traversal {
 };
 
 /// Follows the locus of a search over the rail.
-struct LocusWalk {
+struct LocusTracer {
   using KnownEdge = ContactSearch::KnownEdge;
 
   const ContactSearch& search;
@@ -389,10 +389,10 @@ struct LocusWalk {
   WheelLocus<double> locus{search.turned_.wheel.frame, search.turned_.radius};
   std::size_t last_arc = 0;
 
-  struct Place {
+  struct LocusGap {
     double gap = std::numeric_limits<double>::infinity(); ///< infinite where there is no rail below
     double slope = 0;                                     ///< by the parameter
-    Vec3<double> place;
+    Vec3<double> point;
     double s_wheel = 0, s_rail = 0;
   };
 
@@ -438,77 +438,77 @@ struct LocusWalk {
     }
   }
 
-  Place at(double parameter) {
+  LocusGap at(double parameter) {
     const std::size_t index = std::min(static_cast<std::size_t>(parameter), wheel_arcs.arcs().size() - 1);
     const ProfileArc& arc = wheel_arcs.arcs()[index];
     const double u = parameter - static_cast<double>(index);
     const LocusPoint<double> p = locus.at(wheel_arcs.at(arc, u));
-    Place place;
-    place.place = p.place;
-    place.s_wheel = arc.start + u * arc.length;
+    LocusGap here;
+    here.point = p.place;
+    here.s_wheel = arc.start + u * arc.length;
     std::size_t rail_arc = 0;
     double v = 0;
-    if (!p.exists || p.cosine <= 0 || !find_rail(p.place.y, rail_arc, v)) return place;
+    if (!p.exists || p.cosine <= 0 || !find_rail(p.place.y, rail_arc, v)) return here;
     const RailCurve::Point q = rail.at(rail_arcs.arcs()[rail_arc], v);
-    place.gap = p.place.z - q.z;
-    place.slope = p.speed * (p.sine - q.sine / q.cosine * p.cosine);
-    place.s_rail = rail_arcs.arcs()[rail_arc].start + v * rail_arcs.arcs()[rail_arc].length;
-    return place;
+    here.gap = p.place.z - q.z;
+    here.slope = p.speed * (p.sine - q.sine / q.cosine * p.cosine);
+    here.s_rail = rail_arcs.arcs()[rail_arc].start + v * rail_arcs.arcs()[rail_arc].length;
+    return here;
   }
 
   /// A step of Newton's method after which its error is rounding, in arcs.
   static constexpr double last_step = 1e-9;
 
-  /// A way along the locus from a point of a region out of it. The gap grows on it up to the region's end.
+  /// A path along the locus from a point of a region out of it. The gap grows on it up to the region's end.
   struct Path {
     double inside, bound; ///< from and to [arcs]
     bool to_point;        ///< the bound is another point, else the end of the wheel
-    double way() const { return bound < inside ? -1 : 1; }
+    double direction() const { return bound < inside ? -1 : 1; }
   };
 
-  /// Where the gap is `lowering` on the path. Starts from the edge that is known, which it becomes, or else from a
-  /// `step`.
+  /// Edge of the region: the point of the path where the gap is `lowering`. Starts from the edge that is known, which
+  /// it becomes, or else from a `step`.
   ContactRegion::End edge(const Path& path, double step, double lowering, KnownEdge& known) {
     std::optional<ContactRegion::End> end;
     if (known.slope != 0) end = follow(path, lowering, known);
     return end ? *end : bracket(path, step, lowering, known);
   }
 
-  /// By Newton's method from the known edge; nothing where it leaves the path, or the part of it on which the gap
-  /// grows.
+  /// Follows the edge by Newton's method from the known one; nothing where it leaves the path, or the part of it on
+  /// which the gap grows.
   std::optional<ContactRegion::End> follow(const Path& path, double lowering, KnownEdge& known) {
     constexpr int most_steps = 6;
     last_arc = known.rail_arc;
     double u = known.parameter + (lowering - known.gap) / known.slope;
     for (int k = 0; k < most_steps; ++k) {
       if (!((u - path.inside) * (path.bound - u) > 0)) return {};
-      const Place place = at(u);
-      const double change = (lowering - place.gap) / place.slope;
-      if (!std::isfinite(change) || !(place.slope * path.way() > 0)) return {};
-      if (std::abs(change) <= last_step) return moved(place, u, change, lowering, known);
+      const LocusGap here = at(u);
+      const double change = (lowering - here.gap) / here.slope;
+      if (!std::isfinite(change) || !(here.slope * path.direction() > 0)) return {};
+      if (std::abs(change) <= last_step) return moved(here, u, change, lowering, known);
       u += change;
     }
     return {};
   }
 
   /// The edge that is a last step further.
-  ContactRegion::End moved(const Place& place, double u, double change, double lowering, KnownEdge& known) {
-    known = {u + change, lowering, place.slope, last_arc};
-    return end_at(change == 0 ? place : at(known.parameter), Corner::none);
+  ContactRegion::End moved(const LocusGap& here, double u, double change, double lowering, KnownEdge& known) {
+    known = {u + change, lowering, here.slope, last_arc};
+    return end_at(change == 0 ? here : at(known.parameter), Corner::none);
   }
 
-  /// The ends of a part of the path that holds the edge, `outside` with its place; nothing if the wheel ends before.
-  std::optional<std::array<double, 2>> enclose(const Path& path, double step, double lowering, Place& place) {
+  /// The ends of a part of the path that holds the edge, `outside` with its gap; nothing if the wheel ends before.
+  std::optional<std::array<double, 2>> enclose(const Path& path, double step, double lowering, LocusGap& here) {
     constexpr int most_halvings = 60;
-    const double way = path.way();
+    const double direction = path.direction();
     double inside = path.inside;
     for (int halvings = 0; halvings < most_halvings && inside != path.bound;) {
-      const double outside = way * std::min(way * (inside + way * step), way * path.bound);
-      place = at(outside);
-      if (!(place.gap < lowering)) return std::array{inside, outside};
-      const bool beyond_a_maximum = !(place.slope * way > 0) || (path.to_point && outside == path.bound);
+      const double outside = direction * std::min(direction * (inside + direction * step), direction * path.bound);
+      here = at(outside);
+      if (!(here.gap < lowering)) return std::array{inside, outside};
+      const bool beyond_a_maximum = !(here.slope * direction > 0) || (path.to_point && outside == path.bound);
       if (beyond_a_maximum)
-        step = way * (outside - inside) / 2, ++halvings;
+        step = direction * (outside - inside) / 2, ++halvings;
       else
         inside = outside, step *= 2;
     }
@@ -516,38 +516,38 @@ struct LocusWalk {
   }
 
   ContactRegion::End bracket(const Path& path, double step, double lowering, KnownEdge& known) {
-    const double way = path.way();
-    Place place;
+    const double direction = path.direction();
+    LocusGap here;
     known = {};
-    const auto ends = enclose(path, step, lowering, place);
+    const auto ends = enclose(path, step, lowering, here);
     if (!ends) return end_at(at(path.bound), Corner::end);
     auto [inside, outside] = *ends;
 
     double u = (inside + outside) / 2;
-    if (std::isfinite(place.gap)) u = outside - (place.gap - lowering) / place.slope;
-    bool rail_ends = std::isinf(place.gap);
+    if (std::isfinite(here.gap)) u = outside - (here.gap - lowering) / here.slope;
+    bool rail_ends = std::isinf(here.gap);
     for (int k = 0; k < 100; ++k) {
-      if (!((u - inside) * way > 0 && (outside - u) * way > 0)) u = (inside + outside) / 2;
-      place = at(u);
-      const double change = (lowering - place.gap) / place.slope;
-      if (place.gap < lowering) {
+      if (!((u - inside) * direction > 0 && (outside - u) * direction > 0)) u = (inside + outside) / 2;
+      here = at(u);
+      const double change = (lowering - here.gap) / here.slope;
+      if (here.gap < lowering) {
         inside = u;
       } else {
         outside = u;
-        rail_ends = std::isinf(place.gap);
+        rail_ends = std::isinf(here.gap);
       }
-      const double next = k % 8 == 7 || std::isinf(place.gap) ? (inside + outside) / 2 : u + change;
-      if (std::isfinite(place.gap) && std::abs(change) <= last_step && (next - inside) * (outside - next) >= 0)
-        return moved(place, u, change, lowering, known);
+      const double next = k % 8 == 7 || std::isinf(here.gap) ? (inside + outside) / 2 : u + change;
+      if (std::isfinite(here.gap) && std::abs(change) <= last_step && (next - inside) * (outside - next) >= 0)
+        return moved(here, u, change, lowering, known);
       if (std::abs(next - u) <= 1e-15 * (1 + std::abs(u)) || std::abs(outside - inside) <= 1e-15 * (1 + std::abs(u)))
         break;
       u = next;
     }
-    return rail_ends ? end_at(at(inside), Corner::end) : end_at(place, Corner::none);
+    return rail_ends ? end_at(at(inside), Corner::end) : end_at(here, Corner::none);
   }
 
-  ContactRegion::End end_at(const Place& place, Corner corner) const {
-    return {place.s_wheel, place.s_rail, rotation_about_x(search.view_) * place.place, corner};
+  ContactRegion::End end_at(const LocusGap& here, Corner corner) const {
+    return {here.s_wheel, here.s_rail, rotation_about_x(search.view_) * here.point, corner};
   }
 
   /// Arcs to the point where a parabola through the point reaches `lowering`.
@@ -580,9 +580,9 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   points_.clear();
   regions_.clear();
   ++search_;
-  Traversal traversal{*this, approach};
+  ArcPairSearch traversal{*this, approach};
   // the smallest gap is at most that of any point: that of the last search leaves little to look at in a similar state
-  traversal.lowest = LocusWalk{*this}.at(nearest_arc_).gap + rounding;
+  traversal.lowest = LocusTracer{*this}.at(nearest_arc_).gap + rounding;
   traversal.visit(0, 0);
 
   const auto nearest = std::min_element(points_.begin(), points_.end(),
@@ -609,12 +609,12 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
 
 double ContactSearch::shift(const WheelPlacement<double>& placement) {
   turned_ = placement;
-  return LocusWalk{*this}.at(nearest_arc_).gap;
+  return LocusTracer{*this}.at(nearest_arc_).gap;
 }
 
 std::span<const ContactRegion> ContactSearch::regions(double lowering) {
   regions_.clear();
-  LocusWalk walk{*this};
+  LocusTracer walk{*this};
   const std::size_t n = points_.size();
   for (std::size_t k = 0; k < n; ++k) {
     if (!(points_[k].gap < lowering)) continue;

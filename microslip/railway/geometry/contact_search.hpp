@@ -70,15 +70,15 @@ public:
   const ProfileArcs& wheel() const { return wheel_; }
 
 private:
-  friend struct Traversal;
-  friend struct LocusWalk;
+  friend struct ArcPairSearch;
+  friend struct LocusTracer;
 
   /// Bounds of a part of the wheel's locus.
   struct LocusBounds {
     Range y, z, inclination;
   };
 
-  /// Where a region was found to end.
+  /// End of a region as it was found last.
   struct KnownEdge {
     double parameter = 0, gap = 0, slope = 0; ///< of the locus; the gap there [m]; its slope, 0 where none is known
     std::size_t rail_arc = 0;                 ///< below it

@@ -17,22 +17,22 @@ ProfilePoint normal_at(const Profile& profile, double s) {
   return {-d.z / length, d.y / length};
 }
 
-/// Lines across the track through a point that moves along it, and where they meet both surfaces.
-class Lines {
+/// GapLine across the track through a point that moves along it, and where they meet both surfaces.
+class GapLine {
 public:
-  Lines(const TrueSurfaces& surfaces, const WheelPlacement<double>& placement, const Vec3<double>& point,
-        const Vec3<double>& direction, SurfaceHit rail, SurfaceHit wheel)
+  GapLine(const TrueSurfaces& surfaces, const WheelPlacement<double>& placement, const Vec3<double>& point,
+          const Vec3<double>& direction, SurfaceHit rail, SurfaceHit wheel)
       : surfaces_(&surfaces), placement_(&placement), point_(point), direction_(direction), rail_(rail), wheel_(wheel) {
   }
 
-  /// From the rail to the wheel at x of the track axes, by Newton's method from the last position.
+  /// Distance from the rail to the wheel at x of the track axes, by Newton's method from the last position.
   std::optional<double> distance(double x) {
     const Vec3<double> from{x, point_.y, point_.z};
     if (!find_on_rail(surfaces_->rail, *placement_, from, direction_, rail_)) return {};
     if (!find_on_wheel(surfaces_->wheel, *placement_, from, direction_, wheel_)) return {};
     return wheel_.n - rail_.n;
   }
-  /// From the point to the wheel alone.
+  /// Distance from the point to the wheel alone.
   std::optional<double> distance_of_wheel(double x) {
     if (!find_on_wheel(surfaces_->wheel, *placement_, {x, point_.y, point_.z}, direction_, wheel_)) return {};
     return wheel_.n;
@@ -71,32 +71,32 @@ template <class Function> std::optional<Least> find_least(Function function, dou
 }
 
 /// dn/dx of the rail; 0 where it begins or ends.
-double rail_slope(Lines lines, double x) {
+double rail_slope(GapLine line, double x) {
   constexpr double step = 2e-4; // [m]
-  if (!lines.distance(x - step)) return 0;
-  const double behind = lines.rail().n;
-  return lines.distance(x + step) ? (lines.rail().n - behind) / (2 * step) : 0;
+  if (!line.distance(x - step)) return 0;
+  const double behind = line.rail().n;
+  return line.distance(x + step) ? (line.rail().n - behind) / (2 * step) : 0;
 }
 
-/// Of positions along the track around x the one with the least distance.
-double lowest_place(Lines lines, double x) {
+/// Position along the track, around x, of the least distance.
+double position_of_least_distance(GapLine line, double x) {
   constexpr int to_each_side = 6;
   constexpr double apart = 5e-3; // [m]
-  double lowest = std::numeric_limits<double>::infinity(), place = x;
+  double lowest = std::numeric_limits<double>::infinity(), position = x;
   for (int k = -to_each_side; k <= to_each_side; ++k) {
-    const auto distance = lines.distance(x + k * apart);
-    if (distance && *distance < lowest) lowest = *distance, place = x + k * apart;
+    const auto distance = line.distance(x + k * apart);
+    if (distance && *distance < lowest) lowest = *distance, position = x + k * apart;
   }
-  return place;
+  return position;
 }
 
 /// The number of the profile's point that is nearest to a position.
-double nearest_point(const Profile& profile, const ProfilePoint& place) {
+double nearest_point(const Profile& profile, const ProfilePoint& position) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t number = 0;
   for (std::size_t k = 0; k < profile.pieces().size(); ++k) {
     const ProfilePoint p = profile.pieces()[k].c[0];
-    const double distance = std::hypot(p.y - place.y, p.z - place.z);
+    const double distance = std::hypot(p.y - position.y, p.z - position.z);
     if (distance < nearest) nearest = distance, number = k;
   }
   return static_cast<double>(number);
@@ -113,7 +113,7 @@ struct EquivalentRail::Above {
   Along along = {};
   bool is_found = false; ///< both of these
 
-  Vec3<double> place(const WheelPlacement<double>& placement) const {
+  Vec3<double> position(const WheelPlacement<double>& placement) const {
     return placement.rail.frame.outer({0, point.y, point.z});
   }
   Vec3<double> direction(const WheelPlacement<double>& placement) const {
@@ -133,14 +133,14 @@ std::vector<EquivalentRail::Above> EquivalentRail::find_round_wheel(const TrueSu
     const double s = parameter_at(rail, static_cast<double>(k));
     Above& a = all.emplace_back(Above{rail.at(s).value, normal_at(rail, s), {}});
     if (!start) {
-      const Vec3<double> place = frame.inner(a.place(placement) + Vec3<double>{x, 0, 0});
-      start = nearest_point(wheel, {place.y, placement.radius + place.z});
+      const Vec3<double> position = frame.inner(a.position(placement) + Vec3<double>{x, 0, 0});
+      start = nearest_point(wheel, {position.y, placement.radius + position.z});
     }
-    Lines lines(round, placement, a.place(placement), a.direction(placement), {}, {0, *start});
-    a.round = find_least([&](double at) { return lines.distance_of_wheel(at); }, x);
+    GapLine line(round, placement, a.position(placement), a.direction(placement), {}, {0, *start});
+    a.round = find_least([&](double at) { return line.distance_of_wheel(at); }, x);
     start.reset();
     if (!a.round) continue;
-    start = a.wheel_v = lines.wheel().v, x = a.round->x;
+    start = a.wheel_v = line.wheel().v, x = a.round->x;
   }
   return all;
 }
@@ -168,7 +168,7 @@ EquivalentRail::EquivalentRail(const TrueSurfaces& surfaces, const WheelPlacemen
   rail_ = Profile(ProfileRole::rail, points, rail.profile.kinks());
 }
 
-/// What the least distances of the true surfaces are at the points that are not far from the wheel.
+/// Moves the points that are not far from the wheel to the least distances of the true surfaces.
 void EquivalentRail::move_points(const WheelPlacement<double>& placement, std::vector<Above>& all) const {
   constexpr double near = 8e-3; // [m], over the least distance: beyond there is no contact
   double least = std::numeric_limits<double>::infinity();
@@ -176,13 +176,13 @@ void EquivalentRail::move_points(const WheelPlacement<double>& placement, std::v
   for (std::size_t k = 0; k < all.size(); ++k) {
     Above& a = all[k];
     if (!a.round || a.round->value > least + near) continue;
-    Lines lines(surfaces_, placement, a.place(placement), a.direction(placement),
-                {0, first_rail_ + static_cast<double>(k)}, {a.round->value, first_wheel_ + a.wheel_v});
-    const double start = lowest_place(lines, a.round->x);
-    const auto found = find_least([&](double x) { return lines.distance(x); }, start);
-    if (!found || !lines.distance(found->x)) continue;
+    GapLine line(surfaces_, placement, a.position(placement), a.direction(placement),
+                 {0, first_rail_ + static_cast<double>(k)}, {a.round->value, first_wheel_ + a.wheel_v});
+    const double start = position_of_least_distance(line, a.round->x);
+    const auto found = find_least([&](double x) { return line.distance(x); }, start);
+    if (!found || !line.distance(found->x)) continue;
     a.moved = a.round->value - found->value, a.is_found = true;
-    a.along = {found->x, found->curvature, lines.rail().n - a.moved, rail_slope(lines, found->x)};
+    a.along = {found->x, found->curvature, line.rail().n - a.moved, rail_slope(line, found->x)};
   }
 }
 
@@ -198,16 +198,16 @@ EquivalentRail::Along EquivalentRail::at(double rail_s) const {
 void EquivalentRail::find_gaps(const WheelPlacement<double>& placement, const Vec3<double>& point,
                                const Vec3<double>& normal, double rail_s, double& wheel_s, std::span<const double> x,
                                std::span<double> gaps) const {
-  const Lines first(surfaces_, placement, point, normal, {at(rail_s).rise, first_rail_ + number_at(rail_, rail_s)},
-                    {0, first_wheel_ + number_at(wheel_, wheel_s)});
-  Lines lines = first;
+  const GapLine first(surfaces_, placement, point, normal, {at(rail_s).rise, first_rail_ + number_at(rail_, rail_s)},
+                      {0, first_wheel_ + number_at(wheel_, wheel_s)});
+  GapLine line = first;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto gap = lines.distance(point.x + x[i]);
+    const auto gap = line.distance(point.x + x[i]);
     gaps[i] = gap.value_or(nowhere);
     if (!gap)
-      lines = first;
+      line = first;
     else if (i == x.size() / 2)
-      wheel_s = parameter_at(wheel_, lines.wheel().v - first_wheel_);
+      wheel_s = parameter_at(wheel_, line.wheel().v - first_wheel_);
   }
 }
 
@@ -221,11 +221,11 @@ std::optional<EquivalentRail::Stretch> EquivalentRail::find_overlap(const WheelP
   Stretch stretch{along.x, along.x};
   bool overlaps = false;
   for (const double sign : {-1.0, 1.0}) {
-    Lines lines(surfaces_, placement, frame.outer({0, p.y, p.z}), frame.axes * Vec3<double>{0, n.y, n.z},
-                {along.rise, first_rail_ + number_at(rail_, rail_s)}, {0, first_wheel_ + number_at(wheel_, wheel_s)});
+    GapLine line(surfaces_, placement, frame.outer({0, p.y, p.z}), frame.axes * Vec3<double>{0, n.y, n.z},
+                 {along.rise, first_rail_ + number_at(rail_, rail_s)}, {0, first_wheel_ + number_at(wheel_, wheel_s)});
     for (int k = 0, last = 0; k < most_steps && k - last <= apart; ++k) {
       const double x = along.x + sign * k * step;
-      const auto distance = lines.distance(x);
+      const auto distance = line.distance(x);
       if (!distance || !(*distance < 0)) continue;
       last = k, overlaps = true;
       (sign < 0 ? stretch.low : stretch.high) = x + sign * step;

@@ -39,7 +39,7 @@ public:
 
   const Profile& rail() const { return rail_; }
   const Profile& wheel() const { return wheel_; }
-  /// At the parameter of the rail's profile [m].
+  /// Values at the parameter of the rail's profile [m].
   Along at(double rail_s) const;
 
   /// Distances [m] of the true wheel from the true rail along lines with the direction `normal` through `point`, a

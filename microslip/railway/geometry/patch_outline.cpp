@@ -86,13 +86,13 @@ Alongside alongside(const WheelPlacement<double>& placement, const CurvePoint& o
 
 double clearance_between(const WheelPlacement<double>& placement, const Profile& rail, const Profile& wheel,
                          const PatchOutline& low, const PatchOutline& high) {
-  constexpr int places = 12;
+  constexpr int intervals = 12;
   const WheelLocus<double> locus(placement.wheel.frame, placement.radius);
   double clearance = 0, rail_s = low.outer.s_rail;
-  for (int k = 1; k < places; ++k) {
-    const double t = static_cast<double>(k) / places;
+  for (int k = 1; k < intervals; ++k) {
+    const double t = static_cast<double>(k) / intervals;
     const CurvePoint on_wheel = wheel.at((1 - t) * low.outer.s_wheel + t * high.inner.s_wheel);
-    rail_s += (high.inner.s_rail - low.outer.s_rail) / places;
+    rail_s += (high.inner.s_rail - low.outer.s_rail) / intervals;
     clearance = std::max(clearance, -over_rail(placement, locus, on_wheel, rail, rail_s).overlap);
   }
   return clearance;

@@ -30,7 +30,7 @@ WheelPlacement<Number> placement(const NominalPlacement& nominal, WheelState<dou
   return place(nominal, seeded);
 }
 
-/// What a change does as seen from the rail: position of the wheel's centre across the rail, rotation about the two
+/// Effect of a change as seen from the rail: position of the wheel's centre across the rail, rotation about the two
 /// axes of the wheel that are not its axle, velocity and angular velocity.
 std::array<double, basic_motions> seen_from_rail(const WheelPlacement<Number>& p, int k) {
   const MovingFrame<Number>&wheel = p.wheel, &rail = p.rail;

@@ -98,18 +98,18 @@ bool find_on_wheel(BodyShape wheel, const WheelPlacement<double>& placement, con
   const Frame<double>& frame = placement.wheel.frame;
   const Vec3<double> q = frame.inner(p), along = frame.axes.back(d);
   const auto equations = [&](const SurfaceHit& at) -> std::optional<Equations> {
-    const Vec3<double> place = q + at.n * along;
-    const double square = place.x * place.x + place.z * place.z, rho = std::sqrt(square);
+    const Vec3<double> position = q + at.n * along;
+    const double square = position.x * position.x + position.z * position.z, rho = std::sqrt(square);
     // Slices count from the line that is the lowest one at pitch = 0.
-    const double theta = std::atan2(place.x, -place.z) + placement.pitch;
-    const double theta_n = (place.x * along.z - place.z * along.x) / square;
+    const double theta = std::atan2(position.x, -position.z) + placement.pitch;
+    const double theta_n = (position.x * along.z - position.z * along.x) / square;
     const auto surface = station(wheel, theta, at.v);
     if (!surface) return {};
-    return Equations{place.y - surface->value.y,
+    return Equations{position.y - surface->value.y,
                      rho - placement.radius + surface->value.z,
                      along.y - surface->du.y * theta_n,
                      -surface->dv.y,
-                     (place.x * along.x + place.z * along.z) / rho + surface->du.z * theta_n,
+                     (position.x * along.x + position.z * along.z) / rho + surface->du.z * theta_n,
                      surface->dv.z};
   };
   return solve(equations, last_number(wheel), hit);

@@ -18,8 +18,8 @@ struct ProfileSection {
   double first = 0;
 };
 
-/// At u, along the track [m] or around the wheel [rad]. Throws Error where there are fewer than two points, as in an
-/// interruption.
+/// Section at u, along the track [m] or around the wheel [rad]. Throws Error where there are fewer than two points, as
+/// in an interruption.
 ProfileSection section_at(const BodyShape& body, double u);
 
 /// Intersection of a straight line and a surface.

@@ -13,10 +13,10 @@ namespace microslip {
 struct Track {
   double gauge = 1.435;        ///< [m], > 0, between the gauge points of both rails
   double gauge_height = 0.014; ///< [m], > 0: how far below the rails' tops it is measured
-  /// Absolute placement of the left rail in place of the gauge: the origin of its profile in track axes [m].
+  /// Absolute placement of the left rail instead of the gauge: the origin of its profile in track axes [m].
   std::optional<ProfilePoint> rail_origin;
   double cant = 0;          ///< [rad], inclination of the rails: > 0 towards the track's centre, usually 1/40 or 1/20
-  double roller_radius = 0; ///< nominal one of a roller in place of a rail [m], < 0 of a raceway; 0: a rail
+  double roller_radius = 0; ///< nominal one of a roller instead of a rail [m], < 0 of a raceway; 0: a rail
 };
 
 /// The left rail's frame: its profile's axes in track axes. The gauge point (profile_dimensions.hpp) is that of the

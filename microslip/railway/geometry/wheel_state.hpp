@@ -24,7 +24,7 @@ template <class T> struct RailDeviation {
 
 /// Number of numbers of a state.
 inline constexpr std::size_t state_numbers = 30;
-/// Those that matter only where surfaces vary along the track or around the wheel, or on rollers.
+/// Indices of the numbers that matter only where surfaces vary along the track or around the wheel, or on rollers.
 inline constexpr std::size_t longitudinal_number = 28, pitch_number = 29;
 
 /// Position and motion of a wheelset on the track, with all that concerns one of its wheels. Track axes: x forward,
@@ -46,7 +46,7 @@ template <class T> struct WheelState {
 
   /// All of them in the order in which they stand here, that of state_quantities() (wheel_rail_quantities.hpp).
   std::array<T*, state_numbers> numbers();
-  /// The same seen in a mirror whose plane is x, z: turns a right wheel into a left one and back. Numbers that are odd
+  /// State seen in a mirror whose plane is x, z: turns a right wheel into a left one and back. Numbers that are odd
   /// (state_quantities()) change their sign. Of doubles only.
   WheelState mirrored() const;
 };

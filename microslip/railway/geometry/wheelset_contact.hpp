@@ -41,7 +41,7 @@ public:
   /// nearest to zero at which both touch; found by Newton's method within a bracket to 1e-12 rad. Cost some 2 searches
   /// without roll, 10 with.
   WheelsetContact solve(double lateral, double yaw = 0, RollRule rule = RollRule::equilibrium);
-  /// The same with deflected wheels and rails off their positions; height and roll of the state do not count.
+  /// Contact with deflected wheels and rails off their positions; height and roll of the state do not count.
   WheelsetContact solve(const WheelsetState& state, RollRule rule = RollRule::equilibrium);
 
 private:

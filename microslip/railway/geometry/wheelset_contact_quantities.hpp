@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// A number of a wheelset's contact, or of the place where one of its wheels touches, with "left_" or "right_" before
+/// A number of a wheelset's contact, or of the point where one of its wheels touches, with "left_" or "right_" before
 /// its name. Python and C read it from here.
 struct WheelsetContactQuantity {
   using OfWheelset = double (*)(const WheelsetContact& contact);
@@ -22,7 +22,7 @@ struct WheelsetContactQuantity {
                const WheelsetSearch::Side& right) const;
 };
 
-/// In the order of rows of arrays, of which programs keep places and lengths: a new one stands at the end.
+/// Quantities in the order of rows of arrays, whose indices and lengths programs keep: a new one stands at the end.
 std::span<const WheelsetContactQuantity> wheelset_contact_quantities();
 
 } // namespace microslip

@@ -26,7 +26,7 @@ enum class Unsolved : std::uint8_t {
   off_its_rail,
 };
 
-/// In words; empty for `none`.
+/// Text of the reason; empty for `none`.
 constexpr std::string_view to_string(Unsolved reason) {
   constexpr std::string_view texts[] = {
       "",

@@ -38,8 +38,8 @@ struct WheelRailBodies {
   CombinedMaterial material{};
   std::vector<InclinedFriction> friction; ///< at least one
   SurfaceStrength strength = {};          ///< for wear and fatigue only
-  /// For a rail that varies along the track, u in m, and of a wheel that is not round, u in rad; `rail` and `wheel` are
-  /// then the profiles by which they are placed.
+  /// Surfaces of a rail that varies along the track, u in m, and of a wheel out of round, u in rad; `rail` and `wheel`
+  /// are then the profiles by which they are placed.
   std::shared_ptr<const ProfileSurface> rail_surface = {}, wheel_surface = {};
 };
 

@@ -9,7 +9,7 @@ namespace microslip {
 Unsolved usual_reason(Status status, Unsolved of_no_contact = Unsolved::apart,
                       Unsolved of_no_solution = Unsolved::no_height);
 
-/// The vertical force jumps over the one given: the better side's result is near it, or no height bears it.
+/// The vertical force jumps across the one given: the better side's result is near it, or no height carries it.
 void mark_jump(WheelRailSolution& solution);
 
 /// Makes status and numbers of a solution agree, from any solver; all solutions of wheels pass here:

@@ -47,7 +47,7 @@ public:
   Profile(ProfileRole role, std::span<const ProfilePoint> points, std::span<const std::size_t> kinks = {});
 
   ProfileRole role() const { return role_; }
-  /// In order of s, each one starting where the one before ends.
+  /// Pieces in order of s, each one starting where the one before ends.
   std::span<const ProfilePiece> pieces() const { return pieces_; }
   /// The indices of the pieces that start at a kink, ascending.
   std::span<const std::size_t> kinks() const { return kinks_; }

@@ -20,14 +20,14 @@ public:
   }
 
 private:
-  /// On which side of the line through side k a point lies: 1 or -1, or 0 on it.
+  /// Side of the line through side k on which a point lies: 1 or -1, or 0 on it.
   int side_of(std::size_t k, const ProfilePoint& p) const {
     const ProfilePoint &from = points_[k], &to = points_[k + 1];
     const double area = (to.y - from.y) * (p.z - from.z) - (to.z - from.z) * (p.y - from.y);
     return area > 0 ? 1 : area < 0 ? -1 : 0;
   }
 
-  /// Of two sides on one line.
+  /// Returns true if two sides on one line overlap.
   bool overlap(std::size_t a, std::size_t b) const {
     const auto along = [&](const ProfilePoint& p) {
       return (p.y - points_[a].y) * (points_[a + 1].y - points_[a].y) +

@@ -13,7 +13,7 @@ std::vector<double> crossings(const Profile& profile, double ProfilePoint::*coor
 /// s [m] of the smallest value of a coordinate on the part of the curve from `first` to `last` [m]; the first one if
 /// it is taken at several. Cost O(pieces).
 double lowest(const Profile& profile, double ProfilePoint::*coordinate, double first, double last);
-/// The same of the largest value.
+/// s [m] of the largest value.
 double highest(const Profile& profile, double ProfilePoint::*coordinate, double first, double last);
 
 /// Dimensions of a wheel's flange as EN 15313 measures them [m]: heights from the tread at the tape line, widths from
@@ -37,7 +37,7 @@ struct GaugePoint {
   ProfilePoint point = {}; ///< furthest to the gauge side, between the top and the height below it
   double s = 0;            ///< [m]
   ProfilePoint top = {};   ///< the highest point; the first one of a plateau
-  /// Whether the profile reaches that far down; else the gauge point is its first one, or higher up.
+  /// The profile reaches that far down; else the gauge point is its first one, or higher up.
   bool reaches_height = false;
 };
 

@@ -203,7 +203,7 @@ private:
     warn_of_lowest_point(is_wheel && sense.z > 0);
   }
 
-  /// That of a wheel is the flange's tip, behind which the curve rises again; that of a rail is at an end.
+  /// Warns unless the lowest point of a wheel is the flange's tip, inside the curve, and that of a rail at an end.
   void warn_of_lowest_point(bool has_flange) {
     const auto low = std::min_element(points_.begin(), points_.end(), less_in_z);
     const bool is_inner = is_far_from_ends(points_, *low);
@@ -267,7 +267,7 @@ int flange_sense(std::span<const ProfilePoint> points, const ProfilePoint*& tip)
   return is_low ? 1 : -1;
 }
 
-/// By the height of the middle half against that of the outer tenths.
+/// Sense by the height of the middle half against that of the outer tenths.
 int head_sense(std::span<const ProfilePoint> points, double left, double width) {
   double middle = 0, ends = 0;
   std::size_t in_middle = 0, at_ends = 0;
@@ -286,7 +286,7 @@ int head_sense(std::span<const ProfilePoint> points, double left, double width) 
   return std::abs(rise) < 0.01 * width ? 0 : rise > 0 ? 1 : -1;
 }
 
-/// By how far the outer fifths reach down, where z has this sense.
+/// Sense by how far the outer fifths reach down, where z has this sense.
 int gauge_side_sense(std::span<const ProfilePoint> points, double left, double width, int z_sense) {
   constexpr double clearly = 5e-3;
   double lowest_left = std::numeric_limits<double>::infinity(), lowest_right = lowest_left;

@@ -101,7 +101,7 @@ std::vector<ProfilePoint> smoothed_section(std::span<const ProfilePoint> points,
   return result;
 }
 
-/// A kink has the place that the section behind it gives it.
+/// A kink has the position that the section behind it gives it.
 std::vector<ProfilePoint> smoothed_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                             double lambda, std::span<const double> inverse_weights) {
   std::vector<ProfilePoint> result(points.begin(), points.end());

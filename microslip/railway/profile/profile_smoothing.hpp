@@ -17,12 +17,12 @@ namespace microslip {
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length);
 
-/// The same with weights > 0 of all points and lambda >= 0 given, in any unit of length. Kinks move, too.
+/// Smoothed points with weights > 0 of all points and lambda >= 0 given, in any unit of length. Kinks move, too.
 std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> points,
                                                 std::span<const std::size_t> kinks, double lambda,
                                                 std::span<const double> weights);
 
-/// The weights of `smoothed`, but for kinks: half of the sides that meet at each point, which all together are the
+/// The weights of `smoothed`, except at kinks: half of the sides that meet at each point, which all together are the
 /// polygon's length.
 std::vector<double> shares_of_length(std::span<const ProfilePoint> points);
 

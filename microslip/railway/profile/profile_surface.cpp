@@ -189,8 +189,8 @@ void ProfileSurface::make_splines_along() {
     }
 }
 
-ProfileSurface::Place ProfileSurface::place(double u) const {
-  Place p;
+ProfileSurface::Interval ProfileSurface::interval_at(double u) const {
+  Interval p;
   p.u = u;
   if (options_.is_wheel) u = std::remainder(u, turn);
   const double clamped = std::clamp(u, first_u(), last_u());
@@ -204,12 +204,12 @@ ProfileSurface::Place ProfileSurface::place(double u) const {
   return p;
 }
 
-bool ProfileSurface::holds(const Place& p, std::size_t v) const {
+bool ProfileSurface::holds(const Interval& p, std::size_t v) const {
   const bool first = p.share<1, second = p.share> 0 && slices_.size() > 1;
   return (!first || slices_[p.k].holds(v)) && (!second || slices_[p.k + 1].holds(v));
 }
 
-ProfilePoint ProfileSurface::point(const Place& p, std::size_t v) const {
+ProfilePoint ProfileSurface::point(const Interval& p, std::size_t v) const {
   if (p.share == 0) return node(p.k, v).value;
   if (p.share == 1) return node(p.k + 1, v).value;
   const Node &a = node(p.k, v), &b = node(p.k + 1, v);
@@ -217,7 +217,7 @@ ProfilePoint ProfileSurface::point(const Place& p, std::size_t v) const {
 }
 
 std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
-  const Place p = place(u);
+  const Interval p = interval_at(u);
   if (!(v >= 0 && v <= double(width_ - 1))) return {};
   const std::size_t j = std::min(static_cast<std::size_t>(v), width_ - 2);
   if (!holds(p, j) || !holds(p, j + 1)) return {};
@@ -255,7 +255,7 @@ std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
 }
 
 SurfaceSlice ProfileSurface::section(double u) const {
-  const Place p = place(u);
+  const Interval p = interval_at(u);
   double raised = 0;
   for (const ProfileWave& wave : options_.waves) raised += wave.amplitude * std::sin(wave.wavenumber * u + wave.phase);
   SurfaceSlice section;
@@ -270,7 +270,7 @@ SurfaceSlice ProfileSurface::section(double u) const {
 }
 
 std::vector<double> ProfileSurface::v_at_y(double u, double y) const {
-  const Place p = place(u);
+  const Interval p = interval_at(u);
   std::size_t first = std::max(slices_[p.k].first, p.share > 0 ? slices_[p.k + 1].first : 0);
   std::size_t last = slices_[p.k].last();
   if (p.share > 0) last = std::min(last, slices_[p.k + 1].last());

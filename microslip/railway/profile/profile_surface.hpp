@@ -51,14 +51,14 @@ struct SurfaceOptions {
 /// Lengths may have any unit, z may point up or down.
 class ProfileSurface {
 public:
-  /// At least one slice, by ascending u, each with at least two points, four million at most in all. Throws Error
-  /// otherwise, and for values that are not finite. Cost O(points).
+  /// Surface of at least one slice, by ascending u, each with at least two points, four million at most in all. Throws
+  /// Error otherwise, and for values that are not finite. Cost O(points).
   explicit ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options = {});
 
-  /// The same surface with its u, y and z multiplied by these factors, none of them 0: other units and senses.
+  /// This surface with its u, y and z multiplied by these factors, none of them 0: other units and senses.
   ProfileSurface in_units(double of_u, double of_y, double of_z) const;
 
-  /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v but for
+  /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v except for
   /// the ends in u and kinks. Cost O(log slices).
   std::optional<SurfacePoint> at(double u, double v) const;
   /// The points at whole v; empty where the surface is interrupted. Cost O(points of a slice).
@@ -81,8 +81,8 @@ private:
   struct Node {
     ProfilePoint value, uu, vv, uuvv;
   };
-  /// Between the slices k and k + 1, or at the last one.
-  struct Place {
+  /// Interval between the slices k and k + 1, or the last one.
+  struct Interval {
     std::size_t k = 0;
     double u = 0, step = 1, share = 0;
     bool is_beyond = false; ///< before the first or after the last slice
@@ -91,11 +91,11 @@ private:
   void close_wheel();
   void make_splines_across();
   void make_splines_along();
-  Place place(double u) const;
+  Interval interval_at(double u) const;
   const Node& node(std::size_t slice, std::size_t v) const { return nodes_[slice * width_ + v]; }
   Node& node(std::size_t slice, std::size_t v) { return nodes_[slice * width_ + v]; }
-  bool holds(const Place& place, std::size_t v) const;
-  ProfilePoint point(const Place& place, std::size_t v) const;
+  bool holds(const Interval& interval, std::size_t v) const;
+  ProfilePoint point(const Interval& interval, std::size_t v) const;
 
   std::vector<SurfaceSlice> slices_;
   SurfaceOptions options_;

@@ -24,7 +24,7 @@ struct ContactRow {
 ///   t/(t + 0.1) sqrt(kappa/(2 zeta) + (2.5/L)^2) ds,
 /// with kappa the surfaces' relative curvature, zeta the greatest overlap along the normal, t the overlap over the
 /// greatest one and L the length of a parabola with as large an area of overlap: a contact with one curvature has 16
-/// rows, of which some ten bear loads, and where curvatures vary the rows follow them. Rows are counted through all
+/// rows, of which some ten carry loads, and where curvatures vary the rows follow them. Rows are counted through all
 /// regions, and cut off at their ends. Count and edges are integrals over the overlap, whose density vanishes at its
 /// ends, and no minimum nor region is chosen: rows are continuous while regions appear, merge and split.
 class ContactRows {

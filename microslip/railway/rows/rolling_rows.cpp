@@ -8,8 +8,8 @@ namespace {
 
 constexpr int cells = 10; // of each row, for FASTSIM2
 
-/// Rows of equal width in a patch's frame that bear what the given rows bear, which are of any width. Lengths, middles,
-/// friction and creepages are means over the load.
+/// Rows of equal width in a patch's frame that carry what the given rows carry, which are of any width. Lengths,
+/// middles, friction and creepages are means over the load.
 std::vector<LoadedRow> even_rows(std::span<const LoadedRow> rows, const PatchFrame& frame) {
   constexpr int count = 40; // narrower than the given rows, so that few of them are cut
   const auto loaded = [](const LoadedRow& row) { return row.load > 0; };

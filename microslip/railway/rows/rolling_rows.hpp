@@ -28,7 +28,7 @@ public:
   /// The fields of a patch's rows on even ones, by FASTSIM2. Allocates.
   ContactSolution fields(std::span<const LoadedRow> rows, const PatchFrame& frame, double speed, bool forward);
 
-  /// Rows without load have nothing but their place and width.
+  /// Rows without load have nothing but their position and width.
   std::span<const LoadedRow> loaded() const { return {loaded_.data(), count_}; }
   const RowForces& forces(std::size_t row) const { return forces_[row]; }
   double speed(std::size_t row) const { return speed_[row]; } ///< V [m/s]

@@ -50,9 +50,9 @@ public:
 
   /// Forces of the last solve, shift or move.
   WheelForces forces() const;
-  /// The same and patches, with profile ends.
+  /// Sums forces and patches, with profile ends.
   void sum(WheelRailSolution& out);
-  /// By how much the horizontal force of the last solve would change if each patch were flat, with the normal and the
+  /// Change of the horizontal force of the last solve if each patch were flat, with the normal and the
   /// creepages of its frame's plane, over mu times the load [-]: an estimate, of which half the limit is warned of,
   /// since a plane also changes the rows' loads.
   double change_by_planes();

@@ -29,11 +29,11 @@ std::size_t filled_up(std::size_t count) {
 
 } // namespace
 
-/// To a strip it is the distance across, as long as the row is alongside.
+/// Distance across to a strip, as long as the row is alongside.
 double distance_to_strip(const NormalRow& row, const NormalRow& loaded) {
   const double reach = std::max(-loaded.gap, 0.0) / (2 * loaded.curvature);
-  const Vec3<double> way = row.place - loaded.place;
-  const double across = way.y * way.y + way.z * way.z, along = way.x * way.x, square = across + along;
+  const Vec3<double> offset = row.place - loaded.place;
+  const double across = offset.y * offset.y + offset.z * offset.z, along = offset.x * offset.x, square = across + along;
   return std::sqrt(along > 0 ? across + along * square / (square + reach + 1e-30) : across);
 }
 
@@ -49,10 +49,10 @@ RowEquations::RowEquations(std::size_t most_rows, InstructionSet instruction_set
     row->resize(most);
 }
 
-void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> places, double unit) {
-  count_ = places.size(), stride_ = filled_up(count_);
+void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> active, double unit) {
+  count_ = active.size(), stride_ = filled_up(count_);
   for (std::size_t j = 0; j < count_; ++j) {
-    const NormalRow& row = rows[places[j]];
+    const NormalRow& row = rows[active[j]];
     level_[j] = std::cos(row.angle), sine_[j] = std::sin(row.angle);
     weight_[j] = row.width * (level_[j] + row.shear * sine_[j]);
     half_width_[j] = row.width / 2, given_gap_[j] = row.gap;
@@ -60,7 +60,7 @@ void RowEquations::set_rows(std::span<const NormalRow> rows, std::span<const std
   }
   for (std::size_t k = 0; k < count_; ++k) {
     for (std::size_t j = 0; j < count_; ++j) {
-      distance_[k * stride_ + j] = distance_to_strip(rows[places[j]], rows[places[k]]);
+      distance_[k * stride_ + j] = distance_to_strip(rows[active[j]], rows[active[k]]);
       factor_[k * stride_ + j] = unit * (level_[j] * level_[k] + sine_[j] * sine_[k]);
     }
     for (std::size_t j = count_; j < stride_; ++j) distance_[k * stride_ + j] = 1, factor_[k * stride_ + j] = 0;
@@ -83,8 +83,8 @@ void RowEquations::find_half_lengths(bool held) {
 
 /// The residual of ln(kappa) is ln(-2 T/(A a^2)), T = sum of dU/d(ln a) q; ln(a) = ln(2 q/(pi kappa))/2.
 void RowEquations::find(std::span<const double> load, std::span<const double> log_kappa,
-                        std::span<const std::size_t> places, bool held) {
-  for (std::size_t j = 0; j < count_; ++j) load_[j] = load[places[j]], log_kappa_[j] = log_kappa[places[j]];
+                        std::span<const std::size_t> active, bool held) {
+  for (std::size_t j = 0; j < count_; ++j) load_[j] = load[active[j]], log_kappa_[j] = log_kappa[active[j]];
   find_half_lengths(held);
   find_neighbours();
   find_pairs_({static_cast<int>(count_), static_cast<int>(stride_), distance_.data(), factor_.data(),
@@ -138,9 +138,9 @@ void RowEquations::find_neighbours() {
   }
 }
 
-/// It is u/(u + 0.2), where u = q^2/(q'(q - q")) beside a neighbour that bears more, q', and one that bears less, q",
-/// and q/(q' - q) between two that bear more, q' the lesser load; less for rows with next to no load, and more for
-/// those that bear hardly less than their neighbours.
+/// Share u/(u + 0.2), where u = q^2/(q'(q - q")) beside a neighbour that carries more, q', and one that carries less,
+/// q", and q/(q' - q) between two that carry more, q' the lesser load; less for rows with next to no load, and more for
+/// those that carry hardly less than their neighbours.
 RowEquations::OwnShare RowEquations::own_share(std::size_t j) const {
   const Neighbours& n = neighbours_[j];
   const double load = load_[j];

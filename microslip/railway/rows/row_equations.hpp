@@ -22,7 +22,7 @@ struct NormalRow {
   double width = 0;            ///< [m], > 0
   double gap = 0;              ///< h [m], along the row's normal, negative where the undeformed bodies overlap
   double curvature = 0;        ///< A [1/m], > 0
-  double shear = 0;            ///< force along s over the normal one [-]: it bears some of the weight
+  double shear = 0;            ///< force along s over the normal one [-]: it carries some of the weight
   std::size_t before = no_row; ///< the row of the last position that it was, if any
 };
 
@@ -35,13 +35,13 @@ class RowEquations {
 public:
   explicit RowEquations(std::size_t most_rows, InstructionSet instruction_set = best_instruction_set());
 
-  /// The rows at `places` of all of them, in ascending order; `unit` is (1 - nu)/(pi G) [1/Pa].
-  void set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> places, double unit);
+  /// Sets the rows with the indices `active`, in ascending order; `unit` is (1 - nu)/(pi G) [1/Pa].
+  void set_rows(std::span<const NormalRow> rows, std::span<const std::size_t> active, double unit);
   std::size_t size() const { return count_; }
-  /// Finds all below at the loads [N/m] and ln(kappa) of all rows of the wheel, of which the same places count.
+  /// Finds all below at the loads [N/m] and ln(kappa) of all rows of the wheel; the active ones count.
   /// Half-lengths are held at those of the loads if `held`: then the equations are linear in the loads. Cost some 10 to
   /// 40 ns for each pair of rows.
-  void find(std::span<const double> load, std::span<const double> log_kappa, std::span<const std::size_t> places,
+  void find(std::span<const double> load, std::span<const double> log_kappa, std::span<const std::size_t> active,
             bool held);
 
   double load(std::size_t j) const { return load_[j]; }
@@ -59,7 +59,7 @@ public:
   double turn_by_load(std::size_t j, std::size_t k) const { return turn_by_load_[k * stride_ + j]; }
   double turn_by_kappa(std::size_t j, std::size_t k) const { return turn_by_kappa_[k * stride_ + j]; }
 
-  /// Whether a row has neighbours that bear more, and the mean of a number of these, in proportion to by how much.
+  /// Tells if a row has neighbours that carry more, and the mean of a number of these, weighted by how much.
   bool has_greater_neighbour(std::size_t j) const { return neighbours_[j].rise > 0; }
   double mean_of_neighbours(std::size_t j, const auto& of_row) const {
     const Neighbours& n = neighbours_[j];
@@ -70,13 +70,13 @@ public:
   void hold_to_neighbours();
 
 private:
-  /// Of a row; the row itself where there is none.
+  /// Neighbours of a row; the row itself where there is none.
   struct Neighbours {
     std::array<std::size_t, 2> row{};
-    std::array<double, 2> share{}; ///< in what they bear more than the row, together 1 if one does
+    std::array<double, 2> share{}; ///< in what they carry more than the row, together 1 if one does
     double rise = 0;               ///< the sum of that [N/m]
   };
-  /// How far a row's equation is its own.
+  /// Share of a row's equation that is its own.
   struct OwnShare {
     double share = 1, by_load = 0;        ///< and its derivatives with respect to the row's load,
     double by_largest = 0;                ///< the largest one

@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// How far [m] bodies may overlap where a height is looked for, at least as far as it begins: a thousandth of the
+/// Largest overlap [m] in the search of a height, at least that of its start: a thousandth of the
 /// rolling radius, where steel has pressures of some 5 GPa.
 double largest_depth(const ContactPoint& touch, double start) {
   return std::max(1e-3 * touch.radius / std::max(std::cos(touch.inclination), 0.1), start);
@@ -19,15 +19,15 @@ double largest_depth(const ContactPoint& touch, double start) {
 
 /// Secants for the depth below the first touch, from by how much more the wheel should be lowered: the slope of that is
 /// about -1. Steps from loads that have not converged tell nothing about it.
-class Descent {
+class DepthSecants {
 public:
-  /// With a slope that is known, or 0.
-  explicit Descent(double slope) : slope_(slope) {}
+  /// Starts with a slope that is known, or 0.
+  explicit DepthSecants(double slope) : slope_(slope) {}
 
   double slope() const { return slope_; }
 
   /// Takes what is missing at a depth.
-  void see(double here, double missing, bool converged) {
+  void record(double here, double missing, bool converged) {
     const double slope = (missing - missing_) / (here - here_);
     if (seen_ && converged_ && slope < -0.05 && slope > -4) slope_ = slope;
     if (slope_ != 0 || seen_) share_left_ = 0;
@@ -36,7 +36,7 @@ public:
     here_ = here, missing_ = missing, seen_ = true, converged_ = converged;
   }
 
-  /// What lowering the wheel by all that is missing leaves of it.
+  /// Share of the missing force that is left after lowering the wheel by all of it.
   double share_left() const { return std::clamp(share_left_, 0.01, 1.0); }
 
   double next() const { return std::max(here_ - missing_ / (slope_ == 0 ? -1 : slope_), 0.1 * here_); }
@@ -46,7 +46,7 @@ private:
   bool seen_ = false, converged_ = false;
 };
 
-/// By how much the wheel is lowered from its first touch, after Hertz with the surfaces' curvatures at the point, in
+/// Lowering of the wheel from its first touch, after Hertz with the surfaces' curvatures at the point, in
 /// its inclined plane.
 double hertzian_lowering(const ContactPoint& point, const CombinedMaterial& material, double vertical_force) {
   const double cosine = std::max(std::cos(point.inclination), 0.1),
@@ -78,11 +78,11 @@ bool RowHeight::shift(const WheelState<double>& state) {
 RowNormal::Result RowHeight::press_here() {
   constexpr int most_steps = 60, steps_from_last = 12;
   if (rows_.has_loads()) {
-    const RowNormal::Result found = rows_.press({}, steps_from_last);
+    const RowNormal::Result found = rows_.find_loads({}, steps_from_last);
     if (found.change == 0) return found;
     rows_.forget_loads();
   }
-  return rows_.press({}, most_steps);
+  return rows_.find_loads({}, most_steps);
 }
 
 double RowHeight::predict_depth(double from, double vertical_force) {
@@ -113,7 +113,7 @@ void RowHeight::solve(const WheelState<double>& state, std::optional<double> ver
   if (!settle(touch, *vertical_force, start, out)) bracket(*vertical_force, start, out);
 }
 
-/// From the last force's height, if it was near. False if that leads to no solution.
+/// Settles from the last force's height, if it was near. False if that leads to no solution.
 bool RowHeight::settle_from_last(const ContactPoint& touch, double vertical_force, WheelRailSolution& out) {
   constexpr double most_force = 2, most_depth = 2, most_move = 1e-3; // over the last ones; [m]
   const double force = vertical_force / last_.force;
@@ -148,18 +148,18 @@ double RowHeight::lower(double depth, WheelRailSolution& out) {
 /// Steps of loads, tangential forces and height in turn from a depth [m] on. False if they do not settle.
 bool RowHeight::settle(const ContactPoint& touch, double vertical_force, double depth, WheelRailSolution& out) {
   constexpr int most_iterations = 12;
-  Descent descent(last_.slope);
+  DepthSecants descent(last_.slope);
   while (out.iterations < most_iterations) {
     ++out.iterations;
     rows_.lower_to(depth);
     if (rows_.count() == 0 || !rows_.is_complete()) return false;
     // Rows move with the height: a few steps are enough, unless they do not settle.
     const int steps = out.iterations == 1 ? 4 : out.iterations < 5 ? 2 : 12;
-    const RowNormal::Result found = rows_.press(vertical_force, steps);
+    const RowNormal::Result found = rows_.find_loads(vertical_force, steps);
     const double change = roll();
-    // The loads bear the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
+    // The loads carry the vertical force on a wheel that is lowered by what is missing; only the rows have yet to move.
     const double missing = found.lowering - change / found.stiffness;
-    descent.see(depth, missing, found.change == 0);
+    descent.record(depth, missing, found.change == 0);
     const double left = std::abs(found.stiffness * found.lowering) * descent.share_left();
     out.residual = (left + std::abs(change)) / vertical_force;
     if (out.residual <= tolerance_ && found.change == 0) {
@@ -174,9 +174,9 @@ bool RowHeight::settle(const ContactPoint& touch, double vertical_force, double 
   return false;
 }
 
-/// The height that bears the vertical force [N] by forces at given heights alone: from the first touch downwards, each
-/// time by half of the distance so far, until one carries it or the bodies overlap too far. What jumps over the force
-/// carries it only if nothing else does. Heights at which the pressures are not found do not count.
+/// The height that carries the vertical force [N] by forces at given heights alone: from the first touch downwards,
+/// each time by half of the distance so far, until one carries it or the bodies overlap too far. What jumps over the
+/// force carries it only if nothing else does. Heights at which the pressures are not found do not count.
 void RowHeight::bracket(double vertical_force, double start, WheelRailSolution& out) {
   constexpr double growth = 1.5, precision = 1e-11; // [-], [m]
   const auto missing = [&](double depth) { return lower(depth, out) / vertical_force - 1; };
@@ -209,7 +209,7 @@ void RowHeight::bracket(double vertical_force, double start, WheelRailSolution& 
   out.status = Status::no_solution, out.reason = Unsolved::no_height;
 }
 
-/// Of the rows' loads and tangential forces [N].
+/// Vertical force of the rows' loads and tangential forces [N].
 double RowHeight::vertical_force() const {
   double sum = 0;
   for (std::size_t k = 0; k < rows_.count(); ++k) {

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// Finds the height at which the rows of a wheel bear a vertical force, or their forces where the state has it.
+/// Finds the height at which the rows of a wheel carry a vertical force, or their forces where the state has it.
 class RowHeight {
 public:
   /// All must outlive it. `tolerance` is that of the vertical force, relative.
@@ -14,10 +14,10 @@ public:
             double tolerance)
       : rows_(rows), rolling_(rolling), bodies_(bodies), equivalent_(equivalent), tolerance_(tolerance) {}
 
-  /// Lowers the wheel until its rows bear the vertical force [N], or leaves it where it is. Fills in height, status
+  /// Lowers the wheel until its rows carry the vertical force [N], or leaves it where it is. Fills in height, status
   /// with its reason, residual and iterations. Where steps for the force do not settle, forces at given heights bracket
-  /// it: the height is then the first one below the first touch that bears it, if one does. Starts from the last solve,
-  /// whose results it changes by about the tolerance, and without one that is near from the beginning.
+  /// it: the height is then the first one below the first touch that carries it, if one does. Starts from the last
+  /// solve, whose results it changes by about the tolerance, and without one that is near from the beginning.
   void solve(const WheelState<double>& state, std::optional<double> vertical_force, WheelRailSolution& out);
   /// Forgets the last solve.
   void reset();
@@ -31,7 +31,7 @@ public:
   double least_height(double height) const { return height - rows_.clearance() - deepest_; }
 
 private:
-  /// How the last height was found that bears a force.
+  /// Last height that carries a given force, and how it was found.
   struct Last {
     double force = 0;  ///< [N]; 0: none was
     double rail_s = 0; ///< of the first touch [m]

@@ -9,7 +9,7 @@
 namespace microslip {
 namespace {
 
-/// Of the ellipse that stands for rows of whose loads a patch has these shares. Sheppard's correction takes the spread
+/// Ellipse that stands for rows of whose loads a patch has these shares. Sheppard's correction takes the spread
 /// within rows of the load's means; the share of the squared half-lengths is exact then.
 PatchEllipse ellipse_of(std::span<const LoadedRow> rows, std::span<const double> share,
                         const detail::LoadMoments& moments) {

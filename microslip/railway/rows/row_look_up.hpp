@@ -43,7 +43,7 @@ private:
     RowStrips strips;
     double strip_stiffness = 0; ///< of all its rows
     RowForces ellipse;          ///< that of its ellipse's strips
-    double bound = 1;           ///< what its forces are multiplied with to stay below what friction bears
+    double bound = 1;           ///< what its forces are multiplied with to stay below what friction carries
   };
 
   Patch patch_of(const CombinedMaterial& material, std::span<const LoadedRow> rows, std::size_t row) const noexcept;

@@ -44,7 +44,7 @@ void RowNormal::start(std::span<const NormalRow> rows) {
   }
 }
 
-/// Each row has the load and the kappa of the row that it was. False if none of them bears a load.
+/// Each row has the load and the kappa of the row that it was. False if none of them carries a load.
 bool RowNormal::start_from_last(std::span<const NormalRow> rows) {
   bool any = false;
   std::size_t old = 0; // new rows have the kappa of those beside them
@@ -75,7 +75,7 @@ bool RowNormal::choose_rows() {
   return near_.size() != before;
 }
 
-/// The same change of ln(kappa) for all rows, with which the mean of its residual vanishes, loads as weights.
+/// Changes ln(kappa) of all rows by the amount with which the mean of its residual vanishes, loads as weights.
 void RowNormal::change_alike() {
   double sum = 0, by_all = 0;
   for (std::size_t j = 0; j < near_.size(); ++j) {
@@ -110,7 +110,7 @@ void RowNormal::fill_system(bool linear, double length) {
   }
 }
 
-/// Without a solution loads are no numbers, and the next step starts anew.
+/// Solves for the change of the loads; without a solution they are NaN, and the next step starts anew.
 void RowNormal::solve_system(bool linear) {
   const std::size_t m = linear ? active_.size() : 2 * active_.size(), columns = columns_of(m);
   const bool regular = eliminate(std::span(system_).first(m * columns), m, 2);
@@ -183,7 +183,7 @@ bool RowNormal::solve_active(std::optional<double> vertical_force, bool linear, 
   return false;
 }
 
-/// From the active rows to all of them. Rows without load have the kappa over A of their neighbours.
+/// Takes the step from the active rows to all of them. Rows without load have the kappa over A of their neighbours.
 void RowNormal::take_step(bool linear, Result& result) {
   const std::size_t n = active_.size();
   std::fill_n(next_load_.begin(), count_, 0.0);

@@ -38,8 +38,8 @@ public:
     Status status = Status::ok;
     int steps = 0;
   };
-  /// At most `most_steps` steps, fewer once the change is less than 1e-5, with which the next one's would be 1e-10.
-  /// `vertical_force` [N]; without it the wheel stays where it is, zeta = 0. Starts from the last solve's loads of the
+  /// Solves in at most `most_steps` steps, fewer once the change is less than 1e-5 and the next one's would be 1e-10.
+  /// `vertical_force` [N]; without it the wheel keeps its height, zeta = 0. Starts from the last solve's loads of the
   /// rows `before` if `warm`; at most as many rows as were promised. Status::not_converged where the change remains.
   Result solve(const CombinedMaterial& material, std::span<const NormalRow> rows, std::optional<double> vertical_force,
                bool warm, int most_steps) noexcept;

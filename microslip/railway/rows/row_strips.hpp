@@ -18,11 +18,11 @@ struct PatchEllipse {
   double stretch() const { return std::sqrt(1 + slant * slant * b * b / (a * a)); }
 };
 
-/// Rows of a patch as strips that do not feel each other: what the strips of a patch bear, less what those of its
+/// Rows of a patch as strips that do not feel each other: what the strips of a patch carry, less what those of its
 /// ellipse do, is what the patch's shape and the creepages of its rows change in the forces of the ellipse,
 /// (C4) of docs/creep-force-tables.md.
 ///
-/// A strip of half-length l and width s, whose friction bears at most Q, has at x the scaled slip
+/// A strip of half-length l and width s, whose friction carries at most Q, has at x the scaled slip
 ///
 ///   sigma = u (xi, eta + phi (x + m l/(1 + u^2 |w(x)|^2))),   u = K s l^alpha/(Q sum s l^alpha),
 ///

@@ -38,13 +38,13 @@ std::size_t VirtualPenetration::most_samples(const Profile& rail, std::size_t mo
 }
 
 VirtualPenetration::VirtualPenetration(const Profile& rail, const Profile& wheel, std::size_t most_regions)
-    : rail_(&rail), wheel_(&wheel), places_(static_cast<std::size_t>(rail.length() / longest_spacing) + 1) {
+    : rail_(&rail), wheel_(&wheel), overlaps_(static_cast<std::size_t>(rail.length() / longest_spacing) + 1) {
   samples_.reserve(most_samples(rail, most_regions));
 }
 
 /// Above the rail's s, from the wheel's parameter on.
-VirtualPenetration::Place VirtualPenetration::find(const WheelPlacement<double>& placement,
-                                                   const WheelLocus<double>& locus, double s, double wheel_s) const {
+VirtualPenetration::Overlap VirtualPenetration::find(const WheelPlacement<double>& placement,
+                                                     const WheelLocus<double>& locus, double s, double wheel_s) const {
   constexpr double precision = 1e-9; // [m]
   const CurvePoint r = rail_->at(s);
   const Vec3<double> point = placement.rail.frame.outer({0, r.value.y, r.value.z});
@@ -59,21 +59,21 @@ VirtualPenetration::Place VirtualPenetration::find(const WheelPlacement<double>&
           .search = search_};
 }
 
-/// The same at a multiple of the longest spacing, which is found once: other heights change the overlap by as much.
-VirtualPenetration::Place VirtualPenetration::find_kept(const WheelPlacement<double>& placement,
-                                                        const WheelLocus<double>& locus, std::size_t multiple,
-                                                        double wheel_s) {
+/// Finds the overlap at a multiple of the longest spacing, once: other heights change it by as much.
+VirtualPenetration::Overlap VirtualPenetration::find_kept(const WheelPlacement<double>& placement,
+                                                          const WheelLocus<double>& locus, std::size_t multiple,
+                                                          double wheel_s) {
   constexpr double same_part = 1e-3; // of the wheel, which may be above a point more than once [m]
-  Place& kept = places_[multiple];
+  Overlap& kept = overlaps_[multiple];
   if (kept.search != search_ || !(std::abs(kept.wheel_s - wheel_s) < same_part))
     kept = find(placement, locus, static_cast<double>(multiple) * longest_spacing, wheel_s);
-  Place there = kept;
+  Overlap there = kept;
   there.overlap += kept.height - placement.wheel.frame.origin.z;
   return there;
 }
 
 /// Adds a sample; returns the sine of the angle by which the wheel's surface leans against the rail's.
-double VirtualPenetration::add(double s, const Place& there) {
+double VirtualPenetration::add(double s, const Overlap& there) {
   samples_.push_back({.s = s,
                       .wheel_s = there.wheel_s,
                       .overlap = std::isfinite(there.overlap) ? std::max(there.overlap, 0.0) : 0.0,
@@ -109,7 +109,7 @@ void VirtualPenetration::sample(const WheelPlacement<double>& placement, std::sp
       for (double k = std::floor(inner.s_rail / spacing) + 1; k * spacing < outer.s_rail; ++k)
         continue_to(k * spacing, [&](double wheel_s) {
           const auto multiple = static_cast<std::size_t>(k);
-          return spacing < longest_spacing || !(k >= 0) || multiple >= places_.size()
+          return spacing < longest_spacing || !(k >= 0) || multiple >= overlaps_.size()
                      ? find(placement, locus, k * spacing, wheel_s)
                      : find_kept(placement, locus, multiple, wheel_s);
         });

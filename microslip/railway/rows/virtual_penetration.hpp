@@ -23,7 +23,7 @@ WheelAbove wheel_above(const WheelLocus<double>& locus, const Profile& wheel, co
 /// Vertical distance from a point of the rail to the wheel there [m]: what is left to the circle, along the tangent.
 double height_above(const LocusPoint<double>& wheel, const Vec3<double>& point);
 
-/// By how much wheel and rail would overlap in their positions, at points along the rail.
+/// Virtual penetration of wheel and rail in their positions, at points along the rail.
 class VirtualPenetration {
 public:
   struct Sample {
@@ -46,7 +46,7 @@ public:
   /// regions come, part and merge. Cost some 100 ns for
   /// a sample that was not found before.
   void sample(const WheelPlacement<double>& placement, std::span<const ContactRegion> regions, double depth);
-  /// About the depth at which the wheel bears a vertical force [N], to some 20 % of the approach where the overlap is
+  /// About the depth at which the wheel carries a vertical force [N], to some 20 % of the approach where the overlap is
   /// none of Hertz's: the force is that of the overlap's area S along the normal times E*/sqrt(2) r^(1/4) (1 + 0.0225
   /// ln^2 r), r = B/A, which is Hertz's for a parabola of curvature B across and the wheel's, A = level/(2 radius),
   /// along; B is that of a parabola of the same area and depth D, S = 4/3 D sqrt(D/B). `modulus` is E* [Pa].
@@ -61,23 +61,24 @@ public:
 
 private:
   /// The wheel above a point of the rail.
-  struct Place {
+  struct Overlap {
     double wheel_s = 0, overlap = 0, level = 1; ///< as in samples, but overlaps of any sign
     double lean = 0;                            ///< sine of the angle by which the wheel leans against the rail
     double height = 0;                          ///< of the wheel's origin [m]
     std::uint64_t search = 0;                   ///< in which it was found
   };
 
-  Place find(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, double s, double wheel_s) const;
-  Place find_kept(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, std::size_t multiple,
-                  double wheel_s);
-  double add(double s, const Place& there);
+  Overlap find(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, double s,
+               double wheel_s) const;
+  Overlap find_kept(const WheelPlacement<double>& placement, const WheelLocus<double>& locus, std::size_t multiple,
+                    double wheel_s);
+  double add(double s, const Overlap& there);
 
   const Profile* rail_;
   const Profile* wheel_;
   double depth_ = 0;
   std::uint64_t search_ = 0;
-  std::vector<Place> places_; ///< at multiples of the longest spacing
+  std::vector<Overlap> overlaps_; ///< at multiples of the longest spacing
   std::vector<Sample> samples_;
 };
 

@@ -98,7 +98,7 @@ void WheelRows::lower_by(double lowering) {
   put(vertical());
 }
 
-RowNormal::Result WheelRows::press(std::optional<double> vertical_force, int steps) {
+RowNormal::Result WheelRows::find_loads(std::optional<double> vertical_force, int steps) {
   RowNormal::Result found = normal_.solve(bodies_.material, normal_rows_, vertical_force, has_loads_, steps);
   has_loads_ = std::isfinite(found.lowering) && std::isfinite(found.change) && std::isfinite(found.stiffness) &&
                found.stiffness > 0;

@@ -26,7 +26,7 @@ public:
   /// Lowers the wheel by `depth` [m] from its first touch and lays rows over its overlap there. Those that have their
   /// loads from the last position start from these.
   void lower_to(double depth);
-  /// The depth [m] by virtual penetration that bears a vertical force [N], from the overlap at another depth.
+  /// The depth [m] by virtual penetration that carries a vertical force [N], from the overlap at another depth.
   double predict_depth(double from, double vertical_force);
   /// Moves the wheel, in the state's height, by next to nothing: no point of contact comes or goes.
   void shift(const WheelState<double>& state);
@@ -37,7 +37,7 @@ public:
 
   /// Finds loads for a vertical force [N], with the wheel lowered further, or where it stands. `change` is 0 where they
   /// are found.
-  RowNormal::Result press(std::optional<double> vertical_force, int steps);
+  RowNormal::Result find_loads(std::optional<double> vertical_force, int steps);
   /// Returns whether there are loads to start from.
   bool has_loads() const { return has_loads_; }
   void forget_loads() { has_loads_ = false; }
@@ -47,10 +47,10 @@ public:
   const NormalRow& normal(std::size_t row) const { return normal_rows_[row]; }
   double load(std::size_t row) const;                                               ///< [N]
   double half_length(std::size_t row) const { return normal_.half_lengths()[row]; } ///< [m]
-  /// Force along s over the load, which the next position's rows bear a part of the vertical force with.
+  /// Force along s over the load, which the next position's rows carry a part of the vertical force with.
   double& shear(std::size_t row) { return shear_[row]; }
   /// The gap at which a row takes its creepages: the least one of its patch [m]. Where two lobes of the overlap are all
-  /// but parted, that of the deeper one counts in proportion to how deep the bodies overlap on the way to it, so that
+  /// but parted, that of the deeper one counts in proportion to how deep the bodies overlap between them, so that
   /// creepages are continuous where patches merge.
   double contact_gap(std::size_t row) const;
   bool is_complete() const { return complete_; } ///< all rows of the regions are there

@@ -3,7 +3,7 @@
 namespace microslip {
 namespace {
 
-/// From the wheelset's centre to that of a left wheel.
+/// Lever from the wheelset's centre to that of a left wheel.
 Vec3<double> lever(const NominalPlacement& nominal, const WheelState<double>& s) {
   return place(nominal, s).wheel.frame.origin - Vec3<double>{0, s.lateral, nominal.nominal_radius + s.vertical};
 }

@@ -14,17 +14,17 @@ struct WheelPairDerivatives {
 /// The axis about which roll or yaw turns a wheelset; none for other numbers of its state.
 Vec3<double> turning_axis(const WheelState<double>& state, std::size_t number);
 
-/// Both wheels of a wheelset on their rails: what it bears in a state, whatever its load.
+/// Both wheels of a wheelset on their rails: the forces on them in a state, whatever the load.
 class WheelPair {
 public:
   /// Throws Error as WheelRail.
   WheelPair(const WheelRailBodies& left, const WheelRailBodies& right, const WheelRailMethod& method);
 
   void reset() { left_.reset(), right_.reset(); } ///< forgets the last state
-  /// Finds the forces where the state puts the wheels, or with each by itself lowered until it bears its load.
+  /// Finds the forces where the state puts the wheels, or with each by itself lowered until it carries its load.
   void solve(const WheelsetState& state, const std::optional<WheelLoads>& loads, WheelsetSolution& out,
              const Progress& progress);
-  /// The same with derivatives where the state puts them. Those of what is not solved are zero.
+  /// Solves with derivatives, where the state puts them. Those of unsolved quantities are zero.
   void differentiate(const WheelsetState& state, WheelsetSolution& out, WheelPairDerivatives& derivatives,
                      const Progress& progress);
   /// Adds up both wheels' forces and statuses.

@@ -15,7 +15,7 @@ constexpr std::size_t column(WheelsetVariable which) {
 static_assert(column(WheelsetVariable::vertical_force) == basic_motions);
 static_assert(static_cast<std::size_t>(WheelVariable::yaw_velocity) == column(WheelsetVariable::yaw_velocity));
 
-/// Of the unknowns: their numbers in the state, and in the table of results.
+/// Indices of the unknowns in the state, and in the table of results.
 constexpr std::array<std::size_t, 3> results = {6, 7, 8};
 constexpr std::array<std::size_t, 3> numbers = {column(WheelsetVariable::vertical), column(WheelsetVariable::roll),
                                                 column(WheelsetVariable::pitch_velocity)};

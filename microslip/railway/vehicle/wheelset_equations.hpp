@@ -31,8 +31,8 @@ public:
   WheelsetState moved(WheelsetState state, const Vector& step) const;
   Vector residual(const WheelsetState& state, const WheelsetSolution& found) const;
   Matrix jacobian(const WheelsetState& state, const WheelsetSolution& found, const WheelPairDerivatives& by) const;
-  /// From derivatives with nothing held to those with what is prescribed held, by the implicit function theorem:
-  /// du/dx = -R_u^-1 R_x. Those by what is found are left as they are.
+  /// Turns derivatives with nothing held into those with prescribed quantities held, by the implicit function theorem:
+  /// du/dx = -R_u^-1 R_x. Those with respect to unknowns stay as they are.
   void hold(const WheelsetState& state, const WheelsetSolution& found, const WheelPairDerivatives& by,
             WheelsetDerivatives& out) const;
 

@@ -107,7 +107,7 @@ struct WheelsetOnTrack::Workspace {
   }
 
 private:
-  /// By Newton's method from where both wheels bear their shares, and where it finds none from between brackets; at the
+  /// Finds the balance by Newton's method from where both wheels carry their shares, else between brackets; at the
   /// level exact from there on.
   void find_balance(WheelsetState state, const WheelsetLoad& load, WheelsetSolution& out) {
     if (!load.vertical && !load.axle_torque) return evaluate(wheels, state, out);
@@ -137,8 +137,8 @@ private:
     out.status = status;
   }
 
-  /// Moves to where both rigid wheels touch, lowered until each bears its share; rolling freely. False where one is off
-  /// its rail.
+  /// Moves to where both rigid wheels touch, lowered until each carries its share; rolling freely. False where one is
+  /// off its rail.
   bool start(const WheelsetLoad& load, WheelsetState& state) {
     double radius = wheels.nominal_radius();
     if (load.vertical) {
@@ -163,12 +163,12 @@ private:
     by.solve(state, {}, out, progress);
   }
 
-  /// Lowers each wheel by itself until it bears its load: `trial`.
+  /// Lowers each wheel by itself until it carries its load: `trial`.
   void lower(const WheelsetState& state, const WheelLoads& loads) {
     ++evaluations;
     first().solve(state, loads, trial, progress);
   }
-  /// By how much the left wheel is then higher than the right one, and how high the wheelset is [m].
+  /// Height of the left wheel over the right one, and of the wheelset [m].
   double apart() const { return trial.left.vertical - trial.right.vertical; }
   double middle() const { return (trial.left.vertical + trial.right.vertical) / 2; }
 
@@ -237,9 +237,9 @@ private:
     return find(state.left.pitch_velocity, step, reach, tolerance / 4, residual);
   }
 
-  /// By shares of the load: the wheels are lowered each by itself until they bear theirs; the roll angle at which both
-  /// are at the same height, and the share that has the roll moment, are bracketed. Forces of a wheel are a smooth
-  /// function of its load also where they change much with its height. False where no pitch, roll or share is there.
+  /// Brackets by shares of the load: each wheel is lowered by itself until it carries its share; bracketed are the roll
+  /// angle with both at the same height and the share with the roll moment. Forces of a wheel are a smooth function of
+  /// its load also where they change much with its height. Returns false if no pitch, roll or share is found.
   bool bracket(const WheelsetEquations& equations, WheelsetState& state) {
     if (!equations.finds(WheelsetEquations::height))
       return bracket_pitch(equations, state, [&](const WheelsetState& s) { evaluate(first(), s, trial); });

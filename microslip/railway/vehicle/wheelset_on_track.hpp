@@ -89,7 +89,7 @@ public:
   /// contacts jump. `method.tolerance` is that of the residual. Forces that no height, roll and pitch velocity give are
   /// the status no_solution; a jump of the forces across the prescribed ones is not_converged, with the residual beside
   /// it. Where nothing is prescribed, a wheel may be off its rail; only if both are is the status no_contact. Cost some
-  /// 4 derivatives of each wheel. `progress` is told before each solve of a wheel and within those at the level
+  /// 4 derivatives of each wheel. `progress` is called before each solve of a wheel and within those at the level
   /// `exact`, of no fraction; where it returns false Stopped is thrown, and the solver is as good as before.
   void solve(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
              const Progress& progress = {});
@@ -97,8 +97,8 @@ public:
   /// Forgets the last state, from which wheels where nothing is prescribed start, as WheelRail::reset() does.
   void reset();
 
-  /// The same with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of
-  /// what is not solved are zero.
+  /// Solves with derivatives, those of WheelRail::differentiate and the implicit function theorem. Those of
+  /// unsolved quantities are zero.
   void differentiate(const WheelsetState& state, const WheelsetLoad& load, WheelsetSolution& solution,
                      WheelsetDerivatives& derivatives, const Progress& progress = {});
 

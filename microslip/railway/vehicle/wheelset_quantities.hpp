@@ -27,7 +27,7 @@ struct PrescribedWheelsetForces {
 
   PrescribedWheelsetForces() = default;
   explicit PrescribedWheelsetForces(const WheelsetLoad& load);
-  /// Throws Error for those that do not go together: both wheels' forces, or vertical_force with roll_moment, by
+  /// Throws Error for those that cannot be combined: both wheels' forces, or vertical_force with roll_moment, by
   /// default 0; or none.
   WheelsetLoad load() const;
 };

@@ -41,21 +41,21 @@ MICROSLIP_INLINE double sine(double x) {
   return x * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110)))));
 }
 
-/// Where contacts lie on an axis of the table, and the weights of the three coefficients there with their derivatives
-/// with respect to the position.
-template <int size> struct AxisPlaces {
+/// Positions of contacts on an axis of the table, and the weights of the three coefficients there with their
+/// derivatives with respect to the position.
+template <int size> struct AxisPositions {
   int node[size];
   double value[3][size], slope[3][size];
 
   /// A position from 0 to `last`, counted in nodes; quadratic_weights.
-  MICROSLIP_INLINE void set(int i, double place, int last) {
-    const double f = place - find_node(i, place, last), before = 0.5 - f, after = 0.5 + f;
+  MICROSLIP_INLINE void set(int i, double position, int last) {
+    const double f = position - find_node(i, position, last), before = 0.5 - f, after = 0.5 + f;
     value[0][i] = before * before / 2, value[1][i] = 0.75 - f * f, value[2][i] = after * after / 2;
     slope[0][i] = -before, slope[1][i] = -2 * f, slope[2][i] = after;
   }
-  /// The same for a TrigonometricSpline.
-  MICROSLIP_INLINE void set(int i, double place, int last, double step, double scale) {
-    const double f = place - find_node(i, place, last), before = (0.5 - f) * step, after = (0.5 + f) * step;
+  /// Sets position and weights for a TrigonometricSpline.
+  MICROSLIP_INLINE void set(int i, double position, int last, double step, double scale) {
+    const double f = position - find_node(i, position, last), before = (0.5 - f) * step, after = (0.5 + f) * step;
     const double first = scale * rise(before), third = scale * rise(after);
     const double first_slope = -scale * step * sine(before), third_slope = scale * step * sine(after);
     value[0][i] = first, value[1][i] = 1 - first - third, value[2][i] = third;
@@ -63,8 +63,8 @@ template <int size> struct AxisPlaces {
   }
 
 private:
-  MICROSLIP_INLINE int find_node(int i, double place, int last) {
-    const int nearest = static_cast<int>(place + 0.5);
+  MICROSLIP_INLINE int find_node(int i, double position, int last) {
+    const int nearest = static_cast<int>(position + 0.5);
     return node[i] = nearest < last ? nearest : last;
   }
 };
@@ -72,7 +72,7 @@ private:
 /// Scaled creepages on the quarter of the sphere.
 template <int size> struct Places {
   using Numbers = double[size];
-  AxisPlaces<size> ratio, level, elevation, azimuth;
+  AxisPositions<size> ratio, level, elevation, azimuth;
   Numbers turned, mirrored; ///< -1: all creepages, X are reversed
   Numbers x, y, z;
   Numbers cos_theta, sin_theta, cos_alpha, sin_alpha;

@@ -38,7 +38,7 @@ template <int size> struct CreepLookUp {
   void (*derivatives)(const CreepGrid& grid, CreepBlock<size>& block);
 };
 
-/// For contacts of a batch, and for a single one.
+/// Contacts of a batch, and of a single look-up.
 inline constexpr int creep_batch = 8;
 struct CreepKernels {
   CreepLookUp<creep_batch> batch;

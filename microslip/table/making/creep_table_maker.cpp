@@ -18,7 +18,7 @@
 namespace microslip {
 namespace {
 
-/// One contact stands for all loads, moduli, sizes and coefficients of friction.
+/// The contact that stands for all loads, moduli, sizes and coefficients of friction.
 constexpr double shear_modulus = 1, normal_force = 1, friction = 0.01, capacity = friction * normal_force;
 
 using Node = std::array<double, creep_channels>;
@@ -119,11 +119,11 @@ public:
   const CreepTableAxes& axes() const { return axes_; }
   const std::vector<double>& all() const { return numbers_; }
   double* at(std::size_t material, int ratio, int level, int elevation, int azimuth) {
-    std::size_t place = material;
+    std::size_t index = material;
     for (const auto& [count, i] : {std::pair(axes_.ratios, ratio), std::pair(axes_.levels, level),
                                    std::pair(axes_.elevations, elevation), std::pair(axes_.azimuths, azimuth)})
-      place = place * std::size_t(count) + std::size_t(i);
-    return &numbers_[place * creep_channels];
+      index = index * std::size_t(count) + std::size_t(i);
+    return &numbers_[index * creep_channels];
   }
 
 private:

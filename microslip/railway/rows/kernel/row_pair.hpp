@@ -19,7 +19,7 @@ template <class Real, int count> MICROSLIP_INLINE Lanes<Real, count> logarithm(c
   return Lanes<Real, count>::load(numbers);
 }
 
-/// The influence of a row of semi-elliptic pressure on another one, in lanes or for a single pair. A row bears a load
+/// The influence of a row of semi-elliptic pressure on another one, in lanes or for a single pair. A row carries a load
 /// of q for each unit of width with p = 2 q/(pi b) sqrt(1 - x^2/b^2); on a row of half-length a that is a distance y
 /// away its displacement has the mean, with the weight of a semi-ellipse as well,
 ///   C q dy E[(Z^2 + y^2)^(-1/2)],  Z = a S - b T,
@@ -34,7 +34,7 @@ template <class Number> struct RowPair {
   /// P and its derivatives with respect to ln a and ln b; odd in the distance.
   Number p, by_a, by_b, by_aa, by_ab;
 
-  /// Of the strip between two distances.
+  /// Pair of the strip between two distances.
   MICROSLIP_INLINE static RowPair between(const Number& low, const Number& high, const Number& a, const Number& b);
 
 private:

@@ -1,4 +1,4 @@
-"""Cost of a call through the Python interface: PYTHONPATH=build/release/share/microslip/python python3 bench/doors.py.
+"""Cost of a call through the Python interface: PYTHONPATH=build/release/share/microslip/python python3 bench/interfaces.py.
 
 The overhead is the time of a call whose input is refused at once: all that is left of it is the way in and out.
 """

@@ -44,16 +44,16 @@ std::vector<microslip_contact> c_contacts() {
 }
 
 /// Solves all cases; returns something that depends on every result.
-struct Door {
+struct Interface {
   const char* name;
   std::function<double()> solve_all;
   double shortest = std::numeric_limits<double>::infinity(); ///< [ns] for a contact
 };
 
 /// An instance of the unit, in the middle of a simulation.
-class UnitDoor {
+class UnitInterface {
 public:
-  UnitDoor() : handle_(dlopen(MICROSLIP_FMU_BINARY, RTLD_NOW)) {
+  UnitInterface() : handle_(dlopen(MICROSLIP_FMU_BINARY, RTLD_NOW)) {
     if (!handle_) throw std::runtime_error(dlerror());
     const fmi2CallbackFunctions functions = {};
     const auto instantiate = find<decltype(fmi2Instantiate)>("fmi2Instantiate");
@@ -109,8 +109,8 @@ int main() {
   const std::vector<microslip_contact> c = c_contacts();
   std::vector<ContactForces> forces(c.size());
   std::vector<microslip_forces> c_forces(c.size());
-  const UnitDoor unit;
-  Door doors[] = {
+  const UnitInterface unit;
+  Interface interfaces[] = {
       {"C++, one by one",
        [&] { return one_by_one(contacts(), [&](const auto& contact) { return solver.solve(contact).fx; }); }},
       {"C, one by one",
@@ -148,8 +148,9 @@ int main() {
   };
   double sum = 0;
   for (int round = 0; round < 100; ++round)
-    for (Door& door : doors) door.shortest = std::min(door.shortest, nanoseconds_per_contact(door.solve_all, sum));
-  for (const Door& door : doors) std::printf("%-34s %7.0f ns per contact\n", door.name, door.shortest);
+    for (Interface& one : interfaces)
+      one.shortest = std::min(one.shortest, nanoseconds_per_contact(one.solve_all, sum));
+  for (const Interface& one : interfaces) std::printf("%-34s %7.0f ns per contact\n", one.name, one.shortest);
   std::printf("(sum of results %g)\n", sum);
   microslip_fastsim2_destroy(handle);
   return 0;
