@@ -19,11 +19,11 @@ double off_vertical(double angle) {
   return std::copysign(right + std::copysign(least, off), angle);
 }
 
-/// Of a roller: the height of its surface at x, given that at x = 0.
+/// Height of a roller's surface at x, given that at x = 0; the axle's where it does not reach as far.
 double height_at(double z, double x, const Placement& p) {
   if (!p.on_roller()) return z;
   const double axle = p.rail.origin.z + p.roller_radius, radius = axle - z;
-  return axle - std::copysign(std::sqrt(radius * radius - x * x), radius);
+  return axle - std::copysign(std::sqrt(std::max(radius * radius - x * x, 0.0)), radius);
 }
 
 /// Elements along an axis that cover [low, high] with one more on either side, multiples of the size.
@@ -70,6 +70,8 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   }
   const double s_low = rail.nearest_s_at_y(whole.y0) - s_grid, s_high = rail.nearest_s_at_y(whole.y1) - s_grid;
   const double x_low = whole.x0 - f.grid.origin.x, x_high = whole.x1 - f.grid.origin.x;
+  if (!std::isfinite(x_low + x_high + s_low + s_high))
+    throw Error("the extent of the overlap of wheel and rail is no number");
   f.dx = sizes.dx;
   f.ds = sizes.ds;
   Range x(x_low, x_high, f.dx), s(std::min(s_low, s_high), std::max(s_low, s_high), f.ds);
