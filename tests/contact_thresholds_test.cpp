@@ -23,7 +23,7 @@ using S = SearchThresholds;
 /// By the table's rules, but for those that are not in the headers.
 const std::map<std::string, double> thresholds = {
     {"doubled points: distance from the last kept point, in the file's unit", P::spacing},
-    {"least `point.dist.min` of a Simpack file, which takes the place of 1e-4", P::least_spacing},
+    {"least `point.dist.min` of a Simpack file, which replaces 1e-4", P::least_spacing},
     {"ZIGTHRS not given", P::zigzag},
     {"ZIGTHRS at least", P::least_zigzag},
     {"SCALE that counts as 1, at most", P::no_scale},
