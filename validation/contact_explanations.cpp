@@ -42,11 +42,11 @@ double largest_creep_ratio(const Case& c) {
 /// What the input's EPS is relative to: of forces the normal force, of moments that at 1 mm, of forces over the
 /// friction limit 1, of creepages a thousandth, of the frictional power the friction limit at that creepage.
 double solved_to(const Difference& d, const Case& c, const Outcome&) {
-  constexpr double creepage = 1e-3, friction = 0.3;
+  constexpr double creepage = 1e-3;
   if (is_one_of(d.name, {"CKSI", "CETA", "CPHI"})) return creepage;
   if (d.name.starts_with("FRIC.")) {
     const double speed = c.rolling && c.rolling->veloc > 0 ? c.rolling->veloc * 1e-3 : 1; // [m/s]
-    return friction * d.load * creepage * speed;
+    return c.friction.sets.at(0).at(0) * d.load * creepage * speed; // by FSTAT, or FREF of other laws
   }
   if (d.name.ends_with("/FN")) return 1;
   if (d.name == "APPROACH") return std::abs(d.theirs.value) * (1 + largest_creep_ratio(c));
