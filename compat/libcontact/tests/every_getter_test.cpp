@@ -7,10 +7,9 @@
 #include "compat/contact/set_up.hpp"
 #include "compat/libcontact/tests/calls.hpp"
 #include "tests/contact_input_cases.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/command_output.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
@@ -31,15 +30,9 @@ std::string key_of(const std::string& getter, int ire, int icp) {
 }
 
 Lines run(const std::string& program) {
-  const TemporaryFolder folder; // for the log
-  const std::string command = "cd '" + folder.path().string() + "' && '" EVERY_GETTER_FOLDER "/" + program + "' '" +
-                              profiles + "60e1.prr' '" + profiles + "s1002.prw'";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  std::string text;
-  for (int letter; pipe && (letter = std::fgetc(pipe)) != EOF;) text += static_cast<char>(letter);
-  if (!pipe || pclose(pipe) != 0) return {};
   Lines lines;
-  std::istringstream stream(text);
+  std::istringstream stream(command_output("'" EVERY_GETTER_FOLDER "/" + program + "' '" + profiles + "60e1.prr' '" +
+                                           profiles + "s1002.prw'"));
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line);
     std::string getter;

@@ -2,11 +2,10 @@
 // CONTACT has stored, on its profiles.
 
 #include "paths.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/command_output.hpp"
 #include "validation/contact_output.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -33,13 +32,8 @@ std::size_t keys_of(const std::string& word) {
 }
 
 Lines run(const std::string& command) {
-  const TemporaryFolder folder; // for the log
-  std::FILE* const pipe = popen(("cd '" + folder.path().string() + "' && " + command).c_str(), "r");
-  std::string text;
-  for (int letter; pipe && (letter = std::fgetc(pipe)) != EOF;) text += static_cast<char>(letter);
-  if (!pipe || pclose(pipe) != 0) return {};
   Lines lines;
-  std::istringstream stream(text);
+  std::istringstream stream(command_output(command));
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line);
     std::string key, next;
