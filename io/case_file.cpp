@@ -87,17 +87,19 @@ bool has_effect(const TomlSection& friction) {
   return std::any_of(std::begin(effect_keys), std::end(effect_keys), [&](auto key) { return friction.has(key); });
 }
 
-/// Allows the keys of a law, of the temperature's effect, and of the memory of friction that changes.
-void allow_law(const TomlSection& friction, TomlSection::Words keys) {
-  keys.insert(keys.end(), std::begin(effect_keys), std::end(effect_keys));
-  const bool changes = friction.has("law") && friction.text("law", "") != "coulomb";
-  if (changes || has_effect(friction)) keys.insert(keys.end(), std::begin(memory_keys), std::end(memory_keys));
-  friction.allow(keys);
+/// Refuses the memory of friction that does not change.
+void require_change(const TomlSection& friction, const FrictionLaw& law) {
+  if (law.kind() != FrictionLaw::Kind::coulomb || has_effect(friction)) return;
+  for (const std::string_view key : memory_keys)
+    if (friction.has(key))
+      friction.at(key, [&] {
+        throw Error("friction." + std::string(key) +
+                    ": needs friction that falls with the slip velocity or changes with temperature");
+      });
 }
 
 /// A law that falls with the slip velocity in one or two terms.
 FrictionLaw read_falling_friction(const TomlSection& friction, FrictionLaw::Kind kind) {
-  allow_law(friction, {"law", "kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"});
   const double kinetic = friction.number("kinetic_coefficient");
   const auto term = [&](std::string_view drop, std::string_view half_velocity) {
     return FrictionTerm{friction.number(drop), friction.number(half_velocity)};
@@ -111,7 +113,6 @@ FrictionLaw read_falling_friction(const TomlSection& friction, FrictionLaw::Kind
 }
 
 FrictionLaw read_polach(const TomlSection& friction) {
-  allow_law(friction, {"law", "static_coefficient", "ratio", "decay"});
   const double coefficient = friction.number("static_coefficient"), ratio = friction.number("ratio"),
                decay = friction.number("decay");
   FrictionLaw law;
@@ -119,18 +120,15 @@ FrictionLaw read_polach(const TomlSection& friction) {
   return law;
 }
 
-FrictionLaw read_coulomb(const TomlSection& friction) {
-  allow_law(friction, {"law", "coefficient"});
-  return FrictionLaw::coulomb(friction.number("coefficient"));
-}
-
 FrictionModel read_friction(const TomlSection& friction) {
+  friction.allow_described();
   FrictionModel model;
   const std::string law = friction.word("law");
   const auto kind = std::find(FrictionLaw::names.begin(), FrictionLaw::names.end(), law) - FrictionLaw::names.begin();
-  model.law = law == "coulomb"  ? read_coulomb(friction)
+  model.law = law == "coulomb"  ? FrictionLaw::coulomb(friction.number("coefficient"))
               : law == "polach" ? read_polach(friction)
                                 : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
+  require_change(friction, model.law);
   if (has_effect(friction)) {
     const double cold = model.law.static_coefficient(), least = model.law.kinetic_coefficient();
     model.temperature_effect = {.change = friction.number("thermal_change"),
@@ -162,10 +160,7 @@ Motion read_motion(const TomlSection& given) {
   const bool shift = motion.kind == ContactMotion::shift;
   const std::string_view along = shift ? "shift_longitudinal" : "creepage_longitudinal",
                          across = shift ? "shift_lateral" : "creepage_lateral", turn = shift ? "rotation" : "spin";
-  TomlSection::Words known = {"kind", along, "force_longitudinal", across, "force_lateral", turn};
-  if (!shift) known.insert(known.end(), {"rolling_speed", "direction", "step"});
-  if (motion.kind == ContactMotion::transient) known.push_back("steps");
-  given.allow(known);
+  given.allow_described();
   motion.creepage.longitudinal = read_component(given, along, "force_longitudinal", motion.force_x);
   motion.creepage.lateral = read_component(given, across, "force_lateral", motion.force_y);
   motion.creepage.spin = given.number(turn);

@@ -140,6 +140,14 @@ void TomlSection::allow_described(const Words& more) const {
   Words keys = inputs_->keys(section_);
   keys.insert(keys.end(), more.begin(), more.end());
   allow(keys);
+  for (const auto key : keys)
+    if (has(key) && is_described(key)) require_condition(input(key));
+}
+
+void TomlSection::require_condition(const description::Input& input) const {
+  const auto& [key, words] = input.only;
+  if (key.empty() || std::find(words.begin(), words.end(), word(key)) != words.end()) return;
+  at(input.key, [&] { throw Error(full(input.key) + ": needs " + full(key) + " = " + listed(words, "or")); });
 }
 
 const description::Input& TomlSection::input(std::string_view key) const {

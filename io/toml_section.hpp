@@ -49,7 +49,8 @@ public:
 
   /// Error for any key but these; of several wrong ones, the first in the file is named.
   void allow(const Words& keys) const;
-  /// Refuses any key except those that the table has for this section, and `more`, such as sections within it.
+  /// Refuses any key except those that the table has for this section, and `more`, such as sections within it, and keys
+  /// whose condition (Input::only) does not hold; the first of them in the table is named.
   void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   bool is_described(std::string_view key) const { return inputs_->find(section_, key) != nullptr; }
@@ -96,6 +97,8 @@ public:
   std::string line_of(std::string_view key) const;
 
 private:
+  /// Refuses a key that is here without the word with which it goes.
+  void require_condition(const description::Input& input) const;
   using Check = std::function<double(std::string_view field, double value)>;
 
   TomlSection(const toml::table* table, std::string name, const TomlSection& parent)

@@ -28,6 +28,7 @@ io::Json input_json(const Input& input) {
   if (const double largest = input.bounds.largest(); std::isfinite(largest)) all["largest"] = largest;
   if (io::Json missing = default_of(input); !missing.is_null()) all["default"] = std::move(missing);
   if (!input.words.empty()) all["words"] = input.words;
+  if (!input.only.key.empty()) all["only"] = {{"key", input.only.key}, {"words", input.only.words}};
   all["needed"] = input.is_needed;
   all["state"] = input.is_state;
   all["text"] = input.text;

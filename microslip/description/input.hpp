@@ -49,6 +49,12 @@ enum class InputKind {
   texts ///< a list of them
 };
 
+/// Words of another key of the section with which alone a key goes.
+struct Condition {
+  std::string_view key = ""; ///< "law"; empty: the key always goes
+  std::span<const Word> words = {};
+};
+
 /// A key of case files or of files of sweeps, or an option of a command: all interfaces take unit, bounds, default and
 /// text from here. A new one is a line of the tables in rolling_inputs.cpp, wheel_inputs.cpp and so on.
 struct Input {
@@ -61,9 +67,10 @@ struct Input {
   std::optional<double> missing = {};           ///< what it is where it is left out
   std::string_view missing_word = "";           ///< the same of a word
   std::span<const double> missing_numbers = {}; ///< the same of a list of numbers
-  bool is_needed = false;                       ///< a case without it is refused; of alternatives one is needed
-  bool is_state = false;                        ///< of a wheel's state or load, which a sweep may vary
-  bool may_be_list = false;                     ///< a list of numbers may stand for the number
+  Condition only = {};
+  bool is_needed = false;   ///< a case without it is refused; of alternatives one is needed
+  bool is_state = false;    ///< of a wheel's state or load, which a sweep may vary
+  bool may_be_list = false; ///< a list of numbers may stand for the number
   std::span<const std::string_view> words = {};
   std::string_view text = ""; ///< what it is, with the sign's meaning
 };

@@ -53,6 +53,11 @@ constexpr Input needed(Input input) {
   input.is_needed = true;
   return input;
 }
+/// Refused without one of the words of another key.
+constexpr Input only(const Condition& condition, Input input) {
+  input.only = condition;
+  return input;
+}
 /// A list of numbers may stand for it.
 constexpr Input list_or(Input number) {
   number.may_be_list = true;

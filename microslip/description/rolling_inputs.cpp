@@ -16,6 +16,12 @@ constexpr auto friction_laws = [] {
   words.back() = "polach";
   return words;
 }();
+constexpr std::span laws(friction_laws);
+constexpr Condition coulomb{"law", laws.first(1)}, falling{"law", laws.subspan(1, laws.size() - 2)},
+    polach{"law", laws.last(1)};
+constexpr std::span kinds(contact_motions);
+constexpr Condition shift{"kind", kinds.first(1)}, rolling{"kind", kinds.last(2)},
+    transient{"kind", kinds.subspan(1, 1)};
 
 std::vector<Input> all_inputs() {
   return lines_of({
@@ -60,15 +66,17 @@ std::vector<Input> all_inputs() {
       {"friction",
        {
            word("law", friction_laws, "coulomb", "how friction depends on the slip velocity v"),
-           number("coefficient", "-", coefficient, "coulomb: coefficient of friction"),
-           number("kinetic_coefficient", "-", coefficient, "falling laws: coefficient at large slip velocities"),
-           number("drop", "-", coefficient, "the same: what is added to it where nothing slips"),
-           number("half_velocity", "m/s", positive, "the same: slip velocity at which half of that is left"),
-           number("second_drop", "-", coefficient, "drop of a second term"),
-           number("second_half_velocity", "m/s", positive, "half_velocity of a second term"),
-           number("static_coefficient", "-", coefficient, "polach: coefficient where nothing slips"),
-           number("ratio", "-", between(0, 1), "polach: coefficient at large slip velocities over that"),
-           number("decay", "s/m", positive, "polach: exponent of the decay with the slip velocity"),
+           only(coulomb, number("coefficient", "-", coefficient, "coulomb: coefficient of friction")),
+           only(falling,
+                number("kinetic_coefficient", "-", coefficient, "falling laws: coefficient at large slip velocities")),
+           only(falling, number("drop", "-", coefficient, "the same: what is added to it where nothing slips")),
+           only(falling,
+                number("half_velocity", "m/s", positive, "the same: slip velocity at which half of that is left")),
+           only(falling, number("second_drop", "-", coefficient, "drop of a second term")),
+           only(falling, number("second_half_velocity", "m/s", positive, "half_velocity of a second term")),
+           only(polach, number("static_coefficient", "-", coefficient, "polach: coefficient where nothing slips")),
+           only(polach, number("ratio", "-", between(0, 1), "polach: coefficient at large slip velocities over that")),
+           only(polach, number("decay", "s/m", positive, "polach: exponent of the decay with the slip velocity")),
            number("thermal_change", "-", between(-FrictionLaw::largest_coefficient, FrictionLaw::largest_coefficient),
                   "what the temperature of the surfaces adds to the coefficient in the end"),
            number("thermal_begin", "deg C", any_number, "temperature below which it adds nothing"),
@@ -81,20 +89,22 @@ std::vector<Input> all_inputs() {
        {
            word("kind", contact_motions, "steady",
                 "steady rolling, transient rolling from no tractions on, or a shift"),
-           number("creepage_longitudinal", "-", any_number, 0,
-                  "longitudinal creepage; positive gives a negative force"),
+           only(rolling, number("creepage_longitudinal", "-", any_number, 0,
+                                "longitudinal creepage; positive gives a negative force")),
            number("force_longitudinal", "N", any_number,
                   "prescribed longitudinal force on body 1, in place of the creepage"),
-           number("creepage_lateral", "-", any_number, 0, "lateral creepage"),
+           only(rolling, number("creepage_lateral", "-", any_number, 0, "lateral creepage")),
            number("force_lateral", "N", any_number, "prescribed lateral force on body 1, in place of the creepage"),
-           number("spin", "1/m", any_number, 0, "spin about the normal"),
-           number("shift_longitudinal", "m", any_number, 0, "shift: rigid displacement of body 1 over body 2 along x"),
-           number("shift_lateral", "m", any_number, 0, "the same along y"),
-           number("rotation", "rad", any_number, 0, "shift: rotation about the normal"),
-           needed(number("rolling_speed", "m/s", positive, "speed with which the contact moves over the bodies")),
-           word("direction", rolling_directions, "forward", "rolling along +x or along -x"),
-           number("step", "m", positive, "distance rolled in a step; left out: the elements' length"),
-           whole("steps", between(1, most_steps), 1, "number of steps of transient rolling"),
+           only(rolling, number("spin", "1/m", any_number, 0, "spin about the normal")),
+           only(shift, number("shift_longitudinal", "m", any_number, 0,
+                              "shift: rigid displacement of body 1 over body 2 along x")),
+           only(shift, number("shift_lateral", "m", any_number, 0, "the same along y")),
+           only(shift, number("rotation", "rad", any_number, 0, "shift: rotation about the normal")),
+           only(rolling,
+                needed(number("rolling_speed", "m/s", positive, "speed with which the contact moves over the bodies"))),
+           only(rolling, word("direction", rolling_directions, "forward", "rolling along +x or along -x")),
+           only(rolling, number("step", "m", positive, "distance rolled in a step; left out: the elements' length")),
+           only(transient, whole("steps", between(1, most_steps), 1, "number of steps of transient rolling")),
        }},
       {"solution",
        {

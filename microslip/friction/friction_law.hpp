@@ -14,24 +14,20 @@ struct FrictionTerm {
   double half_velocity = 1; ///< v_i [m/s], > 0
 };
 
-/// The friction coefficient as a function of the slip velocity v = |s| V [m/s].
-///
-/// | law         | mu(v)                                                        |
-/// |-------------|--------------------------------------------------------------|
-/// | Coulomb     | mu                                                           |
-/// | linear      | mu_k + sum_i d_i max(0, 1 - v/(2 v_i))                       |
-/// | rational    | mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)                 |
-/// | exponential | mu_k + sum_i d_i 2^(-v/v_i)                                  |
-/// | Polach      | mu_s ((1 - A) exp(-B v) + A)                                 |
-///
-/// (Vollebregt, CONTACT user guide, section 4.2; Polach 2005.) v_i is where the i-th term has fallen to its half. No
-/// law rises with v. All makers throw Error if a coefficient, a drop or mu(0) is outside [0, largest_coefficient], or a
-/// velocity is not positive.
+/// The friction coefficient as a function of the slip velocity v = |s| V [m/s], by `formulas`; Polach's law is
+/// mu_s ((1 - A) exp(-B v) + A) (Vollebregt, CONTACT user guide, section 4.2; Polach 2005.) v_i is where the i-th term
+/// has fallen to its half. No law rises with v. All makers throw Error if a coefficient, a drop or mu(0) is outside [0,
+/// largest_coefficient], or a velocity is not positive.
 class FrictionLaw {
 public:
   enum class Kind { coulomb, linear, rational, exponential };
   /// Their names in this order, for files and for Python.
   static constexpr std::array<std::string_view, 4> names = {"coulomb", "linear", "rational", "exponential"};
+  /// mu(v) of each; d_i and v_i are the terms' drop and half_velocity.
+  static constexpr std::array<std::string_view, names.size()> formulas = {
+      "mu_k", "mu_k + sum d_i max(0, 1 - v/(2 v_i))", "mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)",
+      "mu_k + sum d_i 2^(-v/v_i)"};
+  static_assert(!formulas.back().empty());
 
   /// Beyond this a coefficient of friction is taken for a mistake [-].
   static constexpr double largest_coefficient = 10;

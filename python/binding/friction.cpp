@@ -18,12 +18,6 @@ namespace py = pybind11;
 using namespace py::literals;
 using Term = std::pair<double, double>;
 
-/// Formulas of the laws by FrictionLaw::names.
-constexpr std::array<std::string_view, FrictionLaw::names.size()> formulas = {
-    "mu_k", "mu_k + sum d_i max(0, 1 - v/(2 v_i))", "mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2)",
-    "mu_k + sum d_i 2^(-v/v_i)"};
-static_assert(!formulas.back().empty());
-
 FrictionTerm term(const Term& given) {
   return {given.first, given.second};
 }
@@ -50,7 +44,7 @@ double coefficient_at(const FrictionLaw& law, double velocity) {
 void bind_friction(py::module_& module) {
   std::string text = "The friction coefficient mu as a function of the slip velocity v [m/s]:\n";
   for (std::size_t k = 0; k < FrictionLaw::names.size(); ++k)
-    text.append(FrictionLaw::names[k]).append(": ").append(formulas[k]).append(";\n");
+    text.append(FrictionLaw::names[k]).append(": ").append(FrictionLaw::formulas[k]).append(";\n");
   text += "polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]).\n"
           "Makers raise Error for a coefficient outside [0, 10] or a velocity that is not positive.\n"
           "FrictionLaw() is frictionless.";

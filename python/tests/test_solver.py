@@ -207,7 +207,7 @@ class RollingProblemTest(unittest.TestCase):
                               ({"kind": "stedy"}, "did you mean steady"),
                               ({"step": [1, 2]}, "step: must be a number, not a list"),
                               ({"approach": 1e-5, "normal_force": 1.0}, "needs either"),
-                              ({"rotation": 0.1}, "rotation: unknown key"),
+                              ({"rotation": 0.1}, "rotation: needs"),
                               ({"memory_speed": -1}, "memory_speed = -1"),
                               ({"grid": microslip.ElementGrid(2, 2, 0, 0, 1, 1)}, "needs either a and b or gap")):
             with self.assertRaisesRegex(microslip.Error, "^RollingProblem: .*" + text):

@@ -12,6 +12,7 @@ export interface Input {
   largest?: number;
   default?: Value;
   words?: string[];
+  only?: { key: string; words: string[] }; // a word of the same section with which alone it goes
   state: boolean;
   text: string;
 }
@@ -42,6 +43,15 @@ function named<Of>(table: Record<string, Of>, name: string): Of {
 /** An input of the cases of a view. */
 export function input(view: View, key: string): Input {
   return named(description.inputs[view === "rail" ? "wheel" : "bodies"], key);
+}
+
+/** The paths of a section's inputs that go only with this word of another of its keys. */
+export function pathsWith(view: View, section: string, key: string, word: string): string[] {
+  const ofKind = description.inputs[view === "rail" ? "wheel" : "bodies"];
+  return Object.keys(ofKind).filter((path) => {
+    const { section: of, only } = ofKind[path]!;
+    return of === section && only?.key === key && only.words.includes(word);
+  });
 }
 
 export function output(of: keyof Description["outputs"], name: string): Output {

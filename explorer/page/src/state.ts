@@ -1,6 +1,6 @@
 // All that a view shows follows from its state; a link holds the states of all views.
 
-import { input } from "./description.ts";
+import { input, pathsWith } from "./description.ts";
 
 export type Values = Record<string, number>; // by section.key of the case file, SI
 /** What a key of a case file has, numbers in SI. */
@@ -40,9 +40,7 @@ export function laws(): Record<string, string> {
 }
 /** The numbers of a law. */
 export function keysOf(law: string): string[] {
-  const falling = ["kinetic_coefficient", "drop", "half_velocity", "second_drop", "second_half_velocity"];
-  const others: Record<string, string[]> = { coulomb: ["coefficient"], polach: ["static_coefficient", "ratio", "decay"] };
-  return (others[law] ?? falling).map((key) => `friction.${key}`);
+  return pathsWith("contact", "friction", "law", law);
 }
 /** Surfaces of wheels and rails for the exact theory. "true" is what the library takes where the case leaves it out. */
 export function shapes(): Record<string, string> {
