@@ -13,6 +13,12 @@ BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
 CLEARANCE = 7.0  # mm, flange_clearance in wheelset.hpp
 
 
+def label(axes, title, x, y):
+    axes.set_title(title, fontsize=10, loc="left")
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+
+
 def read(path):
     return np.genfromtxt(path, delimiter=",", skip_header=1, unpack=True)
 
@@ -21,9 +27,7 @@ def draw_run(axes, time, lateral, colour, title):
     axes.plot(time, 1e3 * lateral, color=colour, linewidth=0.8)
     for side in (-CLEARANCE, CLEARANCE):
         axes.axhline(side, color=GREY, linestyle=":", linewidth=1)
-    axes.set_title(title, fontsize=10, loc="left")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("lateral displacement [mm]")
+    label(axes, title, "time [s]", "lateral displacement [mm]")
     axes.set_xlim(0, time[-1])
     axes.set_ylim(-10, 10)
 
@@ -33,9 +37,7 @@ def draw_cycle(axes, lateral, yaw):
     axes.plot(1e3 * lateral[last], 1e3 * yaw[last], color=ORANGE)
     for side in (-CLEARANCE, CLEARANCE):
         axes.axvline(side, color=GREY, linestyle=":", linewidth=1)
-    axes.set_title("Limit cycle, the last second", fontsize=10, loc="left")
-    axes.set_xlabel("lateral displacement [mm]")
-    axes.set_ylabel("yaw to the left [mrad]")
+    label(axes, "Limit cycle, the last second", "lateral displacement [mm]", "yaw to the left [mrad]")
 
 
 def draw_amplitudes(axes, ratio, small, large):
@@ -44,9 +46,7 @@ def draw_amplitudes(axes, ratio, small, large):
     axes.axhline(CLEARANCE, color=GREY, linestyle=":", linewidth=1)
     axes.axvline(1, color=GREY, linestyle="--", linewidth=1)
     axes.text(ratio[0], CLEARANCE, "flange", color=GREY, va="bottom", fontsize=8)
-    axes.set_title("Amplitude that is left after 15 s", fontsize=10, loc="left")
-    axes.set_xlabel("speed over critical speed [-]")
-    axes.set_ylabel("amplitude [mm]")
+    label(axes, "Amplitude that is left after 15 s", "speed over critical speed [-]", "amplitude [mm]")
     axes.set_ylim(0, 10)
     axes.legend(loc="center right", frameon=False, fontsize=8)
 
@@ -55,9 +55,7 @@ def draw_motion(axes, folder):
     time, below, _, above, _ = read(os.path.join(folder, "motion.csv"))
     axes.plot(time, 1e3 * below, color=BLUE, linewidth=1, label="50 m/s, from 5 mm")
     axes.plot(time, 1e3 * above, color=ORANGE, linewidth=0.8, label="66 m/s, from 1 mm")
-    axes.set_title("Below and above the critical speed", fontsize=10, loc="left")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("lateral displacement [mm]")
+    label(axes, "Below and above the critical speed", "time [s]", "lateral displacement [mm]")
     axes.set_xlim(0, time[-1])
     axes.set_ylim(-8, 10)
     axes.legend(loc="upper left", frameon=False, fontsize=8, ncols=2)
@@ -67,9 +65,7 @@ def draw_wheel_forces(axes, folder):
     time, y, _, left, _, right, _ = read(os.path.join(folder, "cycle.csv"))
     axes.plot(time, 1e-3 * left, color=BLUE, linewidth=1, label="left wheel")
     axes.plot(time, 1e-3 * right, color=ORANGE, linewidth=1, label="right wheel")
-    axes.set_title("Hunting at 66 m/s: force on the rail, outwards", fontsize=10, loc="left")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("Y [kN]")
+    label(axes, "Hunting at 66 m/s: force on the rail, outwards", "time [s]", "Y [kN]")
     axes.set_xlim(time[0], time[-1])
     axes.set_ylim(-30, 270)
     shift = axes.twinx()
@@ -83,9 +79,7 @@ def draw_bifurcation(axes, folder):
     speed, up, down = read(os.path.join(folder, "bifurcation.csv"))
     axes.plot(speed, 1e3 * down, "s-", color=BLUE, markersize=5, fillstyle="none", linewidth=0.8, label="speed decreasing")
     axes.plot(speed, 1e3 * up, "o-", color=ORANGE, markersize=3.5, linewidth=0.8, label="speed increasing")
-    axes.set_title("Amplitude after 8 s at each speed", fontsize=10, loc="left")
-    axes.set_xlabel("speed [m/s]")
-    axes.set_ylabel("amplitude [mm]")
+    label(axes, "Amplitude after 8 s at each speed", "speed [m/s]", "amplitude [mm]")
     axes.set_ylim(0, 8)
     axes.legend(loc="lower right", frameon=False, fontsize=8)
 
@@ -101,9 +95,7 @@ def draw_curves(axes, folder):
     axes.set_xscale("log")
     axes.set_xticks([200, 300, 500, 1000, 1500], ["200", "300", "500", "1000", "1500"])
     axes.minorticks_off()
-    axes.set_title("Curves to the left, by cant deficiency", fontsize=10, loc="left")
-    axes.set_xlabel("radius [m]")
-    axes.set_ylabel("lateral displacement [mm], full")
+    label(axes, "Curves to the left, by cant deficiency", "radius [m]", "lateral displacement [mm], full")
     ratio.set_ylabel("Y/Q of the outer wheel, dashed")
     axes.set_ylim(-7, 3)
     ratio.set_ylim(-0.45, 0.3)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.linalg import eigvals
 
 from radau import Radau
+from sign_change import sign_change
 
 LATERAL, HEIGHT, ROLL, YAW, LATERAL_RATE, HEIGHT_RATE, ROLL_RATE, YAW_RATE, ROTATION = range(9)
 NAMES = ("lateral", "vertical", "roll", "yaw", "lateral_velocity", "vertical_velocity", "roll_velocity", "yaw_velocity",
@@ -89,12 +90,9 @@ def growth_rate(contact, speed):
     return values[np.abs(values.imag) < 100 * np.pi].real.max()
 
 
-def critical_speed(contact, low=20.0, high=120.0):
+def critical_speed(contact):
     """The speed at which the growth rate changes its sign [m/s]."""
-    while high - low > 1e-3:
-        middle = (low + high) / 2
-        low, high = (middle, high) if growth_rate(contact, middle) < 0 else (low, middle)
-    return (low + high) / 2
+    return sign_change(lambda speed: growth_rate(contact, speed), 20, 120, 1e-3)
 
 
 def run(wheelset, displacement, duration, step=1e-3):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.linalg import eigvals
 
 from radau import Radau
+from sign_change import sign_change
 
 LATERAL, YAW, LATERAL_RATE, YAW_RATE, ROTATION = range(5)
 
@@ -155,12 +156,9 @@ def growth_rate(law, speed):
     return eigvals(Wheelset(law, speed).jacobian(np.zeros(5))).real.max()
 
 
-def critical_speed(law, low=5.0, high=200.0):
+def critical_speed(law):
     """The speed at which the growth rate changes its sign [m/s]."""
-    while high - low > 1e-6:
-        middle = (low + high) / 2
-        low, high = (middle, high) if growth_rate(law, middle) < 0 else (low, middle)
-    return (low + high) / 2
+    return sign_change(lambda speed: growth_rate(law, speed), 5, 200, 1e-6)
 
 
 def run(wheelset, displacement, duration, step=1e-3):

@@ -22,3 +22,12 @@ def figures_written_by(write, *arguments, **named):
         path = Path(folder) / "result.h5"
         write(path, *arguments, **named)
         return figures_of(path)
+
+
+def written_for(test, write):
+    """The path of the file that `write` makes at it, until the test ends."""
+    folder = tempfile.TemporaryDirectory()
+    test.addCleanup(folder.cleanup)
+    path = Path(folder.name) / "result.h5"
+    write(path)
+    return path

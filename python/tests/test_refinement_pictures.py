@@ -1,14 +1,12 @@
 """The pictures of the refinement paper's test show the numbers of their file."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
 from microslip.refinement_pictures import EDGES, slip_ahead
-from tests.figures import figures_of
+from tests.figures import figures_of, written_for
 
 LIMIT = 0.7
 
@@ -44,10 +42,7 @@ def write_refinement(path):
 
 class RefinementPicturesTest(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "refinement.h5"
-        write_refinement(self.path)
+        self.path = written_for(self, write_refinement)
 
     def figures(self):
         return figures_of(self.path)

@@ -1,15 +1,13 @@
 """The picture of stresses below a rolling contact shows the numbers of its file."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
 from microslip.result_file import ResultError, ResultFile
 from microslip.subsurface_pictures import CASES, section
-from tests.figures import figures_of
+from tests.figures import figures_of, written_for
 
 
 def write_subsurface(path):
@@ -30,10 +28,7 @@ def write_subsurface(path):
 
 class SubsurfacePicturesTest(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "subsurface.h5"
-        write_subsurface(self.path)
+        self.path = written_for(self, write_subsurface)
 
     def panels(self):
         return figures_of(self.path)["subsurface.png"].axes[:len(CASES)]

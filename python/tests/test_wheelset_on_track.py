@@ -2,22 +2,18 @@
 
 import pickle
 import unittest
-from pathlib import Path
 
 import microslip
 import numpy as np
 from tests.compiled import load_tests_if_compiled
+from tests.railway_pair import PROFILES, s1002_on_60e1
 
-PROFILES = Path(__file__).resolve().parents[2] / "examples" / "profiles"
 STATE = {"lateral": 0.003, "yaw": 0.001, "forward_velocity": 30.0}
 
 
 def wheelset(**options):
     """S1002 on 60E1."""
-    given = {"track": microslip.Track(gauge=1.435, cant=0.05), "rail": microslip.read_profile(PROFILES / "60e1.prr"),
-             "wheelset": microslip.Wheelset(nominal_radius=0.46, flange_back_distance=1.36),
-             "wheel": microslip.read_profile(PROFILES / "s1002.prw"), "tolerance": 1e-9}
-    return microslip.WheelsetOnTrack(**{**given, **options})
+    return s1002_on_60e1(microslip.WheelsetOnTrack, **{"tolerance": 1e-9, **options})
 
 
 class WheelsetOnTrackTest(unittest.TestCase):
