@@ -8,15 +8,6 @@
 namespace microslip {
 namespace {
 
-void add(Influence& to, double factor, const Influence& a) {
-  to.xx += factor * a.xx;
-  to.xy += factor * a.xy;
-  to.yy += factor * a.yy;
-  to.zz += factor * a.zz;
-  to.xz += factor * a.xz;
-  to.yz += factor * a.yz;
-}
-
 void add(InteriorState& to, double factor, const InteriorState& a) {
   to.ux += factor * a.ux;
   to.uy += factor * a.uy;

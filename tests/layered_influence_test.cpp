@@ -1,0 +1,284 @@
+#include "microslip/exact/halfspace/layered_influence.hpp"
+
+#include "microslip/elasticity/layered_response.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "microslip/numerics/gauss_legendre.hpp"
+#include "tests/support/expect_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace microslip {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Material rigid{infinite, 0}, polymer{1, 0.4}, core{10, 0.3};
+constexpr ElementSides sides{0.2, 0.3};
+const LayeredBody rigid_body{{}, {rigid}};
+
+using Part = double Influence::*;
+constexpr Part parts[] = {&Influence::xx, &Influence::xy, &Influence::yy,
+                          &Influence::zz, &Influence::xz, &Influence::yz};
+
+void expect_near(const Influence& a, const Influence& b, double tolerance, const char* what = "") {
+  for (const Part part : parts) EXPECT_NEAR(a.*part, b.*part, tolerance) << what;
+}
+Influence times(double factor, const Influence& a) {
+  Influence product{};
+  add(product, factor, a);
+  return product;
+}
+LayeredBody coated(double thickness, const Material& layer, const Material& substrate) {
+  return {{{thickness, {layer}}}, {substrate}};
+}
+/// The element's influence on itself of a half-space of the body's surface.
+double surface_diagonal(const LayeredBody& body) {
+  return influence(combine(body.top().instantaneous, rigid), sides.dx, sides.dy, 0, 0).zz;
+}
+
+double sine_ratio(double x) {
+  return x == 0 ? 1 : std::sin(x) / x;
+}
+
+/// What layers add, by Fourier integrals over directions (by the trapezoidal rule) and wavenumbers.
+Influence direct(const LayeredBody& body, double speed, int i, int j, int directions) {
+  static const GaussLegendre rule(16);
+  const double x = i * sides.dx, y = j * sides.dy, k_max = 20 / body.layers[0].thickness;
+  const int panels = static_cast<int>(k_max * (std::hypot(x, y) + 0.5) / 5) + 4;
+  std::vector<double> ends = {0};
+  for (int n = 30; n > 0; --n) ends.push_back(k_max / panels * std::exp2(-n));
+  for (int n = 1; n <= panels; ++n) ends.push_back(k_max * n / panels);
+  std::vector<LayerStack<Complex>> stacks(1, stack_at(body, 0));
+  Influence sum{};
+  for (std::size_t p = 1; p < ends.size(); ++p)
+    for (std::size_t n = 0; n < rule.count(); ++n) {
+      const double k = rule.node(n, ends[p - 1], ends[p]);
+      SurfaceResponse<Complex> rest = rest_of_response(stacks[0], k);
+      for (int d = 0; d < directions; ++d) {
+        const double angle = 2 * std::numbers::pi * d / directions, c = std::cos(angle), s = std::sin(angle);
+        if (speed != 0) rest = rest_of_response(stack_at(body, -speed * k * c), k);
+        const Complex wave =
+            std::polar(sides.dx * sides.dy * sine_ratio(k * c * sides.dx / 2) * sine_ratio(k * s * sides.dy / 2) *
+                           rule.weight(n, ends[p - 1], ends[p]) / (2 * std::numbers::pi * directions),
+                       k * (c * x + s * y));
+        const Complex turned = Complex(0, 1) * wave * rest.ln;
+        add(sum, 1,
+            {((rest.ll * c * c + rest.tt * s * s) * wave).real(), ((rest.ll - rest.tt) * c * s * wave).real(),
+             ((rest.ll * s * s + rest.tt * c * c) * wave).real(), (rest.nn * wave).real(), c * turned.real(),
+             s * turned.real()});
+      }
+    }
+  return sum;
+}
+
+void expect_direct(const LayeredBody& body, double speed, int i, int j, int directions, double tolerance) {
+  InfluenceRows rows(std::abs(i) + 1, j + 1);
+  add_layers(body, speed, sides, {}, rows);
+  const LayeredInfluence whole({body, rigid_body, speed}, sides, 1, 1);
+  expect_near(rows.at(i, j), direct(body, speed, i, j, directions), tolerance * whole.at(0, 0).zz);
+}
+
+TEST(LayeredInfluence, IsTheFourierIntegralOfTheResponse) {
+  const LayeredBody stacks[] = {coated(0.2, polymer, core),
+                                coated(0.3, {1, 0.5}, rigid),
+                                coated(0.1, core, polymer),
+                                {{{0.2, {polymer}}, {0.1, {{0.01, 0.5}}}, {0.4, {core}}}, {polymer}}};
+  for (const LayeredBody& body : stacks)
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {-1, 1}, {0, 2}, {3, 4}})
+      expect_direct(body, 0, i, j, 400, 1e-8);
+}
+
+TEST(LayeredInfluence, OfViscoelasticStacksIsTheFourierIntegralAtTheFrequencyOfRolling) {
+  const LayeredBody body{{{0.5, {polymer, {{0.5, 1}}}}}, {core, {{0.2, 3}}}};
+  for (const auto& [i, j] : {std::pair{1, 0}, {-2, 1}}) expect_direct(body, 0.25, i, j, 400, 1e-8);
+}
+
+TEST(LayeredInfluence, EqualLayersAreHalfSpaces) {
+  const Material steel{80e9, 0.28}, copper{45e9, 0.34};
+  const LayeredBodies bodies = {{{{1e-4, {steel}}, {3e-4, {steel}}, {1e-3, {steel}}}, {steel}},
+                                {{{2e-4, {copper}}}, {copper}}};
+  const double dx = 1e-4, dy = 2e-4;
+  const LayeredInfluence found(bodies, {dx, dy}, 20, 20);
+  const CombinedMaterial combined = combine(steel, copper);
+  const double diagonal = influence(combined, dx, dy, 0, 0).zz;
+  for (int i = -19; i < 20; ++i)
+    for (int j = -19; j < 20; ++j)
+      expect_near(found.at(i, j), influence(combined, dx, dy, i * dx, j * dy), 1e-12 * diagonal);
+}
+
+TEST(LayeredInfluence, NormalAndTangentialPartsHaveTheSymmetriesOfElasticBodies) {
+  const LayeredInfluence found({coated(0.2, polymer, core), coated(0.4, core, polymer)}, sides, 5, 5);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const auto [xx, xy, yy, zz, xz, yz] = found.at(i, j);
+      const double rounding = 1e-13 * found.at(0, 0).zz;
+      expect_near(found.at(-i, j), {xx, -xy, yy, zz, -xz, yz}, rounding);
+      expect_near(found.at(i, -j), {xx, -xy, yy, zz, xz, -yz}, (j == 0 ? 1e4 : 1) * rounding);
+    }
+}
+
+TEST(LayeredInfluence, ASquareElementHasNoPreferredDirection) {
+  const LayeredInfluence found({coated(0.2, polymer, core), rigid_body}, {0.2, 0.2}, 5, 5);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const auto [xx, xy, yy, zz, xz, yz] = found.at(i, j);
+      expect_near(found.at(j, i), {yy, xy, xx, zz, yz, xz}, 1e-9 * found.at(0, 0).zz);
+    }
+}
+
+TEST(LayeredInfluence, ExchangedBodiesTurnTheCouplingRound) {
+  const LayeredBody one = coated(0.2, polymer, core), two = coated(0.4, core, polymer);
+  const LayeredInfluence found({one, two}, sides, 4, 4), exchanged({two, one}, sides, 4, 4);
+  const LayeredInfluence alike({one, one}, sides, 4, 4), alone({one, rigid_body}, sides, 4, 4);
+  for (int i = -3; i < 4; ++i)
+    for (int j = -3; j < 4; ++j) {
+      const auto [xx, xy, yy, zz, xz, yz] = found.at(i, j);
+      expect_near(exchanged.at(i, j), {xx, xy, yy, zz, -xz, -yz}, 1e-13 * found.at(0, 0).zz);
+      Influence twice = times(2, alone.at(i, j));
+      twice.xz = twice.yz = 0;
+      expect_near(alike.at(i, j), twice, 1e-13 * found.at(0, 0).zz);
+    }
+}
+
+TEST(LayeredInfluence, ScalesWithLengthsAndModuli) {
+  const double longer = 3.7e-4, stiffer = 2.1e9;
+  const LayeredBody body = {{{0.2, {polymer}}, {0.5, {core}}}, {{3, 0.2}}};
+  LayeredBody scaled = body;
+  for (BodyLayer& layer : scaled.layers)
+    layer.thickness *= longer, layer.material.instantaneous.shear_modulus *= stiffer;
+  scaled.substrate.instantaneous.shear_modulus *= stiffer;
+  const LayeredInfluence before({body, rigid_body}, sides, 6, 6);
+  const LayeredInfluence after({scaled, rigid_body}, {sides.dx * longer, sides.dy * longer}, 6, 6);
+  for (int i = -5; i < 6; ++i)
+    for (int j = -5; j < 6; ++j)
+      expect_near(times(stiffer / longer, after.at(i, j)), before.at(i, j), 1e-12 * before.at(0, 0).zz);
+}
+
+TEST(LayeredInfluence, OfAThinLayerOnARigidCoreIsABedOfSprings) {
+  const double h = 0.004, nu = polymer.poisson_ratio;
+  const LayeredInfluence found({coated(h, polymer, rigid), rigid_body}, sides, 3, 3);
+  const double normal = h * (1 - 2 * nu) / (2 * (1 - nu)),
+               tolerance = 1e-8 * surface_diagonal(coated(h, polymer, rigid));
+  expect_near(found.at(0, 0), {h, 0, h, normal, 0, 0}, tolerance);
+  expect_near(found.at(1, 0), {}, tolerance);
+  expect_near(found.at(-2, 2), {}, tolerance);
+}
+
+TEST(LayeredInfluence, FarAwayIsThatOfTheSubstrate) {
+  const double h = 1e-3;
+  const LayeredInfluence found({coated(h, polymer, core), rigid_body}, sides, 200, 2);
+  const CombinedMaterial below = combine(core, rigid);
+  for (const int i : {60, 199}) {
+    const Influence expected = influence(below, sides.dx, sides.dy, i * sides.dx, 0);
+    expect_near(found.at(i, 0), expected, 1e-3 * expected.zz);
+  }
+}
+
+TEST(LayeredInfluence, ViscoelasticHalfSpacesAreThoseOfRetardation) {
+  const MaterialCreep creep{1.5, 0.8};
+  const PronySeries series = {{creep.ratio / (1 + creep.ratio), creep.time / (1 + creep.ratio)}};
+  const ViscoelasticMaterial material{polymer, series}, bulk{polymer, series, series};
+  const double speed = -0.4;
+  const Bodies bodies = viscoelastic(polymer, creep, core, {}, speed);
+  const ElementGrid grid = {4, 3, 0, 0, sides.dx, sides.dy};
+  const CoupledKernel kernel = CoupledKernel::displacement(bodies, grid);
+  for (const ViscoelasticMaterial& m : {material, bulk}) {
+    const LayeredInfluence found({{{{0.1, m}}, m}, {{}, {core}}, speed}, sides, 4, 3);
+    for (int i = -3; i < 4; ++i)
+      for (int j = -2; j < 3; ++j)
+        expect_near(found.at(i, j),
+                    {kernel.slip.xx.at(i, j), kernel.slip.xy.at(i, j), kernel.slip.yy.at(i, j), kernel.zz.at(i, j),
+                     kernel.xz.at(i, j), kernel.yz.at(i, j)},
+                    1e-7 * kernel.zz.at(0, 0));
+  }
+}
+
+TEST(LayeredInfluence, OfSlowRollingIsThatOfRelaxedBodiesAndOfFastRollingThatOfInstantaneousOnes) {
+  const PronySeries shear = {{0.5, 0.3}, {0.2, 2}}, of_bulk = {{0.4, 0.7}};
+  LayeredBody body{{{0.3, {polymer, shear, of_bulk}}, {0.2, {core}}}, {{3, 0.4}, {{0.6, 1}}}};
+  LayeredBody relaxed = body, instantaneous = body;
+  relaxed.layers[0].material = instantaneous.layers[0].material = {polymer};
+  relaxed.substrate = {{3 * 0.4, 0.4}};
+  instantaneous.substrate = {{3, 0.4}};
+  const StackMaterial<Complex> at_rest = stack_at(body, 0).layers[0].material;
+  relaxed.layers[0].material = {{at_rest.shear_modulus.real(), at_rest.poisson_ratio.real()}};
+  const LayeredInfluence slow({body, rigid_body, 1e-9}, sides, 4, 4), fast({body, rigid_body, 1e6}, sides, 4, 4);
+  const LayeredInfluence soft({relaxed, rigid_body}, sides, 4, 4), stiff({instantaneous, rigid_body}, sides, 4, 4);
+  for (int i = -3; i < 4; ++i)
+    for (int j = -3; j < 4; ++j) {
+      expect_near(slow.at(i, j), soft.at(i, j), 3e-8 * soft.at(0, 0).zz, "slow");
+      expect_near(fast.at(i, j), stiff.at(i, j), 1e-6 * soft.at(0, 0).zz, "fast");
+    }
+}
+
+TEST(LayeredInfluence, RollingTheOtherWayIsItsMirrorImage) {
+  const LayeredBody body{{{0.3, {polymer, {{0.5, 0.3}}}}}, {core}};
+  const LayeredInfluence forward({body, rigid_body, 2}, sides, 4, 4), back({body, rigid_body, -2}, sides, 4, 4);
+  for (int i = -3; i < 4; ++i)
+    for (int j = -3; j < 4; ++j) {
+      const auto [xx, xy, yy, zz, xz, yz] = forward.at(-i, j);
+      expect_near(back.at(i, j), {xx, -xy, yy, zz, -xz, yz}, 0);
+    }
+  EXPECT_LT(forward.at(1, 0).zz, forward.at(-1, 0).zz); // particles come from +x: behind they have crept for longer
+}
+
+TEST(LayeredInfluence, BadInputIsAnErrorThatNamesTheField) {
+  const LayeredBody body = coated(0.2, polymer, core), viscous{{}, {polymer, {{0.5, 1}}}};
+  expect_error([&] { LayeredInfluence({viscous, body}, sides, 2, 2); }, "speed", "[m/s]: must be not zero");
+  expect_error(
+      [&] {
+        LayeredInfluence({body, coated(-1, polymer, core)}, sides, 2, 2);
+      },
+      "body2.layers[0].thickness", "[m]: must be positive and finite");
+  expect_error([&] { LayeredInfluence({body, body}, {0, 1}, 2, 2); }, "dx", "[m]: must be positive and finite");
+  expect_error([&] { LayeredInfluence({body, body}, sides, 2, 0); }, "rows", "[-]: must be in");
+  expect_error(
+      [&] {
+        LayeredInfluence({rigid_body, rigid_body}, sides, 2, 2);
+      },
+      "body1.shear_modulus and body2.shear_modulus", "[Pa]: must be finite for at least one body");
+  const ElementGrid grid = {3, 3, 0, 0, 0.2, 0.3};
+  expect_words([&] { layered_table({viscous, body, 1}, grid); }, "a table needs elastic bodies");
+  ElementGrid line = grid;
+  line.line = true, line.my = 1;
+  expect_words([&] { layered_table({body, body}, line); }, "no line contact");
+}
+
+/// A ball of radius 1 m and a plane in steady rolling with the response of a table.
+ContactStepSolution roll(const Bodies& bodies, const ElementGrid& grid, std::shared_ptr<const InfluenceTable> table) {
+  ContactStep step;
+  step.grid = grid;
+  step.bodies = bodies;
+  step.response.table = std::move(table);
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) step.gap.push_back((grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / 2);
+  step.load = {NormalLoad::Given::force, 4e3};
+  step.friction = {FrictionLaw::coulomb(0.3)};
+  step.motion.creepage = {1e-3, 5e-4, 0.2};
+  step.motion.rolling_speed = 1;
+  return ContactSequence().solve(step);
+}
+
+TEST(LayeredTable, BodiesOfEqualLayersRollAsHalfSpacesDo) {
+  const Material steel{80e9, 0.28}, aluminium{26e9, 0.33};
+  const ElementGrid grid = ElementGrid::across_ellipse(3.5e-3, 3.5e-3, 14, 2);
+  const LayeredBodies bodies = {{{{1e-3, {steel}}, {2e-3, {steel}}}, {steel}}, {{{1e-3, {aluminium}}}, {aluminium}}};
+  const ContactStepSolution plain = roll(combine(steel, aluminium), grid, {});
+  const ContactStepSolution layered = roll(combine(steel, aluminium), grid, layered_table(bodies, grid));
+  ASSERT_EQ(plain.status, Status::ok);
+  ASSERT_EQ(layered.status, Status::ok);
+  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
+  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+}
+
+} // namespace
+} // namespace microslip
