@@ -246,7 +246,6 @@ TEST(LayeredInfluence, BadInputIsAnErrorThatNamesTheField) {
       },
       "body1.shear_modulus and body2.shear_modulus", "[Pa]: must be finite for at least one body");
   const ElementGrid grid = {3, 3, 0, 0, 0.2, 0.3};
-  expect_words([&] { layered_table({viscous, body, 1}, grid); }, "a table needs elastic bodies");
   ElementGrid line = grid;
   line.line = true, line.my = 1;
   expect_words([&] { layered_table({body, body}, line); }, "no line contact");
@@ -278,6 +277,55 @@ TEST(LayeredTable, BodiesOfEqualLayersRollAsHalfSpacesDo) {
   EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
   EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
   EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+}
+
+TEST(LayeredTable, BodiesOfEqualViscoelasticLayersRollAsHalfSpacesDo) {
+  const Material rubber{3e9, 0.45}, steel{80e9, 0.28};
+  const MaterialCreep creep{1, 2e-3}; // l is 0.6 of the half-width
+  const ViscoelasticMaterial material{rubber, {{0.5, 1e-3}}};
+  const ElementGrid grid = ElementGrid::across_ellipse(7e-3, 7e-3, 14, 3);
+  const LayeredBodies bodies = {{{{1e-3, material}}, material}, {{}, {steel}}, 1};
+  const ContactStepSolution plain = roll(viscoelastic(rubber, creep, steel, {}, 1), grid, {});
+  const ContactStepSolution layered = roll(combine(rubber, steel), grid, layered_table(bodies, grid));
+  ASSERT_EQ(plain.status, Status::ok);
+  ASSERT_EQ(layered.status, Status::ok);
+  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
+  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+  const ContactStepSolution stiff = roll(combine(rubber, steel), grid, {});
+  EXPECT_LT(stiff.normal.approach, 0.9 * plain.normal.approach); // creep matters here
+}
+
+/// Slope of the force on a ball of radius 1 m by the creepage, nearly without slip, on a layer on a rigid core; over
+/// that on a bed of springs with the flexibility h/G, 8 a^3 G/(3 h) with the radius of contact a.
+double stiffness_over_springs(double thickness) {
+  const Material layer{1e9, 0.3};
+  const double a = 4e-3, xi = 1e-4;
+  const ElementGrid grid = ElementGrid::across_ellipse(a, a, 40, 3);
+  ContactStep step;
+  step.grid = grid;
+  step.bodies = combine(rigid, layer);
+  step.response.table = layered_table({rigid_body, coated(thickness, layer, rigid)}, grid);
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) step.gap.push_back((grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / 2);
+  step.load = {NormalLoad::Given::approach, a * a / 2};
+  step.friction = {FrictionLaw::coulomb(10)};
+  ContactSequence sequence;
+  double difference = 0, radius = 0;
+  for (const double sign : {1.0, -1.0}) { // pressure displaces along the surface, too
+    step.motion.creepage = {sign * xi, 0, 0};
+    const ContactStepSolution s = sequence.solve(step);
+    EXPECT_EQ(s.status, Status::ok) << s.reason;
+    difference -= sign * s.tangential.forces.fx;
+    radius = std::sqrt(s.contact_elements * grid.element_area() / std::numbers::pi);
+  }
+  return difference / (2 * xi) / (8 * std::pow(radius, 3) * layer.shear_modulus / (3 * thickness));
+}
+
+TEST(LayeredTable, ThinLayersOnARigidCoreRollAsABedOfSprings) {
+  const double thick = stiffness_over_springs(0.4e-3), thin = stiffness_over_springs(0.2e-3);
+  EXPECT_NEAR(thin - 1, 0.11, 0.02); // in proportion to h/a
+  EXPECT_NEAR(2 * thin - thick, 1, 0.01);
 }
 
 } // namespace

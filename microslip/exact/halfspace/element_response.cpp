@@ -9,17 +9,19 @@
 
 namespace microslip {
 
-InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy)
-    : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)), dx_(dx), dy_(dy),
-      values_(static_cast<std::size_t>(mx) * (2 * static_cast<std::size_t>(my) - 1)) {
+InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy, Columns columns)
+    : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)),
+      first_(columns == Columns::ahead ? 0 : 1 - mx), dx_(dx), dy_(dy),
+      values_(static_cast<std::size_t>(mx - first_) * (2 * static_cast<std::size_t>(my) - 1)) {
   require_positive("dx", dx, "m");
   require_positive("dy", dy, "m");
 }
 
 FullInfluence InfluenceTable::find(int i, int j) const {
   if (std::abs(i) >= mx_ || std::abs(j) >= my_) return {};
-  FullInfluence a = values_[index(std::abs(i), j)];
-  if (i < 0) a.xy = -a.xy, a.xz = -a.xz, a.yx = -a.yx, a.zx = -a.zx;
+  if (i >= first_) return values_[index(i, j)];
+  FullInfluence a = values_[index(-i, j)];
+  a.xy = -a.xy, a.xz = -a.xz, a.yx = -a.yx, a.zx = -a.zx;
   return a;
 }
 

@@ -16,11 +16,17 @@ struct FullInfluence {
 
 /// The influence of an element on those i columns and j rows further, known for 0 <= i < mx and |j| < my. Bodies are
 /// symmetric in x: the influence on the element -i columns further has xy, xz, yx and zx with the
-/// opposite sign.
+/// opposite sign; or both are known.
 class InfluenceTable {
 public:
+  /// Columns that are set.
+  enum class Columns {
+    ahead, ///< 0 <= i < mx, of bodies that are symmetric in x
+    both,  ///< |i| < mx, of any, such as viscoelastic ones in steady rolling
+  };
+
   /// Table of elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
-  InfluenceTable(int mx, int my, double dx, double dy);
+  InfluenceTable(int mx, int my, double dx, double dy, Columns columns = Columns::ahead);
 
   int mx() const { return mx_; }
   int my() const { return my_; }
@@ -32,10 +38,11 @@ public:
 
 private:
   std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(mx_) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(mx_ - first_) +
+           static_cast<std::size_t>(i - first_);
   }
 
-  int mx_, my_;
+  int mx_, my_, first_; ///< first column that is set
   double dx_, dy_;
   std::vector<FullInfluence> values_;
 };

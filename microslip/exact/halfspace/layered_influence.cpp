@@ -119,14 +119,15 @@ Influence LayeredInfluence::at(int i, int j) const {
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,
                                                     const Progress& progress) {
   check(grid);
-  if (!bodies.are_elastic()) throw Error("layers: a table needs elastic bodies");
   if (grid.line || grid.shape != ElementShape::constant)
     throw Error("layers: need constant elements, and no line contact");
   const int columns = grid.mx + 1;
   const LayeredInfluence influence(bodies, {grid.dx, grid.dy}, columns, grid.my, progress);
-  auto table = std::make_shared<InfluenceTable>(columns, grid.my, grid.dx, grid.dy);
+  const bool symmetric = bodies.are_elastic();
+  auto table = std::make_shared<InfluenceTable>(
+      columns, grid.my, grid.dx, grid.dy, symmetric ? InfluenceTable::Columns::ahead : InfluenceTable::Columns::both);
   for (int j = 1 - grid.my; j < grid.my; ++j)
-    for (int i = 0; i < columns; ++i) {
+    for (int i = symmetric ? 0 : 1 - columns; i < columns; ++i) {
       const Influence a = influence.at(i, j);
       table->at(i, j) = {a.xx, a.xy, a.xz, a.xy, a.yy, a.yz, -a.xz, -a.yz, a.zz};
     }

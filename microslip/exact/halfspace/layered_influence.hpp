@@ -37,9 +37,9 @@ private:
   bool mirrored_;      ///< they roll along -x
 };
 
-/// Table of the influence of elastic layered bodies' elements, for ElementResponse: one column more than the grid has,
-/// which slip in rolling needs. Throws Error as LayeredInfluence does, for viscoelastic bodies, line contacts and other
-/// elements than constant ones.
+/// Table of the influence of layered bodies' elements, for ElementResponse: one column more than the grid has, which
+/// slip in rolling needs. That of viscoelastic bodies is for steady rolling with their speed. Throws Error as
+/// LayeredInfluence does, for line contacts and for other elements than constant ones.
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,
                                                     const Progress& progress = {});
 
