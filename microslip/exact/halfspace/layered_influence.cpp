@@ -8,16 +8,15 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <vector>
 
 namespace microslip {
 namespace {
 
-/// A body's half-space times a factor, retarded.
+/// A retarded part of a half-space: a times that with nu = 1/2 and G = 1/2, b times that with nu = 0 less nu = 1/2.
 struct HalfSpaceCreep {
-  Material material;
-  MaterialCreep creep;
+  double a, b; ///< [1/Pa]
+  double time; ///< T [s]
 };
 
 /// 3 K + G as a modulus that relaxes; m = G/K of the instantaneous ones.
@@ -29,30 +28,32 @@ PronySeries relaxation_of_3k_plus_g(const ViscoelasticMaterial& material, double
 }
 
 /// The retarded parts of a half-space's influence. With a = 1/(2 G), b = 3/(2 (3 K + G)) it is (1 - nu)/G = a + b, nu/G
-/// = a - b, (1 - 2 nu)/(2 G) = b: a is a half-space with nu = 1/2, b one with nu = 0 less one with nu = 1/2.
+/// = a - b, (1 - 2 nu)/(2 G) = b; so a half-space with nu = 1/2 has a alone, one with nu = 0 both alike.
 std::vector<HalfSpaceCreep> half_space_creep(const ViscoelasticMaterial& material) {
   const auto [modulus, nu] = material.instantaneous;
+  const double a = 1 / (2 * modulus), b = (1 - 2 * nu) / (2 * modulus);
   std::vector<HalfSpaceCreep> parts;
-  for (const MaterialCreep& creep : creep_of(material.shear_relaxation))
-    parts.push_back({{modulus, material.bulk_relaxation ? 0.5 : nu}, creep});
-  if (!material.bulk_relaxation || nu == 0.5) return parts;
+  for (const auto& [ratio, time] : creep_of(material.shear_relaxation))
+    parts.push_back({ratio * a, material.bulk_relaxation ? 0 : ratio * b, time});
+  if (!material.bulk_relaxation || b == 0) return parts;
   const double m = 1.5 * (1 - 2 * nu) / (1 + nu);
-  for (const MaterialCreep& creep : creep_of(relaxation_of_3k_plus_g(material, m))) {
-    parts.push_back({{modulus / (1 - 2 * nu), 0}, creep});
-    parts.push_back({{modulus / (1 - 2 * nu), 0.5}, {-creep.ratio, creep.time}});
-  }
+  for (const auto& [ratio, time] : creep_of(relaxation_of_3k_plus_g(material, m)))
+    parts.push_back({0, ratio * b, time});
   return parts;
 }
 
 /// Adds the retarded half-space of one body, rolled over with speed V >= 0, to row j.
 void add_creep(const HalfSpaceCreep& part, double speed, const ElementSides& sides, int j, InfluenceRows& rows) {
-  const CombinedMaterial material = combine(part.material, {std::numeric_limits<double>::infinity(), 0});
+  constexpr CombinedMaterial incompressible = {1, 0.5, 0}, without_ratio = {1, 0, 0.5}; // of G = 1/2 on a rigid body
   const RowInfluence<Influence> of_row = [&](double x) {
-    return influence(material, sides.dx, sides.dy, x, j * sides.dy);
+    Influence sum{};
+    if (part.a != part.b) add(sum, part.a - part.b, influence(incompressible, sides.dx, sides.dy, x, j * sides.dy));
+    if (part.b != 0) add(sum, part.b, influence(without_ratio, sides.dx, sides.dy, x, j * sides.dy));
+    return sum;
   };
   const int first = 1 - rows.columns();
-  const std::vector<Influence> row = retarded_row({part.creep.ratio, speed * part.creep.time}, of_row, sides.dx,
-                                                  first * sides.dx, 2 * rows.columns() - 1);
+  const std::vector<Influence> row =
+      retarded_row({1, speed * part.time}, of_row, sides.dx, first * sides.dx, 2 * rows.columns() - 1);
   for (std::size_t k = 0; k < row.size(); ++k) add(rows.at(first + static_cast<int>(k), j), 1, row[k]);
 }
 
