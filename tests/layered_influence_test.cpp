@@ -1,10 +1,9 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 
-#include "microslip/elasticity/layered_response.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
-#include "microslip/numerics/gauss_legendre.hpp"
 #include "tests/support/expect_error.hpp"
+#include "validation/layered_integral.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,46 +43,12 @@ double surface_diagonal(const LayeredBody& body) {
   return influence(combine(body.top().instantaneous, rigid), sides.dx, sides.dy, 0, 0).zz;
 }
 
-double sine_ratio(double x) {
-  return x == 0 ? 1 : std::sin(x) / x;
-}
-
-/// What layers add, by Fourier integrals over directions (by the trapezoidal rule) and wavenumbers.
-Influence direct(const LayeredBody& body, double speed, int i, int j, int directions) {
-  static const GaussLegendre rule(16);
-  const double x = i * sides.dx, y = j * sides.dy, k_max = 20 / body.layers[0].thickness;
-  const int panels = static_cast<int>(k_max * (std::hypot(x, y) + 0.5) / 5) + 4;
-  std::vector<double> ends = {0};
-  for (int n = 30; n > 0; --n) ends.push_back(k_max / panels * std::exp2(-n));
-  for (int n = 1; n <= panels; ++n) ends.push_back(k_max * n / panels);
-  std::vector<LayerStack<Complex>> stacks(1, stack_at(body, 0));
-  Influence sum{};
-  for (std::size_t p = 1; p < ends.size(); ++p)
-    for (std::size_t n = 0; n < rule.count(); ++n) {
-      const double k = rule.node(n, ends[p - 1], ends[p]);
-      SurfaceResponse<Complex> rest = rest_of_response(stacks[0], k);
-      for (int d = 0; d < directions; ++d) {
-        const double angle = 2 * std::numbers::pi * d / directions, c = std::cos(angle), s = std::sin(angle);
-        if (speed != 0) rest = rest_of_response(stack_at(body, -speed * k * c), k);
-        const Complex wave =
-            std::polar(sides.dx * sides.dy * sine_ratio(k * c * sides.dx / 2) * sine_ratio(k * s * sides.dy / 2) *
-                           rule.weight(n, ends[p - 1], ends[p]) / (2 * std::numbers::pi * directions),
-                       k * (c * x + s * y));
-        const Complex turned = Complex(0, 1) * wave * rest.ln;
-        add(sum, 1,
-            {((rest.ll * c * c + rest.tt * s * s) * wave).real(), ((rest.ll - rest.tt) * c * s * wave).real(),
-             ((rest.ll * s * s + rest.tt * c * c) * wave).real(), (rest.nn * wave).real(), c * turned.real(),
-             s * turned.real()});
-      }
-    }
-  return sum;
-}
-
 void expect_direct(const LayeredBody& body, double speed, int i, int j, int directions, double tolerance) {
   InfluenceRows rows(std::abs(i) + 1, j + 1);
   add_layers(body, speed, sides, {}, rows);
   const LayeredInfluence whole({body, rigid_body, speed}, sides, 1, 1);
-  expect_near(rows.at(i, j), direct(body, speed, i, j, directions), tolerance * whole.at(0, 0).zz);
+  expect_near(rows.at(i, j), validation::layered_integral(body, speed, sides, i, j, directions),
+              tolerance * whole.at(0, 0).zz);
 }
 
 TEST(LayeredInfluence, IsTheFourierIntegralOfTheResponse) {
