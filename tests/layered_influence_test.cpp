@@ -55,7 +55,7 @@ TEST(LayeredInfluence, IsTheFourierIntegralOfTheResponse) {
   const LayeredBody stacks[] = {coated(0.2, polymer, core),
                                 coated(0.3, {1, 0.5}, rigid),
                                 coated(0.1, core, polymer),
-                                {{{0.2, {polymer}}, {0.1, {{0.01, 0.5}}}, {0.4, {core}}}, {polymer}}};
+                                {{{0.2, {polymer}}, {0.1, {{1e-4, 0.5}}}, {0.4, {core}}}, {polymer}}};
   for (const LayeredBody& body : stacks)
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {-1, 1}, {0, 2}, {3, 4}})
       expect_direct(body, 0, i, j, 400, 1e-8);

@@ -90,7 +90,7 @@ double integral_error(const LayeredBody& body, double speed) {
 
 void report_influence(Report& report) {
   report.heading("Influence numbers of elements of 0.2 x 0.3: largest differences from double integrals");
-  const Material soft = {1, 0.4}, hard = {10, 0.3}, very_soft = {0.01, 0.5};
+  const Material soft = {1, 0.4}, hard = {10, 0.3}, very_soft = {1e-4, 0.5};
   const auto on = [](double h, const Material& layer, const Material& substrate) {
     return LayeredBody{{{h, {layer}}}, {substrate}};
   };
@@ -103,7 +103,7 @@ void report_influence(Report& report) {
       {"h = 0.2 on a rigid core", on(0.2, soft, rigid)},
       {"h = 0.3 on a rigid core, incompressible", on(0.3, {1, 0.5}, rigid)},
       {"h = 0.05, ten times stiffer", on(0.05, hard, soft)},
-      {"sandwich with a core a hundred times softer", {{{0.2, {soft}}, {0.2, {very_soft}}, {0.2, {soft}}}, {soft}}},
+      {"sandwich with a core ten thousand times softer", {{{0.2, {soft}}, {0.2, {very_soft}}, {0.2, {soft}}}, {soft}}},
       {"ten layers, each half as stiff as the one above", graded},
   };
   for (const auto& [name, body] : elastic) report.bounded(name, "{:.1e}", integral_error(body, 0), "<= 1e-7");
@@ -244,6 +244,61 @@ void report_viscoelastic_layer(Report& report) {
   }
 }
 
+/// A thin layer that relaxes by one term, as springs side by side.
+struct ViscoelasticSprings {
+  double stiffness, share, length; ///< M0/h [Pa/m], M0 the modulus without lateral strain; g; V tau [m]
+
+  /// Pressure [Pa] at x behind the front edge x = a of a row pressed in by (a^2 - x^2)/(2 R): the integral of
+  /// M(time)/h over what each particle was pressed in.
+  double pressure(double x, double a, double radius) const {
+    const double l = length, remembered = l * (x + l) - l * (a + l) * std::exp(-(a - x) / l);
+    return stiffness * ((1 - share) * (a * a - x * x) / 2 + share * remembered) / radius;
+  }
+};
+
+struct BallOnLayer {
+  double force, lead; ///< [N]; how far ahead of the middle it acts [m]
+};
+
+/// A ball pressed in by a^2/(2 R).
+BallOnLayer ball_on_springs(const ViscoelasticSprings& springs, double a, double radius) {
+  constexpr int n = 1000;
+  double force = 0, moment = 0;
+  const double d = 2 * a / n;
+  for (int j = 0; j < n; ++j) {
+    const double y = (j + 0.5) * d - a, front = std::sqrt(a * a - y * y), dx = 2 * front / n;
+    for (int i = 0; i < n; ++i) {
+      const double x = front - (i + 0.5) * dx, p = springs.pressure(x, front, radius);
+      if (p <= 0) break; // the particle has left the ball
+      force += p * dx * d, moment += p * dx * d * x;
+    }
+  }
+  return {force, moment / force};
+}
+
+void report_thin_viscoelastic_layers(Report& report) {
+  report.heading("Rolling without friction on thin viscoelastic layers on a rigid core, V tau = a: over springs");
+  constexpr double a = 4e-3, radius = 1, speed = 2, share = 0.6, nu = 0.3;
+  const ViscoelasticMaterial material = {{1e9, nu}, {{share, a / speed}}};
+  const double modulus = material.instantaneous.shear_modulus * 2 * (1 - nu) / (1 - 2 * nu);
+  BallOnLayer before{}, here{};
+  for (const double thickness : {0.2, 0.1, 0.05}) {
+    const double h = thickness * a;
+    const BallOnLayer springs = ball_on_springs({modulus / h, share, a}, a, radius);
+    ContactStep step = sphere_on({{{h, {material.instantaneous}}}, {rigid}}, square(1.15 * a, 93), radius, 0);
+    step.load = {NormalLoad::Given::approach, a * a / (2 * radius)};
+    step.response.table = layered_table({rigid_body, {{{h, material}}, {rigid}}, speed}, step.grid);
+    step.frictionless = true;
+    const ContactStepSolution s = ContactSequence().solve(step);
+    if (s.status != Status::ok) report.figure("  status", to_string(s.status), "ok", false);
+    before = std::exchange(here, {s.normal_force / springs.force, lead_of(step.grid, s) / springs.lead});
+    report.line(
+        fmt::format("  h = {:4} a: force {:.4f}, how far ahead it acts {:.4f}", thickness, here.force, here.lead));
+  }
+  report.near("of no thickness, extrapolated: force", "{:.4f}", 2 * here.force - before.force, "1", 1e-2);
+  report.near("  how far ahead it acts: the rolling resistance", "{:.4f}", 2 * here.lead - before.lead, "1", 1e-2);
+}
+
 } // namespace
 
 bool run_layers(const StudyOptions& options, std::ostream& out) {
@@ -258,6 +313,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   report_thin_layers(report);
   if (options.progress && !options.progress(0.6)) return false;
   report_viscoelastic_layer(report);
+  report_thin_viscoelastic_layers(report);
   return report.all_met();
 }
 

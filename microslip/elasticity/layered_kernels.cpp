@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kinds = 4;      // of responses and of kernels
 constexpr double decay_angle = 20;    // k h, where exp(-2 k h) (k h)^2 is below rounding
 constexpr double panel_width = 0.5;   // of asinh(r/h)
-constexpr double octave = 0.7;        // panels of ln k
+constexpr double wave_width = 0.35;   // of ln k: soft layers between stiff ones turn quickly
 constexpr double longest_wave = 1e10; // in units of the reach: there k times the response is constant
 
 /// The responses of all parts as functions of ln k, index kinds part + (nn, ll, tt, ln).
@@ -27,7 +27,7 @@ PanelPolynomials table_of(const LayeredSpectrum& spectrum, double k_min, double 
       for (const auto& [nn, ll, tt, ln] : rest) *to++ = nn, *to++ = ll, *to++ = tt, *to++ = ln;
     }
   };
-  return {std::log(k_min), std::log(k_max), octave, kinds * parts, at_nodes};
+  return {std::log(k_min), std::log(k_max), wave_width, kinds * parts, at_nodes};
 }
 
 /// Adds a wave's contribution to the kernels at a distance.
