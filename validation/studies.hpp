@@ -86,8 +86,9 @@ bool run_hertz(const StudyOptions& options, std::ostream& out);
 /// slip, beside Kalker's table, and the computed table of the library, which it writes anew.
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out);
 
-/// The study `layers`: responses of layered bodies beside closed forms, and a rigid sphere on two layers on steel
-/// beside the figures of Yu, Wang & Wang (2014).
+/// The study `layers`: responses of layered bodies beside closed forms, influence numbers beside integrals, a rigid
+/// sphere on two layers on steel beside the figures of Yu, Wang & Wang (2014), rolling on thin layers beside springs, and
+/// random contacts.
 bool run_layers(const StudyOptions& options, std::ostream& out);
 
 /// The study `manchester`: the Manchester benchmark's wheelset (S1002 on UIC 60, Shackleton & Iwnicki 2008) in the 42
