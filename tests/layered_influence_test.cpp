@@ -162,7 +162,7 @@ TEST(LayeredInfluence, ViscoelasticHalfSpacesAreThoseOfRetardation) {
         expect_near(found.at(i, j),
                     {kernel.slip.xx.at(i, j), kernel.slip.xy.at(i, j), kernel.slip.yy.at(i, j), kernel.zz.at(i, j),
                      kernel.xz.at(i, j), kernel.yz.at(i, j)},
-                    1e-7 * kernel.zz.at(0, 0));
+                    1e-9 * kernel.zz.at(0, 0));
   }
 }
 
@@ -175,12 +175,12 @@ TEST(LayeredInfluence, OfSlowRollingIsThatOfRelaxedBodiesAndOfFastRollingThatOfI
   instantaneous.substrate = {{3, 0.4}};
   const StackMaterial<Complex> at_rest = stack_at(body, 0).layers[0].material;
   relaxed.layers[0].material = {{at_rest.shear_modulus.real(), at_rest.poisson_ratio.real()}};
-  const LayeredInfluence slow({body, rigid_body, 1e-9}, sides, 4, 4), fast({body, rigid_body, 1e6}, sides, 4, 4);
+  const LayeredInfluence slow({body, rigid_body, 1e-9}, sides, 4, 4), fast({body, rigid_body, 1e9}, sides, 4, 4);
   const LayeredInfluence soft({relaxed, rigid_body}, sides, 4, 4), stiff({instantaneous, rigid_body}, sides, 4, 4);
   for (int i = -3; i < 4; ++i)
     for (int j = -3; j < 4; ++j) {
       expect_near(slow.at(i, j), soft.at(i, j), 3e-8 * soft.at(0, 0).zz, "slow");
-      expect_near(fast.at(i, j), stiff.at(i, j), 1e-6 * soft.at(0, 0).zz, "fast");
+      expect_near(fast.at(i, j), stiff.at(i, j), 3e-8 * soft.at(0, 0).zz, "fast");
     }
 }
 

@@ -87,8 +87,8 @@ bool run_hertz(const StudyOptions& options, std::ostream& out);
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out);
 
 /// The study `layers`: responses of layered bodies beside closed forms, influence numbers beside integrals, a rigid
-/// sphere on two layers on steel beside the figures of Yu, Wang & Wang (2014), rolling on thin layers beside springs, and
-/// random contacts.
+/// sphere on two layers on steel beside the figures of Yu, Wang & Wang (2014), rolling on thin layers beside springs,
+/// and random contacts.
 bool run_layers(const StudyOptions& options, std::ostream& out);
 
 /// The study `manchester`: the Manchester benchmark's wheelset (S1002 on UIC 60, Shackleton & Iwnicki 2008) in the 42

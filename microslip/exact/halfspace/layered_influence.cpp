@@ -3,8 +3,6 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/halfspace/retarded_influence.hpp"
-#include "microslip/numerics/threads.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,12 +10,6 @@
 
 namespace microslip {
 namespace {
-
-/// A retarded part of a half-space: a times that with nu = 1/2 and G = 1/2, b times that with nu = 0 less nu = 1/2.
-struct HalfSpaceCreep {
-  double a, b; ///< [1/Pa]
-  double time; ///< T [s]
-};
 
 /// 3 K + G as a modulus that relaxes; m = G/K of the instantaneous ones.
 PronySeries relaxation_of_3k_plus_g(const ViscoelasticMaterial& material, double m) {
@@ -42,31 +34,13 @@ std::vector<HalfSpaceCreep> half_space_creep(const ViscoelasticMaterial& materia
   return parts;
 }
 
-/// Adds the retarded half-space of one body, rolled over with speed V >= 0, to row j.
-void add_creep(const HalfSpaceCreep& part, double speed, const ElementSides& sides, int j, InfluenceRows& rows) {
-  constexpr CombinedMaterial incompressible = {1, 0.5, 0}, without_ratio = {1, 0, 0.5}; // of G = 1/2 on a rigid body
-  const RowInfluence<Influence> of_row = [&](double x) {
-    Influence sum{};
-    if (part.a != part.b) add(sum, part.a - part.b, influence(incompressible, sides.dx, sides.dy, x, j * sides.dy));
-    if (part.b != 0) add(sum, part.b, influence(without_ratio, sides.dx, sides.dy, x, j * sides.dy));
-    return sum;
-  };
-  const int first = 1 - rows.columns();
-  const std::vector<Influence> row =
-      retarded_row({1, speed * part.time}, of_row, sides.dx, first * sides.dx, 2 * rows.columns() - 1);
-  for (std::size_t k = 0; k < row.size(); ++k) add(rows.at(first + static_cast<int>(k), j), 1, row[k]);
-}
-
 /// Influence of the retarded half-space and of the layers of one body, rolled over with speed V >= 0.
 InfluenceRows layers_of(const LayeredBody& body, double speed, const ElementSides& sides, int columns, int rows,
                         const Progress& progress) {
   InfluenceRows sum(columns, rows);
   const std::vector<HalfSpaceCreep> creep = half_space_creep(body.top());
-  if (!creep.empty())
-    distribute(rows, threads_for(static_cast<std::size_t>(rows), 2), progress, [&](int j, int, const Progress&) {
-      for (const HalfSpaceCreep& part : creep) add_creep(part, speed, sides, j, sum);
-    });
-  if (!body.layers.empty()) add_layers(body, speed, sides, progress, sum);
+  if (!creep.empty()) add_creep(creep, speed, sides, part(progress, 0, 0.3), sum);
+  if (!body.layers.empty()) add_layers(body, speed, sides, part(progress, 0.3, 1), sum);
   return sum;
 }
 

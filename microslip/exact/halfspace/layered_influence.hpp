@@ -3,7 +3,7 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/layered_body.hpp"
 #include "microslip/exact/halfspace/element_response.hpp"
-#include "microslip/exact/halfspace/layered_rest.hpp"
+#include "microslip/exact/halfspace/rolled_influence.hpp"
 #include "microslip/progress.hpp"
 
 #include <memory>

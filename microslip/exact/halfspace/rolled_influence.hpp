@@ -4,6 +4,7 @@
 #include "microslip/elasticity/layered_kernels.hpp"
 #include "microslip/progress.hpp"
 
+#include <span>
 #include <vector>
 
 namespace microslip {
@@ -47,5 +48,16 @@ struct ElementSides {
 /// an offset.
 void add_layers(const LayeredBody& body, double speed, const ElementSides& sides, const Progress& progress,
                 InfluenceRows& rows);
+
+/// A retarded part of a half-space: a times that with nu = 1/2 and G = 1/2, b times that with nu = 0 less nu = 1/2.
+struct HalfSpaceCreep {
+  double a, b; ///< [1/Pa]
+  double time; ///< T [s]
+};
+
+/// Adds the retarded parts of a half-space's influence (B4) likewise. Kernels are integrated across rows in closed
+/// form, and along them on cells that are graded towards the element.
+void add_creep(std::span<const HalfSpaceCreep> creep, double speed, const ElementSides& sides, const Progress& progress,
+               InfluenceRows& rows);
 
 } // namespace microslip

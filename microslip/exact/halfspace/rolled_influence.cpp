@@ -1,4 +1,4 @@
-#include "microslip/exact/halfspace/layered_rest.hpp"
+#include "microslip/exact/halfspace/rolled_influence.hpp"
 
 #include "microslip/numerics/gauss_legendre.hpp"
 #include "microslip/numerics/threads.hpp"
@@ -7,18 +7,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace microslip {
 namespace {
 
 constexpr double forgotten = 40; // exp(-40) is below rounding
-
-/// The influence of a point force at a point whose direction from it has the cosine c and the sine s.
-Influence directed(const PointKernel& a, double c, double s) {
-  const double along = a.difference * (c * c - s * s);
-  return {a.sum + along, a.difference * 2 * c * s, a.sum - along, a.normal, a.coupling * c, a.coupling * s};
-}
 
 /// Gauss's rules for cells by how large they are: errors of 1e-9. Weights that fade are exact for polynomials of half
 /// the degree only, and need more nodes.
@@ -62,11 +57,79 @@ struct CellIntegrals {
   explicit CellIntegrals(std::size_t parts) : whole(parts), fading(parts) {}
 };
 
-/// Integrates the kernels over cells; an object for each thread.
-class CellQuadrature {
+/// The influence of a point force at a point whose direction from it has the cosine c and the sine s.
+Influence directed(const PointKernel& a, double c, double s) {
+  const double along = a.difference * (c * c - s * s);
+  return {a.sum + along, a.difference * 2 * c * s, a.sum - along, a.normal, a.coupling * c, a.coupling * s};
+}
+
+/// Integrals of what layers add along lines across a cell: Gauss's rule, too. An object for each thread, as of
+/// HalfSpaceLines.
+class LayerLines {
 public:
-  CellQuadrature(const LayeredKernels& kernels, std::vector<double> lengths)
-      : kernels_(kernels), lengths_(std::move(lengths)), point_(kernels.parts()), line_(kernels.parts()) {}
+  explicit LayerLines(const LayeredKernels& kernels) : kernels_(kernels), point_(kernels.parts()) {}
+
+  static constexpr bool exact_across = false;
+  std::size_t parts() const { return point_.size(); }
+  /// Distance from the origin below which kernels are smooth [m].
+  double smooth_distance() const { return 2 * kernels_.thickness(); }
+  void find(double x, const Cell& cell, const GaussLegendre& rule, std::vector<Influence>& line) {
+    std::fill(line.begin(), line.end(), Influence{});
+    for (std::size_t k = 0; k < rule.count(); ++k) {
+      const double y = rule.node(k, cell.y, cell.y + cell.height), r = std::hypot(x, y);
+      kernels_.evaluate(r, point_);
+      const double c = r > 0 ? x / r : 1, s = r > 0 ? y / r : 0, weight = rule.weight(k, 0, cell.height);
+      for (std::size_t m = 0; m < line.size(); ++m) add(line[m], weight, directed(point_[m], c, s));
+    }
+  }
+
+private:
+  const LayeredKernels& kernels_;
+  std::vector<PointKernel> point_;
+};
+
+/// Integrals of the retarded half-spaces' kernels along lines across a cell, in closed form: with t = y/r of its ends,
+/// of x^2/r^3, x y/r^3, y^2/r^3, x/r^2 and y/r^2 they are [t], -[x/r], [asinh(y/|x|) - t], [atan(y/x)] and [ln r]. In
+/// asinh(y/|x|) = sign(y) (ln(|y| + r) - ln|x|) the last term cancels but where y changes its sign, which keeps it
+/// finite at x = 0 elsewhere.
+class HalfSpaceLines {
+public:
+  HalfSpaceLines(std::span<const HalfSpaceCreep> creep, double dx) : creep_(creep), smooth_distance_(1e-12 * dx) {}
+
+  static constexpr bool exact_across = true;
+  std::size_t parts() const { return creep_.size() + 1; }
+  double smooth_distance() const { return smooth_distance_; }
+  void find(double x, const Cell& cell, const GaussLegendre&, std::vector<Influence>& line) {
+    constexpr CombinedMaterial incompressible = {1, 0.5, 0}, without_ratio = {1, 0, 0.5}; // of G = 1/2 on a rigid body
+    KernelIntegrals sum;
+    add_end(1, x, cell.y + cell.height, sum);
+    add_end(-1, x, cell.y, sum);
+    if (cell.y < 0 && cell.y + cell.height > 0) sum.yy -= 2 * std::log(std::abs(x));
+    const Influence a = influence_of(incompressible, sum), both = influence_of(without_ratio, sum);
+    line[0] = {};
+    for (std::size_t m = 1; m < line.size(); ++m) {
+      line[m] = {};
+      add(line[m], creep_[m - 1].a - creep_[m - 1].b, a);
+      add(line[m], creep_[m - 1].b, both);
+    }
+  }
+
+private:
+  static void add_end(double sign, double x, double y, KernelIntegrals& sum) {
+    const double r = std::hypot(x, y), t = y / r, side = y < 0 ? -1 : 1;
+    sum.xx += sign * t, sum.xy -= sign * x / r, sum.yy += sign * (side * std::log(std::abs(y) + r) - t);
+    sum.x += sign * std::atan(y / x), sum.y += sign * std::log(r);
+  }
+
+  std::span<const HalfSpaceCreep> creep_;
+  double smooth_distance_;
+};
+
+/// Integrates kernels over cells.
+template <class Lines> class CellQuadrature {
+public:
+  CellQuadrature(Lines lines, std::vector<double> lengths)
+      : lines_(std::move(lines)), lengths_(std::move(lengths)), line_(lines_.parts()) {}
 
   void integrate(const Cell& cell, CellIntegrals& out) {
     std::fill(out.whole.begin(), out.whole.end(), Influence{});
@@ -76,39 +139,31 @@ public:
 
 private:
   void add_cell(const Cell& cell, double begin, CellIntegrals& out) {
-    const double scale = std::hypot(2 * kernels_.thickness(), cell.distance()), largest = 0.7 * scale;
-    if (cell.width > largest && cell.width >= cell.height) {
+    const double scale = std::hypot(lines_.smooth_distance(), cell.distance()), largest = 0.7 * scale;
+    const double height = Lines::exact_across ? 0 : cell.height;
+    if (cell.width > largest && cell.width >= height) {
       const double half = cell.width / 2;
       add_cell({cell.x, cell.y, half, cell.height}, begin, out);
       add_cell({cell.x + half, cell.y, half, cell.height}, begin, out);
-    } else if (cell.height > largest) {
+    } else if (height > largest) {
       const double half = cell.height / 2;
       add_cell({cell.x, cell.y, cell.width, half}, begin, out);
       add_cell({cell.x, cell.y + half, cell.width, half}, begin, out);
     } else {
-      add_points(cell, rule_for(std::max(cell.width, cell.height) / scale, !lengths_.empty()), begin, out);
+      add_points(cell, rule_for(std::max(cell.width, height) / scale, !lengths_.empty()), begin, out);
     }
   }
 
   void add_points(const Cell& cell, const GaussLegendre& rule, double begin, CellIntegrals& out) {
     const std::vector<std::vector<double>>& fading = fading_of(rule, cell.width);
     for (std::size_t g = 0; g < rule.count(); ++g) {
-      find_line(rule.node(g, cell.x, cell.x + cell.width), cell, rule);
+      lines_.find(rule.node(g, cell.x, cell.x + cell.width), cell, rule, line_);
       for (std::size_t m = 0; m < line_.size(); ++m) {
         add(out.whole[m], rule.weight(g, 0, cell.width), line_[m]);
-        if (m > 0) add(out.fading[m], std::exp((begin - cell.x) / lengths_[m - 1]) * fading[m - 1][g], line_[m]);
+        if (m == 0) continue;
+        const double faded = cell.x > begin ? std::exp((begin - cell.x) / lengths_[m - 1]) : 1;
+        add(out.fading[m], faded * fading[m - 1][g], line_[m]);
       }
-    }
-  }
-
-  /// Integrals over a line of the cell across x.
-  void find_line(double x, const Cell& cell, const GaussLegendre& rule) {
-    std::fill(line_.begin(), line_.end(), Influence{});
-    for (std::size_t k = 0; k < rule.count(); ++k) {
-      const double y = rule.node(k, cell.y, cell.y + cell.height), r = std::hypot(x, y);
-      kernels_.evaluate(r, point_);
-      const double c = r > 0 ? x / r : 1, s = r > 0 ? y / r : 0, weight = rule.weight(k, 0, cell.height);
-      for (std::size_t m = 0; m < line_.size(); ++m) add(line_[m], weight, directed(point_[m], c, s));
     }
   }
 
@@ -119,10 +174,10 @@ private:
     return found->second;
   }
 
-  const LayeredKernels& kernels_;
-  std::vector<double> lengths_;                                                       ///< V T of the retarded parts [m]
-  std::map<std::pair<double, std::size_t>, std::vector<std::vector<double>>> fading_; ///< of each length and node
-  std::vector<PointKernel> point_;
+  Lines lines_;
+  std::vector<double> lengths_; ///< V T of the retarded parts [m]
+  /// Weights of each length and node, by width and number of nodes.
+  std::map<std::pair<double, std::size_t>, std::vector<std::vector<double>>> fading_;
   std::vector<Influence> line_;
 };
 
@@ -136,12 +191,11 @@ std::vector<Cell> columns_beyond(double begin, double dx, const std::vector<doub
   return columns;
 }
 
-/// A row of elements, whose sums S run from the far end towards minus x.
-class LayeredRow {
+/// Rows of elements, whose sums S run from the far end towards minus x. An object for each thread.
+template <class Lines> class RolledRows {
 public:
-  LayeredRow(const LayeredKernels& kernels, std::vector<double> lengths)
-      : lengths_(std::move(lengths)), quadrature_(kernels, lengths_), integrals_(kernels.parts()),
-        sums_(kernels.parts()) {}
+  RolledRows(const Lines& lines, const std::vector<double>& lengths)
+      : lengths_(lengths), quadrature_(lines, lengths), integrals_(lines.parts()), sums_(lines.parts()) {}
 
   void add_to(const ElementSides& sides, const std::vector<Cell>& beyond, int j, InfluenceRows& rows) {
     const double y = (j - 0.5) * sides.dy;
@@ -179,10 +233,24 @@ private:
   }
 
   std::vector<double> lengths_;
-  CellQuadrature quadrature_;
+  CellQuadrature<Lines> quadrature_;
   CellIntegrals integrals_;
   std::vector<Influence> sums_; ///< S
 };
+
+template <class Lines>
+void add_rows(const Lines& lines, const std::vector<double>& lengths, const std::vector<Cell>& beyond,
+              const ElementSides& sides, const Progress& progress, InfluenceRows& rows) {
+  const int threads = threads_for(static_cast<std::size_t>(rows.rows()) * static_cast<std::size_t>(rows.columns()), 64);
+  std::vector<RolledRows<Lines>> of_thread(static_cast<std::size_t>(threads), {lines, lengths});
+  distribute(rows.rows(), threads, progress, [&](int j, int thread, const Progress&) {
+    of_thread[static_cast<std::size_t>(thread)].add_to(sides, beyond, j, rows);
+  });
+}
+
+double end_of(const InfluenceRows& rows, const ElementSides& sides) {
+  return (rows.columns() - 0.5) * sides.dx;
+}
 
 } // namespace
 
@@ -192,17 +260,22 @@ Influence mirrored_in_x(const Influence& a) {
 
 void add_layers(const LayeredBody& body, double speed, const ElementSides& sides, const Progress& progress,
                 InfluenceRows& rows) {
-  const double begin = (rows.columns() - 0.5) * sides.dx;
   const LayeredSpectrum spectrum(body);
   std::vector<double> lengths(spectrum.times().begin(), spectrum.times().end());
   for (double& length : lengths) length *= speed;
-  const std::vector<Cell> beyond = columns_beyond(begin, sides.dx, lengths);
-  const double end = beyond.empty() ? begin : beyond.back().x + beyond.back().width;
+  const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
+  const double end = beyond.empty() ? end_of(rows, sides) : beyond.back().x + beyond.back().width;
   const LayeredKernels kernels(spectrum, body.layers.front().thickness,
                                std::hypot(end, (rows.rows() - 0.5) * sides.dy));
-  const int threads = threads_for(static_cast<std::size_t>(rows.rows()) * static_cast<std::size_t>(rows.columns()), 64);
-  distribute(rows.rows(), threads, progress,
-             [&](int j, int, const Progress&) { LayeredRow(kernels, lengths).add_to(sides, beyond, j, rows); });
+  add_rows(LayerLines(kernels), lengths, beyond, sides, progress, rows);
+}
+
+void add_creep(std::span<const HalfSpaceCreep> creep, double speed, const ElementSides& sides, const Progress& progress,
+               InfluenceRows& rows) {
+  std::vector<double> lengths;
+  for (const HalfSpaceCreep& part : creep) lengths.push_back(speed * part.time);
+  const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
+  add_rows(HalfSpaceLines(creep, sides.dx), lengths, beyond, sides, progress, rows);
 }
 
 } // namespace microslip
