@@ -1,7 +1,9 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 
+#include "microslip/elasticity/layered_response.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "microslip/numerics/gauss_legendre.hpp"
 #include "tests/support/expect_error.hpp"
 #include "validation/layered_integral.hpp"
 
@@ -195,6 +197,72 @@ TEST(LayeredInfluence, RollingTheOtherWayIsItsMirrorImage) {
   EXPECT_LT(forward.at(1, 0).zz, forward.at(-1, 0).zz); // particles come from +x: behind they have crept for longer
 }
 
+TEST(LayeredInfluence, StripsOnEqualLayersAreThoseOnHalfSpaces) {
+  const LayeredBodies bodies = {{{{0.1, {polymer}}, {0.4, {polymer}}}, {polymer}}, {{{0.3, {core}}}, {core}}};
+  const double far = 5;
+  const LayeredInfluence found(bodies, {sides.dx, sides.dy, far}, 20, 1);
+  for (int i = -19; i < 20; ++i)
+    expect_near(found.at(i, 0), line_influence(combine(polymer, core), sides.dx, i * sides.dx, far), 1e-12);
+}
+
+TEST(LayeredInfluence, ARowOfElementsOnARigidCoreIsAStrip) {
+  const LayeredBody body{{{0.3, {polymer}}, {0.2, {core}}}, {rigid}};
+  const LayeredBodies bodies = {body, rigid_body};
+  const LayeredInfluence strip(bodies, {sides.dx, sides.dy, 3}, 8, 1), elements(bodies, sides, 8, 80);
+  for (int i = -7; i < 8; ++i) {
+    Influence sum{};
+    for (int j = -79; j < 80; ++j) add(sum, 1, elements.at(i, j));
+    expect_near(strip.at(i, 0), sum, 1e-7 * strip.at(0, 0).zz);
+  }
+}
+
+TEST(LayeredInfluence, StripsOnAViscoelasticStackAreTheFourierIntegral) {
+  const LayeredBody body{{{0.5, {polymer, {{0.5, 1}}}}}, {core, {{0.2, 3}}}};
+  const double speed = 0.3, far = 7;
+  InfluenceRows rows(6, 1);
+  add_layers(body, speed, {sides.dx, sides.dy, far}, {}, rows);
+  const GaussLegendre rule(16);
+  const auto direct = [&](int i) { // without its constant: of the displacement less that of i = 0
+    Influence sum{};
+    for (int n = -40; n < 40; ++n) {
+      const double from = 40 * std::exp2(n - 39), to = n == 39 ? 41 : 2 * from;
+      const int pieces = n > 30 ? 16 : 1;
+      for (std::size_t q = 0; q < pieces * rule.count(); ++q) {
+        const double step = (to - from) / pieces, begin = from + step * static_cast<double>(q / rule.count());
+        const double k = rule.node(q % rule.count(), begin, begin + step);
+        const double weight = rule.weight(q % rule.count(), begin, begin + step) * sides.dx *
+                              std::sin(k * sides.dx / 2) / (k * sides.dx / 2) / (std::numbers::pi * k);
+        const SurfaceResponse<Complex> rest = rest_of_response(stack_at(body, -speed * k), k);
+        const Complex wave = weight * (std::polar(1.0, k * i * sides.dx) - 1.0);
+        const Complex turned = Complex(0, 1) * wave * rest.ln;
+        add(sum, 1, {(rest.ll * wave).real(), 0, (rest.tt * wave).real(), (rest.nn * wave).real(), turned.real(), 0});
+      }
+    }
+    return sum;
+  };
+  for (const int i : {-5, -1, 2, 5}) {
+    Influence difference = rows.at(i, 0);
+    add(difference, -1, rows.at(0, 0));
+    expect_near(difference, direct(i), 1e-8);
+  }
+}
+
+TEST(LayeredInfluence, StripsOnAViscoelasticHalfSpaceAreThoseOfRetardationButForAConstant) {
+  const MaterialCreep creep{1.5, 0.8};
+  const ViscoelasticMaterial material{polymer, {{0.6, 0.32}}};
+  ElementGrid grid = {8, 1, 0, 0, sides.dx, sides.dy};
+  grid.line = true;
+  const CoupledKernel kernel = CoupledKernel::displacement(viscoelastic(polymer, creep, core, {}, 0.4), grid);
+  const LayeredInfluence found({{{}, material}, {{}, {core}}, 0.4}, {sides.dx, sides.dy, 1.6}, 8, 1);
+  const double xx = found.at(0, 0).xx - kernel.slip.xx.at(0, 0), yy = found.at(0, 0).yy - kernel.slip.yy.at(0, 0),
+               zz = found.at(0, 0).zz - kernel.zz.at(0, 0);
+  for (int i = -7; i < 8; ++i)
+    expect_near(
+        found.at(i, 0),
+        {kernel.slip.xx.at(i, 0) + xx, 0, kernel.slip.yy.at(i, 0) + yy, kernel.zz.at(i, 0) + zz, kernel.xz.at(i, 0), 0},
+        1e-9);
+}
+
 TEST(LayeredInfluence, BadInputIsAnErrorThatNamesTheField) {
   const LayeredBody body = coated(0.2, polymer, core), viscous{{}, {polymer, {{0.5, 1}}}};
   expect_error([&] { LayeredInfluence({viscous, body}, sides, 2, 2); }, "speed", "[m/s]: must be not zero");
@@ -211,9 +279,15 @@ TEST(LayeredInfluence, BadInputIsAnErrorThatNamesTheField) {
       },
       "body1.shear_modulus and body2.shear_modulus", "[Pa]: must be finite for at least one body");
   const ElementGrid grid = {3, 3, 0, 0, 0.2, 0.3};
-  ElementGrid line = grid;
+  expect_error([&] { LayeredInfluence({body, body}, {1, 1, 0.0}, 2, 1); }, "far", "[m]: must be positive and finite");
+  expect_error([&] { LayeredInfluence({body, body}, {1, 1, 9.0}, 2, 2); }, "rows", "[-]: must be in [1, 1]");
+  ElementGrid bilinear = grid, line = grid;
+  bilinear.shape = ElementShape::bilinear;
+  expect_words([&] { layered_table({body, body}, bilinear); }, "layers: need constant elements");
   line.line = true, line.my = 1;
-  expect_words([&] { layered_table({body, body}, line); }, "no line contact");
+  const auto strips = layered_table({body, body}, line), elements = layered_table({body, body}, grid);
+  expect_words([&] { check({strips, {}, {}}, grid); }, "of strips: need a line contact");
+  expect_words([&] { check({elements, {}, {}}, line); }, "no line contact");
 }
 
 /// A ball of radius 1 m and a plane in steady rolling with the response of a table.
@@ -291,6 +365,28 @@ TEST(LayeredTable, ThinLayersOnARigidCoreRollAsABedOfSprings) {
   const double thick = stiffness_over_springs(0.4e-3), thin = stiffness_over_springs(0.2e-3);
   EXPECT_NEAR(thin - 1, 0.11, 0.02); // in proportion to h/a
   EXPECT_NEAR(2 * thin - thick, 1, 0.01);
+}
+
+TEST(LayeredTable, CylindersOfEqualLayersRollAsHalfSpacesDo) {
+  const Material steel{80e9, 0.28}, aluminium{26e9, 0.33};
+  ElementGrid grid = ElementGrid::across_line(3e-3, 30, 4);
+  const LayeredBodies bodies = {{{{1e-3, {steel}}}, {steel}},
+                                {{{1e-3, {aluminium}}, {2e-3, {aluminium}}}, {aluminium}}};
+  ContactStep step;
+  step.grid = grid;
+  step.bodies = combine(steel, aluminium);
+  for (int i = 0; i < grid.mx; ++i) step.gap.push_back(grid.x(i) * grid.x(i) / 2);
+  step.load = {NormalLoad::Given::force, 4e5};
+  step.friction = {FrictionLaw::coulomb(0.2)};
+  step.motion.creepage = {8e-4, 2e-4, 0};
+  const ContactStepSolution plain = ContactSequence().solve(step);
+  step.response.table = layered_table(bodies, grid);
+  const ContactStepSolution layered = ContactSequence().solve(step);
+  ASSERT_EQ(plain.status, Status::ok);
+  ASSERT_EQ(layered.status, Status::ok);
+  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
+  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
 }
 
 } // namespace

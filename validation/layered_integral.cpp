@@ -43,7 +43,7 @@ Influence wave_influence(const SurfaceResponse<Complex>& r, const Complex& wave,
 Influence layered_integral(const LayeredBody& body, double speed, const ElementSides& sides, int i, int j,
                            int directions) {
   const GaussLegendre rule(16);
-  const auto [dx, dy] = sides;
+  const double dx = sides.dx, dy = sides.dy;
   const std::vector<double> ends =
       panel_ends(body.layers.front().thickness, std::hypot(i * dx, j * dy) + std::hypot(dx, dy));
   const LayerStack<Complex> at_rest = stack_at(body, 0);

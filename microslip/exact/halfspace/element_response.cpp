@@ -9,9 +9,9 @@
 
 namespace microslip {
 
-InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy, Columns columns)
+InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy, Kind kind)
     : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)),
-      first_(columns == Columns::ahead ? 0 : 1 - mx), dx_(dx), dy_(dy),
+      first_(kind.symmetric ? 0 : 1 - mx), dx_(dx), dy_(dy), strips_(kind.strips),
       values_(static_cast<std::size_t>(mx - first_) * (2 * static_cast<std::size_t>(my) - 1)) {
   require_positive("dx", dx, "m");
   require_positive("dy", dy, "m");
@@ -50,7 +50,9 @@ void check(const ElementResponse& response, const ElementGrid& grid) {
     };
     check_size("dx", response.table->dx(), grid.dx);
     check_size("dy", response.table->dy(), grid.dy);
-    if (grid.line || grid.shape != ElementShape::constant)
+    if (response.table->is_of_strips() && !grid.line)
+      throw Error("influence coefficients of strips: need a line contact");
+    if (grid.line != response.table->is_of_strips() || grid.shape != ElementShape::constant)
       throw Error("influence coefficients: need constant elements, and no line contact");
   }
   check(response.inclination, grid);

@@ -19,19 +19,19 @@ struct FullInfluence {
 /// opposite sign; or both are known.
 class InfluenceTable {
 public:
-  /// Columns that are set.
-  enum class Columns {
-    ahead, ///< 0 <= i < mx, of bodies that are symmetric in x
-    both,  ///< |i| < mx, of any, such as viscoelastic ones in steady rolling
+  struct Kind {
+    bool symmetric = true; ///< in x; else columns |i| < mx are set, such as of viscoelastic bodies in steady rolling
+    bool strips = false;   ///< of endless strips, for a line contact
   };
 
   /// Table of elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
-  InfluenceTable(int mx, int my, double dx, double dy, Columns columns = Columns::ahead);
+  InfluenceTable(int mx, int my, double dx, double dy, Kind kind = {true, false});
 
   int mx() const { return mx_; }
   int my() const { return my_; }
   double dx() const { return dx_; }
   double dy() const { return dy_; }
+  bool is_of_strips() const { return strips_; }
   FullInfluence& at(int i, int j) { return values_[index(i, j)]; }
   /// Influence for any i and j: zero beyond the table.
   FullInfluence find(int i, int j) const;
@@ -44,6 +44,7 @@ private:
 
   int mx_, my_, first_; ///< first column that is set
   double dx_, dy_;
+  bool strips_;
   std::vector<FullInfluence> values_;
 };
 

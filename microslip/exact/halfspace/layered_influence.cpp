@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 namespace microslip {
@@ -62,7 +63,8 @@ void check(const LayeredBodies& bodies, const ElementSides& sides, int columns, 
   require_positive("dx", sides.dx, "m");
   require_positive("dy", sides.dy, "m");
   require_count("columns", columns, 1, most_cells);
-  require_count("rows", rows, 1, most_cells);
+  require_count("rows", rows, 1, sides.far ? 1 : most_cells);
+  if (sides.far) require_positive("far", *sides.far, "m");
 }
 
 InfluenceRows find_rows(const LayeredBodies& bodies, const ElementSides& sides, int columns, int rows,
@@ -72,7 +74,8 @@ InfluenceRows find_rows(const LayeredBodies& bodies, const ElementSides& sides, 
   InfluenceRows sum(columns, rows);
   for (int j = 0; j < rows; ++j)
     for (int i = 1 - columns; i < columns; ++i)
-      sum.at(i, j) = influence(surfaces, sides.dx, sides.dy, i * sides.dx, j * sides.dy);
+      sum.at(i, j) = sides.far ? line_influence(surfaces, sides.dx, i * sides.dx, *sides.far)
+                               : influence(surfaces, sides.dx, sides.dy, i * sides.dx, j * sides.dy);
   const double speed = std::abs(bodies.speed);
   add_body(layers_of(bodies.body1, speed, sides, columns, rows, part(progress, 0, 0.5)), 1, sum);
   add_body(layers_of(bodies.body2, speed, sides, columns, rows, part(progress, 0.5, 1)), -1, sum);
@@ -94,13 +97,13 @@ Influence LayeredInfluence::at(int i, int j) const {
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,
                                                     const Progress& progress) {
   check(grid);
-  if (grid.line || grid.shape != ElementShape::constant)
-    throw Error("layers: need constant elements, and no line contact");
+  if (grid.shape != ElementShape::constant) throw Error("layers: need constant elements");
   const int columns = grid.mx + 1;
-  const LayeredInfluence influence(bodies, {grid.dx, grid.dy}, columns, grid.my, progress);
+  const std::optional<double> far = grid.line ? std::optional(grid.mx * grid.dx) : std::nullopt;
+  const LayeredInfluence influence(bodies, {grid.dx, grid.dy, far}, columns, grid.my, progress);
   const bool symmetric = bodies.are_elastic();
-  auto table = std::make_shared<InfluenceTable>(
-      columns, grid.my, grid.dx, grid.dy, symmetric ? InfluenceTable::Columns::ahead : InfluenceTable::Columns::both);
+  auto table = std::make_shared<InfluenceTable>(columns, grid.my, grid.dx, grid.dy,
+                                                InfluenceTable::Kind{.symmetric = symmetric, .strips = grid.line});
   for (int j = 1 - grid.my; j < grid.my; ++j)
     for (int i = symmetric ? 0 : 1 - columns; i < columns; ++i) {
       const Influence a = influence.at(i, j);

@@ -1,5 +1,6 @@
 #include "microslip/exact/halfspace/rolled_influence.hpp"
 
+#include "microslip/elasticity/layered_line_kernels.hpp"
 #include "microslip/numerics/gauss_legendre.hpp"
 #include "microslip/numerics/threads.hpp"
 
@@ -7,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -88,23 +91,43 @@ private:
   std::vector<PointKernel> point_;
 };
 
+/// Kernels of what layers add below endless strips.
+class LayerStrips {
+public:
+  explicit LayerStrips(const LayeredLineKernels& kernels) : kernels_(kernels), line_(kernels.parts()) {}
+
+  static constexpr bool exact_across = true;
+  std::size_t parts() const { return line_.size(); }
+  double smooth_distance() const { return 2 * kernels_.thickness(); }
+  void find(double x, const Cell&, const GaussLegendre&, std::vector<Influence>& line) {
+    kernels_.evaluate(std::abs(x), line_);
+    for (std::size_t m = 0; m < line.size(); ++m) {
+      const auto& [normal, along, across, coupling] = line_[m];
+      line[m] = {along, 0, across, normal, x < 0 ? -coupling : coupling, 0};
+    }
+  }
+
+private:
+  const LayeredLineKernels& kernels_;
+  std::vector<LineKernel> line_;
+};
+
 /// Integrals of the retarded half-spaces' kernels along lines across a cell, in closed form: with t = y/r of its ends,
 /// of x^2/r^3, x y/r^3, y^2/r^3, x/r^2 and y/r^2 they are [t], -[x/r], [asinh(y/|x|) - t], [atan(y/x)] and [ln r]. In
 /// asinh(y/|x|) = sign(y) (ln(|y| + r) - ln|x|) the last term cancels but where y changes its sign, which keeps it
-/// finite at x = 0 elsewhere.
+/// finite at x = 0 elsewhere. Of endless lines they are (E10), (E11): of x^2/r^3 and y^2/r^3 in effect 0 and -2
+/// ln|x/far|.
 class HalfSpaceLines {
 public:
-  HalfSpaceLines(std::span<const HalfSpaceCreep> creep, double dx) : creep_(creep), smooth_distance_(1e-12 * dx) {}
+  HalfSpaceLines(std::span<const HalfSpaceCreep> creep, const ElementSides& sides)
+      : creep_(creep), far_(sides.far), smooth_distance_(1e-12 * sides.dx) {}
 
   static constexpr bool exact_across = true;
   std::size_t parts() const { return creep_.size() + 1; }
   double smooth_distance() const { return smooth_distance_; }
   void find(double x, const Cell& cell, const GaussLegendre&, std::vector<Influence>& line) {
     constexpr CombinedMaterial incompressible = {1, 0.5, 0}, without_ratio = {1, 0, 0.5}; // of G = 1/2 on a rigid body
-    KernelIntegrals sum;
-    add_end(1, x, cell.y + cell.height, sum);
-    add_end(-1, x, cell.y, sum);
-    if (cell.y < 0 && cell.y + cell.height > 0) sum.yy -= 2 * std::log(std::abs(x));
+    const KernelIntegrals sum = far_ ? endless(x) : across(x, cell);
     const Influence a = influence_of(incompressible, sum), both = influence_of(without_ratio, sum);
     line[0] = {};
     for (std::size_t m = 1; m < line.size(); ++m) {
@@ -115,6 +138,16 @@ public:
   }
 
 private:
+  KernelIntegrals endless(double x) const {
+    return {.yy = -2 * std::log(std::abs(x) / *far_), .x = std::copysign(std::numbers::pi, x)};
+  }
+  static KernelIntegrals across(double x, const Cell& cell) {
+    KernelIntegrals sum;
+    add_end(1, x, cell.y + cell.height, sum);
+    add_end(-1, x, cell.y, sum);
+    if (cell.y < 0 && cell.y + cell.height > 0) sum.yy -= 2 * std::log(std::abs(x));
+    return sum;
+  }
   static void add_end(double sign, double x, double y, KernelIntegrals& sum) {
     const double r = std::hypot(x, y), t = y / r, side = y < 0 ? -1 : 1;
     sum.xx += sign * t, sum.xy -= sign * x / r, sum.yy += sign * (side * std::log(std::abs(y) + r) - t);
@@ -122,6 +155,7 @@ private:
   }
 
   std::span<const HalfSpaceCreep> creep_;
+  std::optional<double> far_;
   double smooth_distance_;
 };
 
@@ -265,9 +299,14 @@ void add_layers(const LayeredBody& body, double speed, const ElementSides& sides
   for (double& length : lengths) length *= speed;
   const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
   const double end = beyond.empty() ? end_of(rows, sides) : beyond.back().x + beyond.back().width;
-  const LayeredKernels kernels(spectrum, body.layers.front().thickness,
-                               std::hypot(end, (rows.rows() - 0.5) * sides.dy));
-  add_rows(LayerLines(kernels), lengths, beyond, sides, progress, rows);
+  const double thickness = body.layers.front().thickness;
+  if (sides.far) {
+    const LayeredLineKernels kernels(spectrum, thickness, end, *sides.far);
+    add_rows(LayerStrips(kernels), lengths, beyond, sides, progress, rows);
+  } else {
+    const LayeredKernels kernels(spectrum, thickness, std::hypot(end, (rows.rows() - 0.5) * sides.dy));
+    add_rows(LayerLines(kernels), lengths, beyond, sides, progress, rows);
+  }
 }
 
 void add_creep(std::span<const HalfSpaceCreep> creep, double speed, const ElementSides& sides, const Progress& progress,
@@ -275,7 +314,7 @@ void add_creep(std::span<const HalfSpaceCreep> creep, double speed, const Elemen
   std::vector<double> lengths;
   for (const HalfSpaceCreep& part : creep) lengths.push_back(speed * part.time);
   const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
-  add_rows(HalfSpaceLines(creep, sides.dx), lengths, beyond, sides, progress, rows);
+  add_rows(HalfSpaceLines(creep, sides), lengths, beyond, sides, progress, rows);
 }
 
 } // namespace microslip

@@ -4,6 +4,7 @@
 #include "microslip/elasticity/layered_kernels.hpp"
 #include "microslip/progress.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,12 @@ private:
 /// The influence on the element at the opposite offset along x, of bodies that are symmetric.
 Influence mirrored_in_x(const Influence& influence);
 
-/// Sides of rectangular elements [m].
+/// Sides of rectangular elements, or the width of endless strips [m].
 struct ElementSides {
   double dx, dy;
+  /// Of strips, which have dy for a length that forces are counted for: the distance at which the displacement of a
+  /// half-space is 0.
+  std::optional<double> far = {};
 };
 
 /// Adds what layers add to the influence of elements on their body's half-space, u of the body itself, when it is
