@@ -9,16 +9,12 @@
 namespace microslip {
 namespace {
 
-/// G/K of a material whose moduli do not relax.
-double modulus_ratio(const Material& m) {
-  return 1.5 * (1 - 2 * m.poisson_ratio) / (1 + m.poisson_ratio);
-}
-
 StackMaterial<std::complex<double>> material_at(const ViscoelasticMaterial& material, double omega) {
   const std::complex<double> relative = relative_modulus(material.shear_relaxation, omega);
   const Material& instant = material.instantaneous;
   if (!material.bulk_relaxation) return {instant.shear_modulus * relative, instant.poisson_ratio};
-  const std::complex<double> m = modulus_ratio(instant) * relative / relative_modulus(*material.bulk_relaxation, omega);
+  const std::complex<double> m =
+      shear_over_bulk_modulus(instant) * relative / relative_modulus(*material.bulk_relaxation, omega);
   return {instant.shear_modulus * relative, (3.0 - 2.0 * m) / (6.0 + 2.0 * m)};
 }
 
@@ -45,6 +41,10 @@ void check(const std::string& field, const ViscoelasticMaterial& material, bool 
 
 bool ViscoelasticMaterial::is_rigid() const {
   return std::isinf(instantaneous.shear_modulus);
+}
+
+double shear_over_bulk_modulus(const Material& material) {
+  return 1.5 * (1 - 2 * material.poisson_ratio) / (1 + material.poisson_ratio);
 }
 
 bool LayeredBody::is_elastic() const {

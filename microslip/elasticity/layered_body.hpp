@@ -21,6 +21,9 @@ struct ViscoelasticMaterial {
   bool is_rigid() const;
 };
 
+/// G/K = 3 (1 - 2 nu)/(2 (1 + nu)), the shear modulus over the bulk modulus.
+double shear_over_bulk_modulus(const Material& material);
+
 /// A layer of constant thickness, bonded to what is below.
 struct BodyLayer {
   double thickness; ///< h [m]

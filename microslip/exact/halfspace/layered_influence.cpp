@@ -12,8 +12,9 @@
 namespace microslip {
 namespace {
 
-/// 3 K + G as a modulus that relaxes; m = G/K of the instantaneous ones.
-PronySeries relaxation_of_3k_plus_g(const ViscoelasticMaterial& material, double m) {
+/// 3 K + G as a modulus that relaxes.
+PronySeries relaxation_of_3k_plus_g(const ViscoelasticMaterial& material) {
+  const double m = shear_over_bulk_modulus(material.instantaneous);
   PronySeries series;
   for (const auto& [share, time] : *material.bulk_relaxation) series.push_back({share * 3 / (3 + m), time});
   for (const auto& [share, time] : material.shear_relaxation) series.push_back({share * m / (3 + m), time});
@@ -29,9 +30,7 @@ std::vector<HalfSpaceCreep> half_space_creep(const ViscoelasticMaterial& materia
   for (const auto& [ratio, time] : creep_of(material.shear_relaxation))
     parts.push_back({ratio * a, material.bulk_relaxation ? 0 : ratio * b, time});
   if (!material.bulk_relaxation || b == 0) return parts;
-  const double m = 1.5 * (1 - 2 * nu) / (1 + nu);
-  for (const auto& [ratio, time] : creep_of(relaxation_of_3k_plus_g(material, m)))
-    parts.push_back({0, ratio * b, time});
+  for (const auto& [ratio, time] : creep_of(relaxation_of_3k_plus_g(material))) parts.push_back({0, ratio * b, time});
   return parts;
 }
 
