@@ -86,6 +86,11 @@ bool run_hertz(const StudyOptions& options, std::ostream& out);
 /// slip, beside Kalker's table, and the computed table of the library, which it writes anew.
 bool run_kalker_coefficients(const StudyOptions& options, std::ostream& out);
 
+/// The study `layers`: responses of layered bodies beside closed forms, influence numbers beside integrals, a rigid
+/// sphere on two layers on steel beside the figures of Yu, Wang & Wang (2014), rolling on thin layers beside springs,
+/// and random contacts.
+bool run_layers(const StudyOptions& options, std::ostream& out);
+
 /// The study `manchester`: the Manchester benchmark's wheelset (S1002 on UIC 60, Shackleton & Iwnicki 2008) in the 42
 /// states of its part, left and right, with both theories beside the forces that CONTACT printed. Needs CONTACT's
 /// input files, profiles and stored results; without them it says so.

@@ -35,6 +35,7 @@ constexpr std::array all_studies = {
     study("frictional-power", run_frictional_power),
     study("hertz", run_hertz),
     study("kalker-coefficients", run_kalker_coefficients),
+    study("layers", run_layers),
     study("manchester", run_manchester),
     study("model-problem", run_model_problem),
     study("random-problems", run_random_problems),

@@ -12,6 +12,12 @@ struct Influence {
   double xz, yz;         ///< [m/Pa]; proportional to K: 0 for similar bodies
 };
 
+/// Adds `factor` times an influence.
+inline void add(Influence& to, double factor, const Influence& a) {
+  to.xx += factor * a.xx, to.xy += factor * a.xy, to.yy += factor * a.yy;
+  to.zz += factor * a.zz, to.xz += factor * a.xz, to.yz += factor * a.yz;
+}
+
 /// Integrals [m] of the kernels of Boussinesq's and Cerruti's point forces, (E5) and (E6), times the tractions, over
 /// where these act.
 struct KernelIntegrals {

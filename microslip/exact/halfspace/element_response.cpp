@@ -9,17 +9,19 @@
 
 namespace microslip {
 
-InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy)
-    : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)), dx_(dx), dy_(dy),
-      values_(static_cast<std::size_t>(mx) * (2 * static_cast<std::size_t>(my) - 1)) {
+InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy, Kind kind)
+    : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)),
+      first_(kind.symmetric ? 0 : 1 - mx), dx_(dx), dy_(dy), strips_(kind.strips),
+      values_(static_cast<std::size_t>(mx - first_) * (2 * static_cast<std::size_t>(my) - 1)) {
   require_positive("dx", dx, "m");
   require_positive("dy", dy, "m");
 }
 
 FullInfluence InfluenceTable::find(int i, int j) const {
   if (std::abs(i) >= mx_ || std::abs(j) >= my_) return {};
-  FullInfluence a = values_[index(std::abs(i), j)];
-  if (i < 0) a.xy = -a.xy, a.xz = -a.xz, a.yx = -a.yx, a.zx = -a.zx;
+  if (i >= first_) return values_[index(i, j)];
+  FullInfluence a = values_[index(-i, j)];
+  a.xy = -a.xy, a.xz = -a.xz, a.yx = -a.yx, a.zx = -a.zx;
   return a;
 }
 
@@ -48,7 +50,9 @@ void check(const ElementResponse& response, const ElementGrid& grid) {
     };
     check_size("dx", response.table->dx(), grid.dx);
     check_size("dy", response.table->dy(), grid.dy);
-    if (grid.line || grid.shape != ElementShape::constant)
+    if (response.table->is_of_strips() && !grid.line)
+      throw Error("influence coefficients of strips: need a line contact");
+    if (grid.line != response.table->is_of_strips() || grid.shape != ElementShape::constant)
       throw Error("influence coefficients: need constant elements, and no line contact");
   }
   check(response.inclination, grid);

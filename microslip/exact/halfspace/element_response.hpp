@@ -16,27 +16,35 @@ struct FullInfluence {
 
 /// The influence of an element on those i columns and j rows further, known for 0 <= i < mx and |j| < my. Bodies are
 /// symmetric in x: the influence on the element -i columns further has xy, xz, yx and zx with the
-/// opposite sign.
+/// opposite sign; or both are known.
 class InfluenceTable {
 public:
+  struct Kind {
+    bool symmetric = true; ///< in x; else columns |i| < mx are set, such as of viscoelastic bodies in steady rolling
+    bool strips = false;   ///< of endless strips, for a line contact
+  };
+
   /// Table of elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
-  InfluenceTable(int mx, int my, double dx, double dy);
+  InfluenceTable(int mx, int my, double dx, double dy, Kind kind = {true, false});
 
   int mx() const { return mx_; }
   int my() const { return my_; }
   double dx() const { return dx_; }
   double dy() const { return dy_; }
+  bool is_of_strips() const { return strips_; }
   FullInfluence& at(int i, int j) { return values_[index(i, j)]; }
   /// Influence for any i and j: zero beyond the table.
   FullInfluence find(int i, int j) const;
 
 private:
   std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(mx_) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j + my_ - 1) * static_cast<std::size_t>(mx_ - first_) +
+           static_cast<std::size_t>(i - first_);
   }
 
-  int mx_, my_;
+  int mx_, my_, first_; ///< first column that is set
   double dx_, dy_;
+  bool strips_;
   std::vector<FullInfluence> values_;
 };
 

@@ -1,5 +1,6 @@
 #include "microslip/exact/halfspace/retarded_influence.hpp"
 
+#include "microslip/numerics/gauss_legendre.hpp"
 #include "microslip/numerics/tanh_sinh.hpp"
 
 #include <algorithm>
@@ -7,15 +8,6 @@
 
 namespace microslip {
 namespace {
-
-void add(Influence& to, double factor, const Influence& a) {
-  to.xx += factor * a.xx;
-  to.xy += factor * a.xy;
-  to.yy += factor * a.yy;
-  to.zz += factor * a.zz;
-  to.xz += factor * a.xz;
-  to.yz += factor * a.yz;
-}
 
 void add(InteriorState& to, double factor, const InteriorState& a) {
   to.ux += factor * a.ux;
@@ -43,7 +35,7 @@ public:
       if (q > 0 && q < end) breaks.push_back(q);
     };
     for (const double edge : {-dx_, -dx_ / 2, 0.0, dx_ / 2, dx_}) add_break(sign_ * (edge - x));
-    for (const double share : {0.25, 1.0, 4.0, 12.0}) add_break(share * length_);
+    for (const double share : {0.25, 1.0, 4.0, 10.0, 20.0}) add_break(share * length_);
     std::sort(breaks.begin(), breaks.end());
     Value sum = {};
     for (std::size_t k = 1; k < breaks.size(); ++k) add_interval(x, breaks[k - 1], breaks[k], sum);
@@ -55,8 +47,17 @@ private:
   static constexpr double farthest = 40; // exp(-40) is below rounding
 
   void add_interval(double x, double from, double to, Value& sum) const {
-    static const TanhSinh rule;
-    for (int k = 0; k < TanhSinh::count; ++k) {
+    static const TanhSinh singular;
+    static const GaussLegendre smooth(8);
+    const double nearer = std::max(std::abs(x + sign_ * (from + to) / 2) - (to - from) / 2 - dx_, 0.0);
+    if (nearer >= 1.5 * (to - from))
+      add_nodes(smooth, smooth.count(), x, from, to, sum);
+    else
+      add_nodes(singular, TanhSinh::count, x, from, to, sum);
+  }
+  template <class Rule, class Count>
+  void add_nodes(const Rule& rule, Count count, double x, double from, double to, Value& sum) const {
+    for (Count k = 0; k < count; ++k) {
       const double q = rule.node(k, from, to);
       add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + sign_ * q));
     }

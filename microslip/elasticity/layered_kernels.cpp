@@ -1,0 +1,55 @@
+#include "microslip/elasticity/layered_kernels.hpp"
+
+#include "microslip/elasticity/spectrum_table.hpp"
+#include "microslip/numerics/hankel_nodes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace microslip {
+namespace {
+
+constexpr std::size_t kinds = 4;    // of kernels
+constexpr double panel_width = 0.5; // of asinh(r/h)
+
+/// Adds a wave's contribution to the kernels at a distance.
+void add_wave(const WaveNode& wave, double r, std::span<const SurfaceResponse<double>> responses, double* kernels) {
+  const double angle = wave.wavenumber * r, f = wave.weight / (2 * std::numbers::pi);
+  const double j0 = ::j0(angle), j1 = ::j1(angle), j2 = angle > 0 ? 2 * j1 / angle - j0 : 0;
+  for (const auto& [nn, ll, tt, ln] : responses) {
+    *kernels++ += f * nn * j0;
+    *kernels++ += f * (ll + tt) / 2 * j0;
+    *kernels++ -= f * (ll - tt) / 2 * j2;
+    *kernels++ -= f * ln * j1;
+  }
+}
+
+PanelPolynomials kernels_of(const LayeredSpectrum& spectrum, double thickness, double reach) {
+  const double farthest = reach + thickness;
+  const SpectrumTable table(spectrum, thickness, farthest);
+  const std::size_t functions = kinds * spectrum.parts();
+  const PanelPolynomials::Values at_nodes = [&](std::span<const double, PanelPolynomials::nodes> t,
+                                                std::span<double> values) {
+    std::vector<SurfaceResponse<double>> responses(spectrum.parts());
+    const auto r = [&](double at) { return thickness * std::sinh(at); };
+    for (const WaveNode& wave : hankel_nodes(r(t.front()), r(t.back()), table.k_max())) {
+      table.find(wave.wavenumber, responses);
+      for (std::size_t node = 0; node < t.size(); ++node)
+        add_wave(wave, r(t[node]), responses, values.data() + node * functions);
+    }
+  };
+  return {0, std::asinh(farthest / thickness), panel_width, functions, at_nodes};
+}
+
+} // namespace
+
+LayeredKernels::LayeredKernels(const LayeredSpectrum& spectrum, double thickness, double reach)
+    : thickness_(thickness), times_(spectrum.times().begin(), spectrum.times().end()),
+      of_distance_(kernels_of(spectrum, thickness, reach)) {}
+
+void LayeredKernels::evaluate(double r, std::span<PointKernel> parts) const {
+  static_assert(sizeof(PointKernel) == kinds * sizeof(double));
+  of_distance_.evaluate(std::asinh(r / thickness_), {&parts[0].normal, kinds * parts.size()});
+}
+
+} // namespace microslip
