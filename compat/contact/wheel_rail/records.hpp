@@ -67,6 +67,8 @@ struct RailSupport {
 
 /// FBDIST FBPOS NOMRADW YTAPE.
 struct WheelsetDimensions {
+  /// Range of NOMRADW [mm]. Ours: with more the wheel is a plane along the track, and overlaps are as long as the grid.
+  static constexpr double least_radius = 1e-3, greatest_radius = 1e6;
   double flange_back_distance = 0, flange_back_position = 0, nominal_radius = 0;
   double tape_circle = 999; ///< y of the wheel's profile where the radius is the nominal one; from 999 on: z = 0
 };

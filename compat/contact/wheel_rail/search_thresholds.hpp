@@ -25,6 +25,9 @@ struct SearchThresholds {
   /// the third number; in rad of a wheel that is not round.
   static constexpr double reach = 0.125, reach_steep = 0.242, small_radius = 30.5, reach_varied = 0.2;
 
+  /// Points at most of the gap's line over the locus and of its grid of brute force, which take seconds. Ours.
+  static constexpr double most_on_line = 2e6, most_on_grid = 2e7;
+
   /// Exponent of the factor with which parts of a patch act on each other.
   static constexpr double blending = 0.8;
   /// A patch's plane is at least this far from vertical.
