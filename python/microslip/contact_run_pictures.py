@@ -8,6 +8,7 @@ from microslip.interior_picture import interior_picture
 from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title,
                                      shown, unit_for)
 from microslip.pressure_picture import pressure_picture
+from microslip.solved_contacts import SolvedContact
 
 # So many cases have a separate picture.
 MOST_CASES = 12
@@ -129,6 +130,16 @@ def stored_cells(result, contact):
     fields = [on_grid(name, 1e-6) for name in ("bound", "px", "py")] + [on_grid(name, 1e3) for name in ("sx", "sy")]
     pressure, state = on_grid("pressure", 1e-6), on_grid("state", 1)
     return ContactCells(x, y, np.full(x.shape, dx * dy), *fields, np.where(pressure > 0, state, EXTERIOR), pressure=pressure, size=(dx, dy))
+
+
+def cases_of_run(result):
+    """The contacts of each case whose elements are stored, by the case's number."""
+    numbers, patches, stored = (result.array(f"/cases/{name}") for name in ("number", "patch", "stored_elements"))
+    cases = {}
+    for contact in np.flatnonzero(stored > 0):
+        name = f"patch {int(patches[contact])}" if patches[contact] > 0 else "contact"
+        cases.setdefault(int(numbers[contact]), {})[name] = SolvedContact(None, stored_cells(result, contact), None)
+    return cases
 
 
 def stresses_picture(result, case, contact):

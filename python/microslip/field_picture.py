@@ -37,6 +37,10 @@ FIELDS = {
 }
 
 
+# Fields that cells have themselves, with what makes SI units of theirs.
+OF_CELLS = {"pressure": 1e6, "bound": 1e6, "px": 1e6, "py": 1e6, "sx": 1e-3, "sy": 1e-3}
+
+
 def check_field(name):
     """Throws for a field that pictures do not know."""
     if name not in FIELDS:
@@ -47,14 +51,20 @@ def check_field(name):
 
 def has_field(result, contact, name):
     """Returns whether the file has what a field of a contact is made of."""
-    return all(f"{contact.folder}/{part}" in result for part in FIELDS[name][2])
+    parts = FIELDS[name][2]
+    if contact.folder is None:
+        return all(part in OF_CELLS for part in parts) and (name != "power" or contact.speed is not None)
+    return all(f"{contact.folder}/{part}" in result for part in parts)
 
 
 def field_values(result, contact, name):
     """The values of a field at a contact's cells, in SI."""
-    paths = [f"{contact.folder}/{part}" for part in FIELDS[name][2]]
-    strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
-    arrays = result.arrays(paths, dimensions=2, strides=strides)
+    if contact.folder is None:
+        arrays = [OF_CELLS[part] * getattr(contact.cells, part) for part in FIELDS[name][2]]
+    else:
+        paths = [f"{contact.folder}/{part}" for part in FIELDS[name][2]]
+        strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
+        arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
         if is_shift(result):
             raise ResultError(f"{result.path}: a shift takes no time and has no frictional power")

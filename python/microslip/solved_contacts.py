@@ -10,11 +10,12 @@ from microslip.result_file import ResultError
 
 @dataclass(frozen=True)
 class SolvedContact:
-    """A contact with fields: the group they stand in, the cells to draw, the rolling speed [m/s]."""
+    """A contact with fields: the group they stand in, or None if they are those of the cells alone; the cells to draw, the
+    rolling speed [m/s] if it is known."""
 
-    folder: str
+    folder: str | None
     cells: ContactCells
-    speed: float
+    speed: float | None
 
 
 def read_contacts(result):
