@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -615,6 +616,39 @@ TEST_F(DampedWheel, IsKeptUntilItEnds) {
 TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
   const auto cases = run_cases(with(first_wheel, " 0 0 .16 0", " 0 0 1e9 0"), file());
   EXPECT_EQ(cases.at(0).outcome.kind, Outcome::Kind::refused);
+}
+
+TEST_F(WheelOnPlane, NearMissesAreTheNextMinimaOfTheGap) {
+  const auto waves = [](double y) { return 1 - std::cos(2 * std::numbers::pi * y / 10); };
+  write("waves.prr", 0, waves);
+  double least = 1, at = 0; // of the gap over the wave beside the one that bears the wheel
+  for (double y = 7; y < 12; y += 1e-4)
+    if (const double gap = convex(y) + waves(y) - 0.16; gap < least) least = gap, at = y;
+  for (const char* side : {" 1203000", " 0203000"})
+    for (const char* search : {" 0022033", " 0052033"}) {
+      SCOPED_TRACE(std::string(side) + search);
+      const auto misses = [&](const char* g_miss) {
+        const auto outcomes = run(with(first_wheel, {{"'rail.prr'", "'waves.prr'"},
+                                                     {" 1203000", side},
+                                                     {" 0022033", search},
+                                                     {" 8. 4. ", std::string(" 8. 4. 12. ") + g_miss + " "}}));
+        EXPECT_EQ(outcomes.at(0).wheel->patches.size(), 1u);
+        EXPECT_EQ(outcomes.at(0).notes.size(), outcomes.at(0).wheel->near_misses.size());
+        return outcomes.at(0).wheel->near_misses;
+      };
+      auto found = misses(".4");
+      ASSERT_EQ(found.size(), 2u);
+      if (found[0].y > found[1].y) std::swap(found[0], found[1]);
+      const double middle = side[1] == '0' ? -200 : 200;
+      EXPECT_NEAR(found[0].y, middle - at, 0.08) << "steps of the search";
+      EXPECT_NEAR(found[1].y, middle + at, 0.08);
+      for (const NearMiss& miss : found) {
+        EXPECT_NEAR(miss.gap, least, 2e-3);
+        EXPECT_NEAR(miss.x, 0, 0.2);
+      }
+      EXPECT_TRUE(misses(".3").empty());
+      EXPECT_TRUE(misses("-1").empty());
+    }
 }
 
 TEST_F(WheelOnPlane, SearchesOfPointsWithoutNumberAreRefused) {

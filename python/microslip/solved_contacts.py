@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 from microslip.contact_cells import MOST_CELLS, ContactCells, read_cells
 from microslip.picture_style import THEORIES
@@ -13,9 +14,9 @@ class SolvedContact:
     """A contact with fields: the group they stand in, or None if they are those of the cells alone; the cells to draw, the
     rolling speed [m/s] if it is known."""
 
-    folder: str | None
+    folder: Optional[str]
     cells: ContactCells
-    speed: float | None
+    speed: Optional[float]
 
 
 def read_contacts(result):

@@ -128,7 +128,7 @@ LeastGap GapSurface::least() const {
   return least;
 }
 
-/// Points below their four neighbours, with overlap; those of a plateau count once.
+/// Points below their four neighbours with a gap below `depth`, the least one first; those of a plateau count once.
 std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
   std::vector<std::pair<int, int>> found;
   std::vector<char> mask(gap_.size(), 0);
@@ -217,6 +217,14 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
   r.z0 = rail_at(middle, box.j0).z;
   r.z1 = rail_at(middle, box.j1).z;
   return r;
+}
+
+std::vector<NearMiss> GapSurface::near_misses(double depth, double farthest) const {
+  std::vector<NearMiss> found;
+  for (const auto& [i, j] : minima(depth + farthest))
+    if (gap(i, j) >= depth && found.size() < SearchThresholds::most_near_misses)
+      found.push_back({x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)], gap(i, j) - depth});
+  return found;
 }
 
 std::vector<GapRegion> GapSurface::regions(double depth) const {

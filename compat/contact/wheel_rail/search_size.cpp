@@ -14,10 +14,9 @@ void require_few_points(double on_line, const PatchRules& sizes) {
 
 void require_few_points(double along, double across, const PatchRules& sizes, double radius) {
   if (along * across <= SearchThresholds::most_on_grid) return;
-  throw Error("DX = " + short_number(sizes.dx) + ", DS = " + short_number(sizes.ds) +
-              ", NOMRADW = " + short_number(radius) + " mm: the contact is searched by brute force at " +
-              short_number(along) + " x " + short_number(across) + " points, must be at most " +
-              short_number(SearchThresholds::most_on_grid));
+  throw Error("DX = " + short_number(sizes.dx) + ", DS = " + short_number(sizes.ds) + ", NOMRADW = " +
+              short_number(radius) + " mm: the contact is searched by brute force at " + short_number(along) + " x " +
+              short_number(across) + " points, must be at most " + short_number(SearchThresholds::most_on_grid));
 }
 
 } // namespace microslip::contact_program

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <numbers>
 
 namespace microslip::contact_program {
@@ -15,6 +16,8 @@ struct SearchThresholds {
 
   /// Gaps of neighbouring points that differ by less are one plateau with one minimum: thresh.
   static constexpr double plateau = 1e-6;
+  /// Near misses that count at most.
+  static constexpr std::size_t most_near_misses = 2;
   /// The least weight of a point of overlap in the means of x, y and angle.
   static constexpr double least_weight = 1e-10;
 

@@ -50,6 +50,12 @@ std::vector<GapRegion> WheelGeometry::regions(double z) const {
   return brute_force_->regions(z);
 }
 
+std::vector<NearMiss> WheelGeometry::near_misses(double z) const {
+  if (!(data_.grid.g_miss > 0)) return {};
+  return brute_force_ ? brute_force_->near_misses(z, data_.grid.g_miss)
+                      : contact_program::near_misses(line(z), data_.grid.g_miss);
+}
+
 /// The rail's profile in the track's axes; of slices that in the middle of a patch.
 std::shared_ptr<const ProfileCurve> WheelGeometry::rail_at(double x) const {
   if (!placed_at_zero_.rail_profile.varies()) return rail_in_track_;
