@@ -62,10 +62,11 @@ constexpr const char* drawn_fields =
     " pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess";
 
 constexpr const char* footer =
-    R"(Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts, stresses and
-comparisons are of two bodies and of wheels on rails in one state, the others of two bodies. With --compare each --field
-is drawn for both results with their difference, which needs the same elements. Creep curves, convergence and stresses
-are computed by the Python module. Prints the names of the PNG files.
+    R"(Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and comparisons
+are of two bodies, of wheels on rails in one state, and of the first 12 cases of a run whose elements are stored;
+stresses are of the former two, the others of two bodies. With --compare each --field is drawn for both results with
+their difference, which needs the same elements. Creep curves, convergence and stresses are computed by the Python
+module. Prints the names of the PNG files.
 
 Example:
   microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0)";

@@ -20,7 +20,8 @@ std::vector<double> stations_at(std::span<const double> slices) {
   std::vector<double> stations;
   for (std::size_t k = 0; k + stride < slices.size(); k += stride)
     for (std::size_t i = 0; i < steps; ++i)
-      stations.push_back(slices[k] + (slices[k + stride] - slices[k]) * static_cast<double>(i) / static_cast<double>(steps));
+      stations.push_back(slices[k] +
+                         (slices[k + stride] - slices[k]) * static_cast<double>(i) / static_cast<double>(steps));
   stations.push_back(slices.back());
   return stations;
 }
@@ -43,7 +44,8 @@ void write_result(const ProfileSurface& surface, ProfileRole role, std::span<con
     }
   }
   const bool is_wheel = role == ProfileRole::wheel;
-  const std::string unit = is_wheel ? "rad" : "m", along = is_wheel ? "angle around the axle" : "position along the track";
+  const std::string unit = is_wheel ? "rad" : "m",
+                    along = is_wheel ? "angle around the axle" : "position along the track";
   file.text("role", std::string(to_string(role)), "what it is a profile of");
   file.array("slices/u", slices, unit, along + " of the slices");
   file.array("surface/u", std::span<const double>(stations), unit, along + " of the stations");

@@ -6,7 +6,6 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.contact_outline import outline_of_rows
 from microslip.field_picture import DIVERGING, FIELDS, check_field, colours_of, field_values, has_field
 from microslip.picture_style import bodies_of, label_of, new_figure, put_title, the, unit_for, with_unit
 from microslip.result_file import ResultError
@@ -16,7 +15,7 @@ from microslip.solved_contacts import is_shift, label_along_x
 SAME_PLACE = 1e-6
 
 
-def difference_picture(results, all_contacts, name, of_what=""):
+def difference_picture(results, all_contacts, name):
     """The figure of a field of two open result files, A and B, with their contacts by name: for each contact A, B to one
     scale of colours, and B - A."""
     check_field(name)
@@ -32,7 +31,7 @@ def difference_picture(results, all_contacts, name, of_what=""):
     title, unit = FIELDS[name][0].format(the(bodies_of(first)[0])), unit_of(first, name)
     factor, printed = scaled(max(high, -low), unit)
     close, of_difference = scaled(max(largest.values()), unit)
-    figure, panels = panels_for(results, either, title + of_what)
+    figure, panels = panels_for(results, either, title)
     colours, scale = colours_of(factor * low, factor * high)
     about_zero = Normalize(*(close * side * (max(largest.values()) or 1 / close) for side in (-1, 1)))
     for row, key in zip(panels, contacts):
@@ -87,7 +86,7 @@ def cells_in_either(one, two):
     both.inside = one.inside | two.inside
     if one.pressure is not None and two.pressure is not None:
         both.pressure = np.maximum(one.pressure, two.pressure)
-        both.outline = outline_of_rows(both.x, both.row_y, both.height, both.widths, both.pressure, both.inside)
+        both.outline = both.outline_of_pressure()
     return both
 
 
@@ -123,7 +122,6 @@ def panels_for(results, cells, title):
             axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
             axes.set_aspect("equal" if true_to_scale else "auto")
         row[0].set_ylabel("y [mm]")
-    of_run = results[0].attribute("kind") == "contact_run"  # each case has its direction
     for axes in panels[-1]:
-        axes.set_xlabel("x [mm]" if of_run else label_along_x(results[0]))
+        axes.set_xlabel(label_along_x(results[0]))
     return figure, panels

@@ -12,7 +12,7 @@ from microslip.contact_cells import MOST_CELLS
 from microslip.picture_style import bodies_of, heading, label_of, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
-from microslip.solved_contacts import is_shift, rolls_backward
+from microslip.solved_contacts import is_shift, rolls_backward, tells_direction
 
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
@@ -126,17 +126,19 @@ def field_map(result, contacts, name):
 def field_surface(result, contacts, name):
     """The figure of a field as a surface over the contact."""
     field = FieldOfContacts(result, contacts, name)
+    if any(cells.is_regular and min(cells.x.shape) == 1 for cells in field.cells.values()):
+        raise ResultError(f"{result.path}: a single row of elements has no surface; --field and --cut show it")
     figure = new_figure(6.2 * len(field.values) + 1, 6.0)
     put_title(figure, heading(field.heading(), result, field.cells))
-    along_x = "x [mm]" if is_shift(result) else f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x"
+    along_x = f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x" if tells_direction(result) else "x [mm]"
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
     surfaces = {key: field.cells[key].surface(value, field.vanishes) for key, value in field.values.items()}
     heights = [height for meshes in surfaces.values() for *_, height in meshes]
-    low, high = min(0, *(height.min() for height in heights)), max(0, *(height.max() for height in heights))
+    low, high = min(0, *map(np.nanmin, heights)), max(0, *map(np.nanmax, heights))
     for axes, (key, meshes) in zip(panels, surfaces.items()):
         grid = field.cells[key]
         for x, y, height in meshes:
-            colours = matplotlib.colormaps[field.colours](field.scale(height))
+            colours = matplotlib.colormaps[field.colours](field.scale(np.nan_to_num(height)))
             axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
             axes.plot_wireframe(x, y, height, rstride=6, cstride=9, color=(0, 0, 0, 0.25), linewidth=0.5)
         for part in grid.outline.parts:

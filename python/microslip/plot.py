@@ -14,7 +14,7 @@ from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
 from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
-from microslip.contact_run_pictures import MOST_CASES, cases_of_run, contact_run_pictures
+from microslip.contact_run_pictures import cases_of_run, contact_run_pictures
 from microslip.cut_picture import cut_picture
 from microslip.difference_picture import difference_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
@@ -55,6 +55,7 @@ PICTURES_OF_KIND = {
 
 # The options for files with fields of contacts, and those for two bodies alone.
 OPTIONS_OF_CONTACTS = ("--field", "--surface", "--cut", "--stresses", "--compare")
+OPTIONS_OF_RUNS = ("--field", "--surface", "--cut", "--compare")
 OPTIONS_OF_TWO_BODIES = ("--creep-curves", "--convergence")
 # What is compared of wheels on rails where no field is asked for.
 FIELDS_TO_COMPARE = ("pressure", "traction")
@@ -81,6 +82,9 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
     for one in (result, other):
         if one:
             check_options(one, [option for option, wanted in asked.items() if wanted])
+    if result.attribute("kind") == "contact_run":
+        figures = pictures_of_cases(result, () if other else fields, surfaces, cut)
+        return {**figures, **(compared_pictures(result, other, fields) if other else {})}
     contacts = read_contacts(result) if (fields and not other) or surfaces or cut is not None else {}
     figures = {} if other else {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
     figures.update({f"surface_{name}.png": field_surface(result, contacts, name) for name in surfaces})
@@ -114,12 +118,24 @@ def compared_pictures(result, other, fields):
 
 def compared_cases(results, fields):
     """Figures of fields of cases that two runs of CONTACT's files have both stored, the first ones."""
-    of_both = [cases_of_run(result) for result in results]
-    common = [number for number in of_both[0] if number in of_both[1]][:MOST_CASES]
+    first, second = (cases_of_run(result) for result in results)
+    common = [number for number in first if number in second]
     if not common:
-        raise ResultError(f"{results[1].path}: stores the elements of no case that {results[0].path} stores, too; A = 1 or 2 stores them")
-    return {f"difference_{name}_{number:04}.png": difference_picture(results, [cases[number] for cases in of_both], name, f", case {number}")
-            for number in common for name in fields}
+        raise ResultError(f"{results[1].path}: stores the elements of no case that {results[0].path} stores, too")
+    pairs = {number: (first[number], second[number]) for number in common}
+    return {f"difference_{name}_{number:04}.png": difference_picture(pair, [case.contacts for case in pair], name)
+            for number, pair in pairs.items() for name in fields}
+
+
+def pictures_of_cases(result, fields, surfaces, cut):
+    """Figures of the cases of a run of CONTACT's files: fields as maps and surfaces, cuts at y [mm]."""
+    figures = {}
+    for number, case in cases_of_run(result).items():
+        figures.update({f"field_{name}_{number:04}.png": field_map(case, case.contacts, name) for name in fields})
+        figures.update({f"surface_{name}_{number:04}.png": field_surface(case, case.contacts, name) for name in surfaces})
+        if cut is not None:
+            figures[f"cut_{number:04}.png"] = cut_picture(case, case.contacts, cut)
+    return figures
 
 
 def check_options(result, options):
@@ -127,7 +143,7 @@ def check_options(result, options):
     kind = result.attribute("kind")
     has = OPTIONS_OF_CONTACTS + (OPTIONS_OF_TWO_BODIES if kind == "rolling_contact" else ()) if kind in KINDS else ()
     if kind == "contact_run":
-        has = ("--compare", "--field") if "--compare" in options else ("--compare",)
+        has = OPTIONS_OF_RUNS
     wrong = [option for option in options if option not in has]
     if wrong:
         which = f"it has {', '.join(has)}" if has else "without options plot draws what it has"

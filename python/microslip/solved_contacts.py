@@ -77,9 +77,14 @@ def is_shift(result):
     return "/inputs/motion/kind" in result and result.text("/inputs/motion/kind") == "shift"
 
 
+def tells_direction(result):
+    """Returns whether the bodies roll, in a direction that the file tells: that of CONTACT's cases is not in their file."""
+    return not is_shift(result) and result.attribute("kind") != "contact_run"
+
+
 def label_along_x(result):
     """Label of an axis in mm, with the direction of rolling."""
-    return "x [mm]" if is_shift(result) else f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}"
+    return f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}" if tells_direction(result) else "x [mm]"
 
 
 def slip_unit(result):

@@ -127,10 +127,31 @@ class ChosenPicturesTest(FolderTest):
         self.assertEqual(sorted(plot.figures(one, other=other)), ["difference_pressure_0002.png", "difference_traction_0002.png"])
         with self.assertRaisesRegex(ResultError, "'gap'"):
             plot.figures(one, other=other, fields=["gap"])
-        with self.assertRaisesRegex(ResultError, "--field is not for a file of kind 'contact_run'.*it has --compare"):
-            plot.figures(one, fields=["px"])
         with self.assertRaisesRegex(ResultError, "is of kind 'rolling_contact', .*one.h5 of kind 'contact_run'"):
             plot.figures(one, other=self.path)
+
+    def test_cases_of_a_run_have_their_fields(self):
+        write_contact_run(self.path)
+        with h5py.File(self.path, "a") as file:
+            file["cases/motion"] = [0, 1, 1]
+        figures = plot.figures(self.path, fields=["px", "sx"], surfaces=["pressure"], cut=0.0)
+        self.assertEqual(sorted(figures), ["cut_0002.png", "field_px_0002.png", "field_sx_0002.png", "surface_pressure_0002.png"])
+        px, sx = (figures[f"field_{name}_0002.png"].axes for name in ("px", "sx"))
+        for axes, largest in zip(px, (-200, -400)):
+            self.assertEqual(axes.images[0].get_array().min(), largest, "MPa, of a patch")
+        self.assertIn("A run, case 2", figures["field_px_0002.png"]._suptitle.get_text())
+        self.assertIn("[mm]", sx[-1].get_ylabel(), "slip of a shift is a length")
+        surface = figures["surface_pressure_0002.png"].axes[0]
+        self.assertAlmostEqual(surface.get_zlim()[1], 2000, msg="MPa, of the second patch")
+        self.assertFalse(any("rolling" in text.get_text() for axes in px for text in axes.texts), "the file has no direction")
+        with h5py.File(self.path, "a") as file:
+            file["cases/my"][...], file["cases/stored_elements"][...], file["elements/index"][...] = 1, [0, 5, 5], np.arange(40) % 5 + 1
+        with self.assertRaisesRegex(ResultError, "a single row of elements has no surface; --field and --cut show it"):
+            plot.figures(self.path, surfaces=["px"])
+        with self.assertRaisesRegex(ResultError, "does not have the field 'gap', but pressure, bound, traction, px, py, slip, sx, sy$"):
+            plot.figures(self.path, fields=["gap"])
+        with self.assertRaisesRegex(ResultError, "--stresses is not for a file of kind 'contact_run'.*it has --field, --surface, --cut,"):
+            plot.figures(self.path, stresses=0.0)
 
     def test_wishes_that_cannot_be_met(self):
         for wanted, words in (({"fields": ["heat"]}, "'heat' is unknown, known: pressure"),

@@ -18,8 +18,8 @@ std::array<double, 4> third_difference(const std::array<double, 4>& s) {
   return weights;
 }
 
-/// Peano's kernel of the third divided difference: f[s0, s1, s2, s3] is the integral of its product with f'''. It is the
-/// quadratic B-spline of these knots over 2 (s3 - s0).
+/// Peano's kernel of the third divided difference: f[s0, s1, s2, s3] is the integral of its product with f'''. It is
+/// the quadratic B-spline of these knots over 2 (s3 - s0).
 double kernel(const std::array<double, 4>& s, double t) {
   double spline = 0;
   if (t < s[1])
