@@ -62,9 +62,11 @@ constexpr const char* drawn_fields =
     " pressure|bound|traction|px|py|slip|sx|sy|power|gap|ux|uy|friction_work|wear_depth|shear_excess";
 
 constexpr const char* footer =
-    R"(Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and stresses are of two
-bodies and of wheels on rails in one state, the others of two bodies. Creep curves, convergence and stresses are
-computed by the Python module. Prints the names of the PNG files.
+    R"(Draws all pictures of the file's kind, or those that the options ask for. Fields, cuts and comparisons
+are of two bodies, of wheels on rails in one state, and of the first 12 cases of a run whose elements are stored;
+stresses are of the former two, the others of two bodies. With --compare each --field is drawn for both results with
+their difference, which needs the same elements. Creep curves, convergence and stresses are computed by the Python
+module. Prints the names of the PNG files.
 
 Example:
   microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0)";
@@ -93,7 +95,8 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_option("--creep-curves SPINS", arguments.spins,
                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4");
   command.add_flag("--convergence", arguments.convergence, "errors of the exact theory over the number of elements");
-  command.add_option("--compare OTHER.h5", arguments.other, "another result file, side by side with this one");
+  command.add_option("--compare OTHER.h5", arguments.other,
+                     "another result file, side by side with this one, and fields with their differences");
   add_json_flag(command, arguments.json);
 }
 

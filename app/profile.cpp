@@ -158,11 +158,15 @@ std::vector<std::string> write_files(const ProfileArguments& arguments, const ca
 
 /// A file of slices is shown as a whole; the other things are done with each of its profiles.
 void run_slices(const ProfileArguments& arguments) {
-  if (!arguments.folder.empty() || !arguments.converted.empty())
-    throw Error(arguments.file.string() + ": --output and --convert need the file of one profile, not of slices");
+  if (!arguments.converted.empty())
+    throw Error(arguments.file.string() + ": --convert needs the file of one profile, not of slices");
   std::optional<ProfileRole> role;
   if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
-  show_slices(arguments.file, file_options(arguments.options, role), arguments.json);
+  show_slices({.file = arguments.file,
+               .options = file_options(arguments.options, role),
+               .folder = arguments.folder,
+               .no_pictures = arguments.no_pictures,
+               .json = arguments.json});
 }
 
 void run(const ProfileArguments& arguments) {
@@ -201,7 +205,7 @@ void add_profile_command(Command& program) {
                   "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
       .required();
   command.add_option("-o,--output FOLDER", arguments.folder,
-                     "folder for result.h5 and profile.png; default: none is written");
+                     "folder for result.h5 and profile.png, of slices surface.png; default: none is written");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   command.add_option("--convert OUT", arguments.converted,
                      "write the spline's points as .prr, .prw, .ban, .whl, or columns with any other ending");

@@ -1,8 +1,13 @@
 #include "app/profile_slices.hpp"
 
+#include "app/command_line.hpp"
 #include "app/hertz.hpp"
 #include "app/json_document.hpp"
+#include "app/pictures.hpp"
 #include "app/quantity_table.hpp"
+#include "cases/sliced_profile_result.hpp"
+#include "io/output_file.hpp"
+#include "io/result_file.hpp"
 #include "io/sliced_profile.hpp"
 
 #include <algorithm>
@@ -12,6 +17,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace microslip::app {
 namespace {
@@ -84,7 +90,27 @@ std::vector<std::string> warnings_of(const io::SlicedProfile& sliced) {
   return lines;
 }
 
-void print_document(const fs::path& path, const io::SlicedProfile& sliced) {
+/// Writes the surface and its picture, if there is a folder for them; returns the paths.
+std::vector<std::string> write_files(const SlicesArguments& arguments, const io::SlicedProfile& sliced) {
+  if (arguments.folder.empty()) return {};
+  const double m = sliced.file.role == ProfileRole::wheel ? 1 : 1e-3;
+  std::vector<double> slices;
+  for (const io::SliceEntry& slice : sliced.file.slices) slices.push_back(m * slice.u);
+  const fs::path path = arguments.folder / io::result_name;
+  io::create_folder(arguments.folder);
+  io::ResultFile file(path, {.kind = "sliced_profile",
+                             .title = arguments.file.filename().string(),
+                             .command_line = command_line(),
+                             .case_file = arguments.file.string()});
+  cases::write_result(sliced.surface, sliced.file.role, slices, file);
+  file.commit();
+  std::vector<std::string> files = {path.string()};
+  if (arguments.no_pictures) return files;
+  for (const auto& picture : draw_pictures(path, arguments.folder)) files.push_back(picture);
+  return files;
+}
+
+void print_document(const fs::path& path, const io::SlicedProfile& sliced, const std::vector<std::string>& files) {
   const io::SlicesFile& file = sliced.file;
   const double mm = file.role == ProfileRole::wheel ? 1 : 1e-3;
   auto document = json_document("sliced_profile");
@@ -110,6 +136,7 @@ void print_document(const fs::path& path, const io::SlicedProfile& sliced) {
   document["slices"] = slices;
   document["waves"] = waves;
   document["warnings"] = file.warnings;
+  document["files"] = files;
   const bool is_wheel = file.role == ProfileRole::wheel;
   document["units"] = {{"least_y", "m"},
                        {"greatest_y", "m"},
@@ -124,12 +151,15 @@ void print_document(const fs::path& path, const io::SlicedProfile& sliced) {
 
 } // namespace
 
-void show_slices(const fs::path& file, const io::ProfileFileOptions& options, bool json) {
-  const io::SlicedProfile sliced = io::read_sliced_profile(file, options);
-  if (json) return print_document(file, sliced);
+void show_slices(const SlicesArguments& arguments) {
+  if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
+  const io::SlicedProfile sliced = io::read_sliced_profile(arguments.file, arguments.options);
+  const std::vector<std::string> files = write_files(arguments, sliced);
+  if (arguments.json) return print_document(arguments.file, sliced, files);
   print_table(sliced);
   print_slices(sliced);
-  print_warnings(file.string(), warnings_of(sliced));
+  if (!files.empty()) fmt::print("\nWritten\n  {}\n", fmt::join(files, "\n  "));
+  print_warnings(arguments.file.string(), warnings_of(sliced));
 }
 
 } // namespace microslip::app

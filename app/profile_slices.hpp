@@ -6,7 +6,15 @@
 
 namespace microslip::app {
 
-/// Reads and checks a file of slices with the profiles it names, and prints what it holds, as a table or as JSON.
-void show_slices(const std::filesystem::path& file, const io::ProfileFileOptions& options, bool json);
+struct SlicesArguments {
+  std::filesystem::path file;
+  io::ProfileFileOptions options;
+  std::filesystem::path folder; ///< of result.h5 and its picture; empty: none are written
+  bool no_pictures = false, json = false;
+};
+
+/// Reads and checks a file of slices with the profiles it names, prints what it holds, as a table or as JSON, and
+/// writes its surface.
+void show_slices(const SlicesArguments& arguments);
 
 } // namespace microslip::app

@@ -183,24 +183,28 @@ TEST_F(ContactProfileReading, EndsOfASmoothedProfileWeighMore) {
   ProfileRecord record;
   record.mirror_z = -1;
   record.smooth = 5;
-  for (const int method : {0, 1}) {
+  for (const int method : {0, 1, 2}) {
     record.smoothing = method;
     const auto smooth = profile_curve_through(rough, record, ProfileRole::rail)->points();
     std::vector<double> s = {0};
     for (std::size_t k = 1; k < rough.size(); ++k)
       s.push_back(s.back() + std::hypot(rough[k].y - rough[k - 1].y, rough[k].z - rough[k - 1].z));
-    double mean = 0, moment = 0, scatter = 0;
+    double mean = 0, moment = 0, second = 0, scatter = 0;
     for (std::size_t k = 0; k < rough.size(); ++k) {
       const bool first = k == 0, last = k + 1 == rough.size();
       const double side = first ? s[1] : last ? s[k] - s[k - 1] : (s[k + 1] - s[k - 1]) / 2;
       const double weight = method == 0 ? 1 : first || last ? 20 * side : side;
       mean += weight * (rough[k].z - smooth[k].z);
       moment += weight * s[k] * (rough[k].z - smooth[k].z);
+      second += weight * s[k] * s[k] * (rough[k].z - smooth[k].z);
       scatter += weight * std::abs(rough[k].z - smooth[k].z);
     }
     EXPECT_GT(scatter, 0.1) << method;
     EXPECT_NEAR(mean, 0, 1e-9) << method;
     EXPECT_NEAR(moment, 0, 1e-7) << method;
+    if (method == 2) {
+      EXPECT_NEAR(second, 0, 1e-5) << "parabolas are smooth, too";
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // Thresholds of profile reading and contact search are those that the documentation has beside CONTACT's.
 
 #include "compat/contact/wheel_rail/profile_thresholds.hpp"
+#include "compat/contact/wheel_rail/records.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "paths.hpp"
 
@@ -52,6 +53,9 @@ const std::map<std::string, double> thresholds = {
     {"brute force, reach around a wheel that is not round, rad", S::reach_varied},
     {"minima: gaps of one plateau differ by less than", S::plateau},
     {"least weight in the means of x, y and angle", S::least_weight},
+    {"wheel's radius at most", WheelsetDimensions::greatest_radius},
+    {"points across the track over the locus at most", S::most_on_line},
+    {"points of brute force at most", S::most_on_grid},
     {"depth of the wheel in the rail, times its radius", S::deepest},
     {"weight with which parts act on each other, exponent", S::blending},
     {"element sizes are doubled until there are less than NPOT_MAX, from which on", S::least_limit},

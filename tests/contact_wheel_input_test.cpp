@@ -143,7 +143,9 @@ TEST(ContactWheelInput, ErrorsNameFileLineAndField) {
   expect_message(with(first_wheel, "'rail.prr'", "rail.prr"),
                  a + "10: FNAME = \"rail.prr\": must be a text in single quotes");
   expect_message(with(first_wheel, "100.       FBDIST", "-1.       FBDIST"),
-                 a + "12: NOMRADW = -1: must be in [0.001, 1e+20]");
+                 a + "12: NOMRADW = -1: must be in [0.001, 1e+06]");
+  expect_message(with(first_wheel, "100.       FBDIST", "1e9       FBDIST"),
+                 a + "12: NOMRADW = 1e+09: must be in [0.001, 1e+06]");
   expect_message(with(first_wheel, " 1203000", " 2203000"), a + "2: digit C of CPBTNFS = 2: must be one of 0, 1, 4, 5");
   expect_message(with(first_wheel, " 1203000", " 1223000"), a + "4: digit B = 2: must be 0, 1, 5 or 6 in module 1");
   const std::string by_force = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 -.16 "}});

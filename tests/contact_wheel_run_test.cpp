@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -160,6 +161,32 @@ TEST_F(WheelOnPlane, OnALargeRollerIsAWheelOnARail) {
 
 /// Off the middle of a convex rail, so that patches are inclined and yawed; planar, with the slip of the true surfaces,
 /// and conformal.
+/// Under yaw a wheel's lowest point lies ahead of or behind its axle, where a small roller has no surface any more.
+TEST(ContactWheelRun, OnARollerThatDoesNotReachTheContactAllNumbersAreFinite) {
+  const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
+  int beyond = 0;
+  for (const char* digits : {"5203100", "4201100", "5201000"})
+    for (const double radius : {20.0, 60.0}) {
+      SCOPED_TRACE(std::string(digits) + " " + std::to_string(radius));
+      std::ostringstream text;
+      text << " 1 MODULE\n " << digits << "\n 0022033\n 0000321\n 999 20 25 1 1e-5\n .3 .3\n .28 .28 82000. 82000.\n"
+           << " .5 .5 1. 90d 8. 4.\n 14. 0 1435. " << radius << "\n '" << profiles
+           << "60e1.prr' 0 1. 0.\n 0 0 0 0 0 0\n"
+           << " 1360. -70. 460.\n '" << profiles << "s1002.prw' 0 1. 0.\n 0 0 " << (digits[4] == '1' ? "1e4" : ".5")
+           << " 0 .2 0\n 4. 0 0 0 0 -4.3\n";
+      const Outcome outcome = run_cases(text.str()).at(0).outcome;
+      if (!outcome.wheel) continue; // refused
+      const Wrench& sum = outcome.wheel->track;
+      EXPECT_TRUE(std::isfinite(outcome.wheel->z + sum.force.x + sum.force.y + sum.force.z + sum.moment.x));
+      for (const WheelPatch& patch : outcome.wheel->patches) {
+        const auto& at = patch.location.track;
+        EXPECT_TRUE(std::isfinite(at.x + at.y + at.z));
+        beyond += std::abs(at.x) > radius;
+      }
+    }
+  EXPECT_GT(beyond, 0);
+}
+
 TEST_F(WheelOnPlane, LeftIsTheMirrorImageOfRight) {
   for (const char* digits : {" 0022033", " 0032033", " 0042033"}) expect_mirror_images(digits);
 }
@@ -589,6 +616,54 @@ TEST_F(DampedWheel, IsKeptUntilItEnds) {
 TEST_F(WheelOnPlane, ABodyInTheOtherIsRefused) {
   const auto cases = run_cases(with(first_wheel, " 0 0 .16 0", " 0 0 1e9 0"), file());
   EXPECT_EQ(cases.at(0).outcome.kind, Outcome::Kind::refused);
+}
+
+TEST_F(WheelOnPlane, NearMissesAreTheNextMinimaOfTheGap) {
+  const auto waves = [](double y) { return 1 - std::cos(2 * std::numbers::pi * y / 10); };
+  write("waves.prr", 0, waves);
+  double least = 1, at = 0; // of the gap over the wave beside the one that bears the wheel
+  for (double y = 7; y < 12; y += 1e-4)
+    if (const double gap = convex(y) + waves(y) - 0.16; gap < least) least = gap, at = y;
+  for (const char* side : {" 1203000", " 0203000"})
+    for (const char* search : {" 0022033", " 0052033"}) {
+      SCOPED_TRACE(std::string(side) + search);
+      const auto misses = [&](const char* g_miss) {
+        const auto outcomes = run(with(first_wheel, {{"'rail.prr'", "'waves.prr'"},
+                                                     {" 1203000", side},
+                                                     {" 0022033", search},
+                                                     {" 8. 4. ", std::string(" 8. 4. 12. ") + g_miss + " "}}));
+        EXPECT_EQ(outcomes.at(0).wheel->patches.size(), 1u);
+        EXPECT_EQ(outcomes.at(0).notes.size(), outcomes.at(0).wheel->near_misses.size());
+        return outcomes.at(0).wheel->near_misses;
+      };
+      auto found = misses(".4");
+      ASSERT_EQ(found.size(), 2u);
+      if (found[0].y > found[1].y) std::swap(found[0], found[1]);
+      const double middle = side[1] == '0' ? -200 : 200;
+      EXPECT_NEAR(found[0].y, middle - at, 0.08) << "steps of the search";
+      EXPECT_NEAR(found[1].y, middle + at, 0.08);
+      for (const NearMiss& miss : found) {
+        EXPECT_NEAR(miss.gap, least, 2e-3);
+        EXPECT_NEAR(miss.x, 0, 0.2);
+      }
+      EXPECT_TRUE(misses(".3").empty());
+      EXPECT_TRUE(misses("-1").empty());
+    }
+}
+
+TEST_F(WheelOnPlane, SearchesOfPointsWithoutNumberAreRefused) {
+  const auto reasons = [&](const char* digits, const char* sizes, const char* radius) {
+    return refusal(with(first_wheel, {{" 0022033", digits}, {" .2 .2 1.", sizes}, {" 100.       FBDIST", radius}}));
+  };
+  EXPECT_EQ(
+      reasons(" 0022033", " .2 1e-8 1.", " 100."),
+      std::vector<std::string>{"DS = 1e-08 mm: the contact is searched at 1.33333e+10 points across the rail, must "
+                               "be at most 2e+06"});
+  EXPECT_EQ(
+      reasons(" 0052033", " .2 .2 1.", " 1e6"),
+      std::vector<std::string>{"DX = 0.2, DS = 0.2, NOMRADW = 1e+06 mm: the contact is searched by brute force at "
+                               "833335 x 266 points, must be at most 2e+07"});
+  EXPECT_EQ(reasons(" 0052033", " 1e-8 1e-8 1.", " 100.").size(), 1u);
 }
 
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {

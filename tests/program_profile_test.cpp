@@ -48,9 +48,29 @@ TEST(ProgramProfile, ShowsTheSlicesOfAProfileThatVaries) {
   EXPECT_DOUBLE_EQ(json["slices"][1]["u"].get<double>(), 0.3);
   EXPECT_DOUBLE_EQ(json["slices"][0]["length"].get<double>(), io::read_profile(rail).profile.length());
   EXPECT_NEAR(json["waves"][0]["wavenumber"].get<double>(), 2 * std::numbers::pi / 0.05, 1e-9);
-  const auto refused = run_program(folder, "profile " + file + " -o out");
+  const auto refused = run_program(folder, "profile " + file + " --convert out.prr");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.errors.find("need the file of one profile, not of slices"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("needs the file of one profile, not of slices"), std::string::npos) << refused.errors;
+}
+
+TEST(ProgramProfile, ResultFileHasTheSurfaceOfSlices) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "rail.slcs").string();
+  std::ofstream(file) << "0 1000\n2\n0\n1 1\n-.1 '" << rail << "'\n.3 '" << rail << "'\n1\n.02 .03 0\n";
+  EXPECT_EQ(run_program(folder, "profile " + file + " -o out --no-pictures").exit_code, 0);
+  const Hdf5Reader result(folder / "out/result.h5");
+  const auto numbers = [&](const char* name) { return result.values<double>(name, H5T_NATIVE_DOUBLE); };
+  const auto u = numbers("surface/u"), y = numbers("surface/y"), z = numbers("surface/z");
+  ASSERT_EQ(u.size(), 9u) << "eight steps from one slice to the other";
+  EXPECT_EQ(numbers("slices/u"), (std::vector<double>{-0.1, 0.3}));
+  const std::size_t lines = y.size() / u.size();
+  ASSERT_EQ(z.size(), u.size() * lines);
+  const auto wave = [](double at) { return -0.02e-3 * std::sin(2 * std::numbers::pi * at / 0.03); }; // z is up
+  for (std::size_t k = 0; k < u.size(); ++k)
+    for (std::size_t line = 0; line < lines; ++line) {
+      EXPECT_NEAR(y[k * lines + line], y[line], 1e-12) << "the same slice";
+      EXPECT_NEAR(z[k * lines + line] - z[line], wave(u[k]) - wave(u[0]), 1e-12);
+    }
 }
 
 TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {

@@ -112,7 +112,7 @@ TEST(ProgramWheelRail, SolvesTheExampleWithPictures) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.errors, "");
   EXPECT_NE(outcome.output.find("patch 2\n"), std::string::npos) << "contact on tread and flange";
-  for (const auto* picture : {"patches.png", "rail_head.png", "gap.png"}) {
+  for (const auto* picture : {"patches.png", "rail_head.png", "gap.png", "tractions_on_profiles.png"}) {
     EXPECT_GT(std::filesystem::file_size(folder / "out" / picture), 1000u) << picture;
     EXPECT_NE(outcome.output.find(std::string("out/") + picture + "\n"), std::string::npos);
   }

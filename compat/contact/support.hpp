@@ -27,6 +27,5 @@ std::vector<std::string> unsupported_of_wheel(const Case& c);
 
 /// Requests of a case that are left out or done differently while the contact is solved as it says.
 std::vector<std::string> left_out(const Case& c, const ContactStep& step);
-std::vector<std::string> left_out_of_wheel(const Case& c);
 
 } // namespace microslip::contact_program

@@ -1,4 +1,5 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/words.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 #include "compat/libcontact/defaults.hpp"
@@ -153,8 +154,10 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
   if (method != 3 && method != 5) return require_count("rparam", v.size(), 0, 1);
   require_count("rparam", v.size(), 3, 4);
   const double l = p.units.length;
-  constexpr double least_radius = 1e-3; // mm
-  if (!(v[2] * l >= least_radius)) throw Refusal(CNTC_err_other, "NOMRAD must be > 0");
+  constexpr double least = WheelsetDimensions::least_radius, greatest = WheelsetDimensions::greatest_radius;
+  if (!(v[2] * l >= least && v[2] * l <= greatest))
+    throw Refusal(CNTC_err_other, "NOMRAD = " + short_number(v[2] * l) + " mm: must be in [" + short_number(least) +
+                                      ", " + short_number(greatest) + "]");
   p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : default_of("YTAPE", DefaultOf::wheel)};
 }
 

@@ -49,7 +49,7 @@ SOURCES = (
            "microslip plot {folder}/result.h5 --cut 0 --creep-curves 0,0.4,0.8 --stresses 0",
            {name: name for name in ("tractions.png", "areas.png", "creep_curve.png", "cut.png", "creep_curves.png", "stresses.png")}),
     Source("microslip solve examples/wheel_on_rail.toml -o {folder}",
-           {name: name for name in ("gap.png", "patches.png", "rail_head.png")}),
+           {name: name for name in ("gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png")}),
     Source("microslip solve examples/lateral_sweep.toml -o {folder}",
            {"contact_points.png": "contact_points.png", "wheel_forces.png": "forces.png"}),
     Source("microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025 -o {folder}",

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import PathPatch
 
-from microslip.contact_outline import ellipse, outline_of_rows
+from microslip.contact_outline import ellipse, outline_of_rows, strip
 from microslip.picture_style import ORANGE, SKY_BLUE
 
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
@@ -37,7 +37,8 @@ class ContactCells:
         self.row_y = y[:, 0]
         self.inside = state != EXTERIOR
         rows, columns = x.shape
-        if size:  # of the elements of a regular grid
+        self.is_regular = size is not None  # elements of one size on a grid
+        if size:
             self.apart, self.height = np.full(rows, size[0]), size[1]
         else:
             self.height = abs(self.row_y[-1] - self.row_y[0]) / (rows - 1) if rows > 1 else 2 * semi_axes[1]
@@ -45,13 +46,16 @@ class ContactCells:
                           else 2 * semi_axes[0] * np.sqrt(np.clip(1 - (self.row_y / semi_axes[1]) ** 2, 0, None)))
         # Cells of a row are as long as they are apart, but for one that is fitted to the leading edge: its area tells.
         self.widths = self.apart[:, None] * area / np.median(area, axis=1, keepdims=True)
-        if semi_axes is not None:
-            self.outline = ellipse(*semi_axes)
-        else:
-            self.outline = outline_of_rows(x, self.row_y, self.height, self.widths, pressure, self.inside)
+        self.outline = ellipse(*semi_axes) if semi_axes is not None else self.outline_of_pressure()
         left, right, low, high = self.outline.limits()
         self.a, self.b = (right - left) / 2 or self.apart.max(), (high - low) / 2 or self.height
         self.shown = self.inside & self.outline.contain(x, y)
+
+    def outline_of_pressure(self):
+        """Where the pressure vanishes; a single row of a regular grid has that of its elements."""
+        if self.is_regular and len(self.x) == 1:
+            return strip(self.x[self.inside], self.apart[0], self.row_y[0], self.height)
+        return outline_of_rows(self.x, self.row_y, self.height, self.widths, self.pressure, self.inside)
 
     def spans(self, state, row):
         """Intervals along x in which the cells of a row are in a state, neighbours joined."""
@@ -140,9 +144,18 @@ class ContactCells:
         """Values on meshes from the middle of each part of the contact to its outline: arrays x, y, values of rings and rays.
 
         Between the cells they are interpolated, of fields that vanish at the edge what is left when the root of the
-        distance, as of Hertz's pressure, is divided out.
+        distance, as of Hertz's pressure, is divided out. On regular grids, whose contacts may have any shape, the mesh is
+        the grid; beyond the contact values are 0 or no numbers.
         """
+        if self.is_regular and min(self.x.shape) > 1:
+            return [self._surface_on_grid(values, vanishes)]
         return [self._surface_of(StarMesh(part), values, vanishes) for part in self.outline.parts]
+
+    def _surface_on_grid(self, values, vanishes):
+        rows, columns = (np.flatnonzero(self.inside.any(axis=axis)) for axis in (1, 0))
+        part = tuple(slice(max(found.min(initial=count) - 1, 0), found.max(initial=0) + 2)
+                     for found, count in zip((rows, columns), self.x.shape))
+        return self.x[part], self.y[part], np.where(self.inside, values, 0.0 if vanishes else np.nan)[part]
 
     def _surface_of(self, mesh, values, vanishes):
         place = mesh.place(self.x, self.y)

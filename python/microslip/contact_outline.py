@@ -48,6 +48,14 @@ def ellipse(a, b):
     return Outline([np.column_stack([a * np.cos(angle), b * np.sin(angle)])])
 
 
+def strip(x, width, y, height):
+    """The outline of the elements of a single row: their x and width, the row's y and height."""
+    if not len(x):
+        return Outline([])
+    left, right, low, high = x.min() - width / 2, x.max() + width / 2, y - height / 2, y + height / 2
+    return Outline([np.array([(left, low), (right, low), (right, high), (left, high), (left, low)])])
+
+
 def outline_of_rows(x, row_y, height, widths, pressure, inside):
     """The outline of contact on rows of elements: arrays (rows, elements), rows a height apart."""
     rows = [row_intervals(*row) for row in zip(x, widths, pressure, inside)]

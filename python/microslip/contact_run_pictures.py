@@ -8,9 +8,12 @@ from microslip.interior_picture import interior_picture
 from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title,
                                      shown, unit_for)
 from microslip.pressure_picture import pressure_picture
+from microslip.result_file import ResultError
+from microslip.solved_contacts import SolvedContact
 
 # So many cases have a separate picture.
 MOST_CASES = 12
+SHIFT = 1  # of cases/motion
 GRID_NAMES = ["x0", "y0", "dx", "dy"]
 # Forces and changes of a force that are smaller than this part of the normal force are what a solver leaves.
 STEADY = 1e-5
@@ -129,6 +132,48 @@ def stored_cells(result, contact):
     fields = [on_grid(name, 1e-6) for name in ("bound", "px", "py")] + [on_grid(name, 1e3) for name in ("sx", "sy")]
     pressure, state = on_grid("pressure", 1e-6), on_grid("state", 1)
     return ContactCells(x, y, np.full(x.shape, dx * dy), *fields, np.where(pressure > 0, state, EXTERIOR), pressure=pressure, size=(dx, dy))
+
+
+class CaseOfRun:
+    """A case of a run as a result file of its own, as far as pictures of fields ask for: title, motion and `contacts`."""
+
+    def __init__(self, result, number, motion):
+        self.path, self._result, self._number, self._motion = result.path, result, number, motion
+        self.contacts = {}
+
+    def attribute(self, name, default=None):
+        """A root attribute of the run as text; the title has the case's number."""
+        value = self._result.attribute(name, default)
+        return f"{value}, case {self._number}" if name == "title" else value
+
+    def __contains__(self, name):
+        return name == "/inputs/motion/kind"
+
+    def text(self, _):
+        """The kind of motion."""
+        return "shift" if self._motion == SHIFT else "steady"
+
+    @staticmethod
+    def assumption(_):
+        """None."""
+        return ""
+
+
+def cases_of_run(result):
+    """The first cases whose elements are stored, by number."""
+    numbers, patches, stored = (result.array(f"/cases/{name}") for name in ("number", "patch", "stored_elements"))
+    motions = result.array("/cases/motion") if "/cases/motion" in result else np.zeros(len(numbers))
+    cases = {}
+    for contact in np.flatnonzero(stored > 0):
+        number = int(numbers[contact])
+        if number not in cases and len(cases) == MOST_CASES:
+            break
+        case = cases.setdefault(number, CaseOfRun(result, number, int(motions[contact])))
+        name = f"patch {int(patches[contact])}" if patches[contact] > 0 else "contact"
+        case.contacts[name] = SolvedContact(None, stored_cells(result, contact), None)
+    if not cases:
+        raise ResultError(f"{result.path}: stores the elements of no case; A = 1 or 2 stores them")
+    return cases
 
 
 def stresses_picture(result, case, contact):

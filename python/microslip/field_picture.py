@@ -12,7 +12,7 @@ from microslip.contact_cells import MOST_CELLS
 from microslip.picture_style import bodies_of, heading, label_of, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
-from microslip.solved_contacts import is_shift, rolls_backward
+from microslip.solved_contacts import is_shift, rolls_backward, tells_direction
 
 SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
@@ -37,6 +37,10 @@ FIELDS = {
 }
 
 
+# Fields that cells have themselves, with what makes SI units of theirs.
+OF_CELLS = {"pressure": 1e6, "bound": 1e6, "px": 1e6, "py": 1e6, "sx": 1e-3, "sy": 1e-3}
+
+
 def check_field(name):
     """Throws for a field that pictures do not know."""
     if name not in FIELDS:
@@ -47,14 +51,20 @@ def check_field(name):
 
 def has_field(result, contact, name):
     """Returns whether the file has what a field of a contact is made of."""
-    return all(f"{contact.folder}/{part}" in result for part in FIELDS[name][2])
+    parts = FIELDS[name][2]
+    if contact.folder is None:
+        return all(part in OF_CELLS for part in parts) and (name != "power" or contact.speed is not None)
+    return all(f"{contact.folder}/{part}" in result for part in parts)
 
 
 def field_values(result, contact, name):
     """The values of a field at a contact's cells, in SI."""
-    paths = [f"{contact.folder}/{part}" for part in FIELDS[name][2]]
-    strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
-    arrays = result.arrays(paths, dimensions=2, strides=strides)
+    if contact.folder is None:
+        arrays = [OF_CELLS[part] * getattr(contact.cells, part) for part in FIELDS[name][2]]
+    else:
+        paths = [f"{contact.folder}/{part}" for part in FIELDS[name][2]]
+        strides = [math.ceil(count / MOST_CELLS) for count in result.shape(paths[0])]
+        arrays = result.arrays(paths, dimensions=2, strides=strides)
     if name == "power":
         if is_shift(result):
             raise ResultError(f"{result.path}: a shift takes no time and has no frictional power")
@@ -116,17 +126,19 @@ def field_map(result, contacts, name):
 def field_surface(result, contacts, name):
     """The figure of a field as a surface over the contact."""
     field = FieldOfContacts(result, contacts, name)
+    if any(cells.is_regular and min(cells.x.shape) == 1 for cells in field.cells.values()):
+        raise ResultError(f"{result.path}: a single row of elements has no surface; --field and --cut show it")
     figure = new_figure(6.2 * len(field.values) + 1, 6.0)
     put_title(figure, heading(field.heading(), result, field.cells))
-    along_x = "x [mm]" if is_shift(result) else f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x"
+    along_x = f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x" if tells_direction(result) else "x [mm]"
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
     surfaces = {key: field.cells[key].surface(value, field.vanishes) for key, value in field.values.items()}
     heights = [height for meshes in surfaces.values() for *_, height in meshes]
-    low, high = min(0, *(height.min() for height in heights)), max(0, *(height.max() for height in heights))
+    low, high = min(0, *map(np.nanmin, heights)), max(0, *map(np.nanmax, heights))
     for axes, (key, meshes) in zip(panels, surfaces.items()):
         grid = field.cells[key]
         for x, y, height in meshes:
-            colours = matplotlib.colormaps[field.colours](field.scale(height))
+            colours = matplotlib.colormaps[field.colours](field.scale(np.nan_to_num(height)))
             axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
             axes.plot_wireframe(x, y, height, rstride=6, cstride=9, color=(0, 0, 0, 0.25), linewidth=0.5)
         for part in grid.outline.parts:

@@ -14,8 +14,9 @@ from microslip import computed_pictures
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
 from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
-from microslip.contact_run_pictures import contact_run_pictures
+from microslip.contact_run_pictures import cases_of_run, contact_run_pictures
 from microslip.cut_picture import cut_picture
+from microslip.difference_picture import difference_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
@@ -26,6 +27,7 @@ from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import DAMAGED, ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
+from microslip.sliced_profile_picture import sliced_profile_pictures
 from microslip.solved_contacts import KINDS, read_contacts
 from microslip.subsurface_pictures import subsurface_pictures
 from microslip.sweep_picture import sweep_pictures
@@ -44,6 +46,7 @@ PICTURES_OF_KIND = {
     "model-problem": model_problem_pictures,
     "profile": profile_pictures,
     "refinement": refinement_pictures,
+    "sliced_profile": sliced_profile_pictures,
     "subsurface": subsurface_pictures,
     "sweep": sweep_pictures,
     "wheel_rail": wheel_rail_pictures,
@@ -51,12 +54,15 @@ PICTURES_OF_KIND = {
 }
 
 # The options for files with fields of contacts, and those for two bodies alone.
-OPTIONS_OF_CONTACTS = ("--field", "--surface", "--cut", "--stresses")
-OPTIONS_OF_TWO_BODIES = ("--creep-curves", "--convergence", "--compare")
+OPTIONS_OF_CONTACTS = ("--field", "--surface", "--cut", "--stresses", "--compare")
+OPTIONS_OF_RUNS = ("--field", "--surface", "--cut", "--compare")
+OPTIONS_OF_TWO_BODIES = ("--creep-curves", "--convergence")
+# What is compared of wheels on rails where no field is asked for.
+FIELDS_TO_COMPARE = ("pressure", "traction")
 
 # What is drawn beside result.h5 of one case or another.
 PICTURES_OF_SOLVE = {"tractions.png", "areas.png", "creep_curve.png", "history.png", "interior.png", "gap.png", "patches.png",
-                     "rail_head.png", "contact_points.png", "forces.png", "wheelset.png"}
+                     "rail_head.png", "tractions_on_profiles.png", "contact_points.png", "forces.png", "wheelset.png"}
 
 
 def pictures(result):
@@ -69,20 +75,23 @@ def pictures(result):
 
 def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
     """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], on rails in each
-    patch's frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact), convergence, and a
-    comparison with another open result file."""
+    patch's frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact) and convergence. With
+    another open result file fields are drawn beside its own, with their differences."""
     asked = {"--field": fields, "--surface": surfaces, "--cut": cut is not None, "--stresses": stresses is not None,
              "--creep-curves": spins is not None, "--convergence": convergence, "--compare": other}
     for one in (result, other):
         if one:
             check_options(one, [option for option, wanted in asked.items() if wanted])
-    contacts = read_contacts(result) if fields or surfaces or cut is not None else {}
-    figures = {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
+    if result.attribute("kind") == "contact_run":
+        figures = pictures_of_cases(result, () if other else fields, surfaces, cut)
+        return {**figures, **(compared_pictures(result, other, fields) if other else {})}
+    contacts = read_contacts(result) if (fields and not other) or surfaces or cut is not None else {}
+    figures = {} if other else {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
     figures.update({f"surface_{name}.png": field_surface(result, contacts, name) for name in surfaces})
     if cut is not None:
         figures["cut.png"] = cut_picture(result, contacts, cut)
     if other is not None:
-        figures["comparison.png"] = comparison_picture(result, other)
+        figures.update(compared_pictures(result, other, fields))
     if spins is not None:
         figures["creep_curves.png"] = computed("creep_curves", "creep_curves_picture", result, spins)
     if convergence:
@@ -92,10 +101,49 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
     return figures
 
 
+def compared_pictures(result, other, fields):
+    """Figures of two results by file name: differences of fields, and of two bodies both side by side."""
+    kinds = [one.attribute("kind") for one in (result, other)]
+    if kinds[0] != kinds[1]:
+        raise ResultError(f"{other.path}: is of kind '{kinds[1]}', {result.path} of kind '{kinds[0]}'")
+    results = (result, other)
+    if kinds[0] == "contact_run":
+        return compared_cases(results, fields or FIELDS_TO_COMPARE)
+    of_two_bodies = kinds[0] == "rolling_contact"
+    fields = fields or (() if of_two_bodies else FIELDS_TO_COMPARE)
+    contacts = [read_contacts(one) for one in results] if fields else []
+    figures = {f"difference_{name}.png": difference_picture(results, contacts, name) for name in fields}
+    return {**figures, "comparison.png": comparison_picture(result, other)} if of_two_bodies else figures
+
+
+def compared_cases(results, fields):
+    """Figures of fields of cases that two runs of CONTACT's files have both stored, the first ones."""
+    first, second = (cases_of_run(result) for result in results)
+    common = [number for number in first if number in second]
+    if not common:
+        raise ResultError(f"{results[1].path}: stores the elements of no case that {results[0].path} stores, too")
+    pairs = {number: (first[number], second[number]) for number in common}
+    return {f"difference_{name}_{number:04}.png": difference_picture(pair, [case.contacts for case in pair], name)
+            for number, pair in pairs.items() for name in fields}
+
+
+def pictures_of_cases(result, fields, surfaces, cut):
+    """Figures of the cases of a run of CONTACT's files: fields as maps and surfaces, cuts at y [mm]."""
+    figures = {}
+    for number, case in cases_of_run(result).items():
+        figures.update({f"field_{name}_{number:04}.png": field_map(case, case.contacts, name) for name in fields})
+        figures.update({f"surface_{name}_{number:04}.png": field_surface(case, case.contacts, name) for name in surfaces})
+        if cut is not None:
+            figures[f"cut_{number:04}.png"] = cut_picture(case, case.contacts, cut)
+    return figures
+
+
 def check_options(result, options):
     """Throws for options that a file's kind does not have; says which it has."""
     kind = result.attribute("kind")
     has = OPTIONS_OF_CONTACTS + (OPTIONS_OF_TWO_BODIES if kind == "rolling_contact" else ()) if kind in KINDS else ()
+    if kind == "contact_run":
+        has = OPTIONS_OF_RUNS
     wrong = [option for option in options if option not in has]
     if wrong:
         which = f"it has {', '.join(has)}" if has else "without options plot draws what it has"
@@ -244,7 +292,7 @@ def parse(arguments):
                         help="Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
     parser.add_argument("--convergence", action="store_true", help="errors of the exact theory over the number of elements")
     parser.add_argument("--stresses", metavar="Y", type=float, help="stresses inside both bodies in the plane of y [mm]")
-    parser.add_argument("--compare", metavar="OTHER.h5", help="this result beside another")
+    parser.add_argument("--compare", metavar="OTHER.h5", help="this result beside another; fields with their differences")
     parser.add_argument("--axis-ratio", metavar="A/B", type=float, help="of a creep-force table: semi-axis along x over that along y")
     parser.add_argument("--poisson-ratio", metavar="NU", type=float, help="of a creep-force table: Poisson's ratio")
     parser.add_argument("--spins", metavar="SPINS", type=numbers,

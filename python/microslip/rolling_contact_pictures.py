@@ -14,7 +14,7 @@ from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
-from microslip.solved_contacts import is_shift, rolls_backward, slip_unit
+from microslip.solved_contacts import rolls_backward, slip_unit, tells_direction
 
 # The light part of a map of one hue: black arrows stand out on all of it.
 BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
@@ -100,7 +100,7 @@ def contact_panels(result, cells, what):
         axes.set_aspect("equal" if true_to_scale else "auto")
         axes.set_xlabel("x [mm]" if true_to_scale else "x [mm] (not to the scale of y)")
         one.draw_outline(axes)
-        if not is_shift(result):
+        if tells_direction(result):
             rolling_arrow(axes, rolls_backward(result))
     panels[0].set_ylabel("y [mm]")
     return figure, panels

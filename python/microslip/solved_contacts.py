@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 from microslip.contact_cells import MOST_CELLS, ContactCells, read_cells
 from microslip.picture_style import THEORIES
@@ -10,11 +11,12 @@ from microslip.result_file import ResultError
 
 @dataclass(frozen=True)
 class SolvedContact:
-    """A contact with fields: the group they stand in, the cells to draw, the rolling speed [m/s]."""
+    """A contact with fields: the group they stand in, or None if they are those of the cells alone; the cells to draw, the
+    rolling speed [m/s] if it is known."""
 
-    folder: str
+    folder: Optional[str]
     cells: ContactCells
-    speed: float
+    speed: Optional[float]
 
 
 def read_contacts(result):
@@ -75,9 +77,14 @@ def is_shift(result):
     return "/inputs/motion/kind" in result and result.text("/inputs/motion/kind") == "shift"
 
 
+def tells_direction(result):
+    """Returns whether the bodies roll, in a direction that the file tells: that of CONTACT's cases is not in their file."""
+    return not is_shift(result) and result.attribute("kind") != "contact_run"
+
+
 def label_along_x(result):
     """Label of an axis in mm, with the direction of rolling."""
-    return "x [mm]" if is_shift(result) else f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}"
+    return f"x [mm], rolling to the {'left' if rolls_backward(result) else 'right'}" if tells_direction(result) else "x [mm]"
 
 
 def slip_unit(result):

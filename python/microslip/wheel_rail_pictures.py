@@ -12,6 +12,7 @@ from microslip.field_picture import SEQUENTIAL
 from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
                                      put_title, unit_for, with_unit)
+from microslip.profile_tractions_picture import profile_tractions_picture
 from microslip.solved_contacts import patch_cells
 
 LENGTHS = {"m": ("mm", 1e3)}
@@ -31,6 +32,8 @@ def wheel_rail_pictures(result):
         cells = read_patches(result, rail)
         figures["patches.png"] = patches_picture(result, cells)
         figures["rail_head.png"] = rail_head_picture(result, rail, cells)
+        wheel = [1e3 * values for values in result.arrays(["/outlines/wheel/y", "/outlines/wheel/z"])]
+        figures["tractions_on_profiles.png"] = profile_tractions_picture(result, rail, wheel, cells)
         figures.update(interior_pictures(result, len(cells)))
     return figures
 

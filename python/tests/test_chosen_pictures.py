@@ -11,7 +11,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from microslip import plot
 from microslip.result_file import ResultError
-from tests.synthetic_results import write_rolling_contact
+from tests.synthetic_results import write_contact_run, write_rolling_contact
 from tests.test_plot import PYTHON_FOLDER, FolderTest
 
 
@@ -28,7 +28,7 @@ class ChosenPicturesTest(FolderTest):
         arguments = ("--field", "px", "--field=power", "--surface", "slip", "--cut=-1.5", "--compare", self.path)
         code, out, err = self.run_plot(self.path, "-o", self.folder / "p", *arguments)
         self.assertEqual((code, err), (0, []))
-        names = ["field_px.png", "field_power.png", "surface_slip.png", "cut.png", "comparison.png"]
+        names = ["surface_slip.png", "cut.png", "difference_px.png", "difference_power.png", "comparison.png"]
         self.assertEqual(out, [str(self.folder / "p" / name) for name in names])
 
     def test_maps_have_the_files_values(self):
@@ -88,6 +88,70 @@ class ChosenPicturesTest(FolderTest):
             self.assertAlmostEqual(two - one, difference, delta=2e-3 * (abs(one) + abs(two)))
         with h5py.File(other) as file:
             self.assertAlmostEqual(numbers[0][1], 1e-3 * file["/fastsim2/fx"][()], delta=0.01)
+
+    def test_differences_are_those_of_the_files(self):
+        other = self.folder / "other.h5"
+        write_rolling_contact(other, creepage=(0.003, 0, 0), theories=("fastsim2", "exact"))
+        figure = plot.figures(self.path, fields=["px"], other=other)["difference_px.png"]
+        panels = [axes for axes in figure.axes if axes.images]
+        self.assertEqual(len(panels), 6, "two theories, A, B and B - A of each")
+        with h5py.File(self.path) as one, h5py.File(other) as two:
+            for row, theory in enumerate(("fastsim2", "exact")):
+                a, b = (1e-6 * file[f"{theory}/fields/px"][()] for file in (one, two))
+                for axes, wanted in zip(panels[3 * row:], (a, b, b - a)):
+                    np.testing.assert_allclose(np.unique(axes.images[0].get_array()), np.unique(wanted), rtol=1e-12, atol=1e-12)
+        same = plot.figures(self.path, fields=["px"], other=self.path)["difference_px.png"]
+        self.assertEqual(np.abs([axes.images[0].get_array() for axes in same.axes[2:3]]).max(), 0)
+
+    def test_differences_need_the_same_elements(self):
+        other = self.folder / "other.h5"
+        for what, words in (({"mx": 12}, "FASTSIM2 has 12 x 10 elements, in .* it has 10 x 10"),
+                            ({"a": 6.1e-3}, "FASTSIM2 has elements up to 0.0.* mm from those of .*result.h5; differences need"),
+                            ({"theories": ("fastsim",)}, "'px' is that of fastsim, in .* of fastsim2, exact: there is nothing to")):
+            write_rolling_contact(other, **what)
+            with self.assertRaisesRegex(ResultError, words):
+                plot.figures(self.path, fields=["px"], other=other)
+
+    def test_differences_of_two_runs_are_those_of_each_case(self):
+        one, other = self.folder / "one.h5", self.folder / "other.h5"
+        for path in (one, other):
+            write_contact_run(path)
+        with h5py.File(other, "a") as file:
+            file["elements/px"][20:] *= 1.25
+        figures = plot.figures(one, other=other, fields=["px"])
+        self.assertEqual(sorted(figures), ["difference_px_0002.png"])
+        panels = figures["difference_px_0002.png"].axes
+        largest = [np.abs(axes.images[0].get_array()).max() for axes in panels[:6]]
+        np.testing.assert_allclose(largest, [200, 200, 0, 400, 500, 100], err_msg="MPa: A, B, B - A of two patches")
+        self.assertIn("case 2", figures["difference_px_0002.png"]._suptitle.get_text())
+        self.assertEqual(sorted(plot.figures(one, other=other)), ["difference_pressure_0002.png", "difference_traction_0002.png"])
+        with self.assertRaisesRegex(ResultError, "'gap'"):
+            plot.figures(one, other=other, fields=["gap"])
+        with self.assertRaisesRegex(ResultError, "is of kind 'rolling_contact', .*one.h5 of kind 'contact_run'"):
+            plot.figures(one, other=self.path)
+
+    def test_cases_of_a_run_have_their_fields(self):
+        write_contact_run(self.path)
+        with h5py.File(self.path, "a") as file:
+            file["cases/motion"] = [0, 1, 1]
+        figures = plot.figures(self.path, fields=["px", "sx"], surfaces=["pressure"], cut=0.0)
+        self.assertEqual(sorted(figures), ["cut_0002.png", "field_px_0002.png", "field_sx_0002.png", "surface_pressure_0002.png"])
+        px, sx = (figures[f"field_{name}_0002.png"].axes for name in ("px", "sx"))
+        for axes, largest in zip(px, (-200, -400)):
+            self.assertEqual(axes.images[0].get_array().min(), largest, "MPa, of a patch")
+        self.assertIn("A run, case 2", figures["field_px_0002.png"]._suptitle.get_text())
+        self.assertIn("[mm]", sx[-1].get_ylabel(), "slip of a shift is a length")
+        surface = figures["surface_pressure_0002.png"].axes[0]
+        self.assertAlmostEqual(surface.get_zlim()[1], 2000, msg="MPa, of the second patch")
+        self.assertFalse(any("rolling" in text.get_text() for axes in px for text in axes.texts), "the file has no direction")
+        with h5py.File(self.path, "a") as file:
+            file["cases/my"][...], file["cases/stored_elements"][...], file["elements/index"][...] = 1, [0, 5, 5], np.arange(40) % 5 + 1
+        with self.assertRaisesRegex(ResultError, "a single row of elements has no surface; --field and --cut show it"):
+            plot.figures(self.path, surfaces=["px"])
+        with self.assertRaisesRegex(ResultError, "does not have the field 'gap', but pressure, bound, traction, px, py, slip, sx, sy$"):
+            plot.figures(self.path, fields=["gap"])
+        with self.assertRaisesRegex(ResultError, "--stresses is not for a file of kind 'contact_run'.*it has --field, --surface, --cut,"):
+            plot.figures(self.path, stresses=0.0)
 
     def test_wishes_that_cannot_be_met(self):
         for wanted, words in (({"fields": ["heat"]}, "'heat' is unknown, known: pressure"),

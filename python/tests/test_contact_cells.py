@@ -182,5 +182,28 @@ class ContactCellsTest(unittest.TestCase):
         self.assertLessEqual(cells.x.shape[1], 400)
 
 
+def regular_cells(rows, columns, inside):
+    """Cells of a regular grid of elements 0.5 x 2 mm in contact where `inside` of x and y holds."""
+    x, y = np.meshgrid(0.5 * np.arange(columns), 2.0 * np.arange(rows))
+    pressure = np.where(inside(x, y), 100.0, 0.0)
+    return ContactCells(x, y, np.ones(x.shape), *([np.zeros(x.shape)] * 5), (pressure > 0).astype(int), pressure=pressure, size=(0.5, 2.0))
+
+
+class RegularGridTest(unittest.TestCase):
+    def test_a_single_row_ends_with_its_elements(self):
+        cells = regular_cells(1, 9, lambda x, y: (x >= 1) & (x <= 3))
+        self.assertEqual(cells.outline.limits(), (0.75, 3.25, -1.0, 1.0))
+        self.assertEqual(regular_cells(1, 9, lambda x, y: x > 99).outline.limits(), (0, 0, 0, 0))
+
+    def test_a_surface_is_the_grid_around_the_contact(self):
+        cells = regular_cells(7, 9, lambda x, y: (abs(x - 2) <= 1) & (abs(y - 6) <= 2))
+        for vanishes, beyond in ((True, 0), (False, np.nan)):
+            ((x, y, height),) = cells.surface(cells.pressure, vanishes)
+            self.assertEqual((x[0, 0], x[-1, -1], y[0, 0], y[-1, -1]), (0.5, 3.5, 2, 10), "one element more on each side")
+            np.testing.assert_array_equal(height[1:-1, 1:-1], 100)
+            for edge in (height[0], height[-1], height[:, 0], height[:, -1]):
+                np.testing.assert_array_equal(edge, beyond)
+
+
 if __name__ == "__main__":
     unittest.main()

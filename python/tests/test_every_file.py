@@ -129,13 +129,13 @@ class EveryFileTest(unittest.TestCase):
 
     def test_a_wheel_on_a_rail(self):
         self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", "")), "-o", "a", "--no-pictures")
-        self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png")
+        self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png")
 
     def test_pictures_that_are_asked_for_of_a_wheel_on_a_rail(self):
         interior = INTERIOR[INTERIOR.index("[interior]"):]
         self.run_program("solve", self.text("a.toml", self.wheel_on_rail("wheel_on_rail.toml", interior)), "-o", "a", "--no-pictures")
         path = self.folder / "a/result.h5"
-        self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png", "interior_1.png", "interior_2.png")
+        self.expect("a/result.h5", "gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png", "interior_1.png", "interior_2.png")
         figures = plot.figures(path, fields=["pressure", "wear_depth"], surfaces=["traction"], cut=0.0, stresses=0.0)
         self.assertEqual(sorted(figures), ["cut.png", "field_pressure.png", "field_wear_depth.png", "stresses_patch_1.png",
                                            "stresses_patch_2.png", "surface_traction.png"])
@@ -228,6 +228,9 @@ class EveryFileTest(unittest.TestCase):
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "profile.png")
+        (self.folder / "rail.slcs").write_text(f"0 1000\n2\n0\n1\n0 '{EXAMPLES}/profiles/60e1.prr'\n1 '{EXAMPLES}/profiles/60e1.prr'\n")
+        self.run_program("profile", "rail.slcs", "-o", "s", "--no-pictures")
+        self.expect("s/result.h5", "surface.png")
         self.run_program("conicity", EXAMPLES / "profiles/s1002.prw", EXAMPLES / "profiles/60e1.prr", "--cant", "0.025", "-o", "b",
                          "--no-pictures")
         self.expect("b/result.h5", "conicity.png", "contact_points.png")

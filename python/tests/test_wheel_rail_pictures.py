@@ -7,16 +7,18 @@ from pathlib import Path
 import h5py
 import matplotlib
 import numpy as np
+from matplotlib.quiver import Quiver
 
 from microslip import plot
 from microslip.picture_style import SETTINGS
 from microslip.result_file import ResultError, ResultFile
+from microslip.profile_tractions_picture import line_loads
 from microslip.wheel_rail_pictures import RailHead, envelope, minima, read_patches
 from tests.synthetic_results import fastsim
 
 RADIUS, MIDDLE = 0.3, 0.75
 PATCH = {"place_x": 1e-3, "place_y": MIDDLE, "place_z": 0.0, "angle": 0.0, "rail_y": 0.0, "wheel_y": 0.002, "normal_force": 80e3,
-         "creepage_longitudinal": 1e-3, "creepage_lateral": 5e-4, "spin": 0.2}
+         "creepage_longitudinal": 1e-3, "creepage_lateral": 5e-4, "spin": 0.2, "rolling_speed": 30.0}
 
 
 def arc(radius):
@@ -64,9 +66,37 @@ class WheelRailPicturesTest(unittest.TestCase):
             return plot.pictures(result)
 
     def test_a_state_has_patches_and_gap_and_a_sweep_has_curves(self):
-        self.assertEqual(sorted(self.figures()), ["gap.png", "patches.png", "rail_head.png"])
+        self.assertEqual(sorted(self.figures()), ["gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png"])
         self.assertEqual(sorted(self.figures(fields=False)), ["gap.png"])
         self.assertEqual(sorted(self.figures(states=4)), ["contact_points.png", "forces.png"])
+
+    def test_differences_of_wheels_are_of_each_patch(self):
+        one, two = self.file(), self.file()
+        with h5py.File(two, "a") as file:
+            file["fields/0/pressure"][...] *= 1.5
+        figures = plot.figures(one, other=two)
+        self.assertEqual(sorted(figures), ["difference_pressure.png", "difference_traction.png"])
+        a, b, difference = (axes.images[0].get_array() for axes in figures["difference_pressure.png"].axes[:3])
+        self.assertAlmostEqual(difference.max(), 0.5 * a.max())
+        self.assertAlmostEqual(b.max(), 1.5 * a.max())
+
+    def test_arrows_on_the_profiles_are_the_forces_of_rows(self):
+        with ResultFile(self.file()) as result, matplotlib.rc_context(SETTINGS):
+            (cells,) = read_patches(result, RailHead(result))
+            fields = {name: result.array(f"/fields/0/{name}", dimensions=2) for name in ("pressure", "px", "py", "area")}
+            figure = plot.pictures(result)["tractions_on_profiles.png"]
+        u, *loads = line_loads(cells)
+        for load, name in zip(loads, ("pressure", "px", "py")):
+            force = np.sum(fields[name] * fields["area"])  # the areas of this file are scaled to a load, by 0.4 %
+            self.assertAlmostEqual(load.sum() * cells.height / force, 1, delta=0.006)
+        shape, components = figure.axes
+        on_wheel, on_rail = (arrows for arrows in shape.collections if isinstance(arrows, Quiver))
+        np.testing.assert_array_equal(on_wheel.U, -on_rail.U)
+        np.testing.assert_array_equal(on_wheel.V, -on_rail.V)
+        self.assertTrue(np.all(on_wheel.V > 0), "the rail presses the wheel up")
+        normal = components.get_lines()[0]
+        np.testing.assert_allclose(normal.get_xdata(), u)
+        np.testing.assert_allclose(normal.get_ydata() / loads[0], normal.get_ydata().max() / loads[0].max())
 
     def test_curves_over_a_sweep_are_those_of_the_file(self):
         forces = self.figures(states=4)["forces.png"].axes[0]

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/contact_locus.hpp"
 
+#include "compat/contact/wheel_rail/search_size.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/space_curve.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
@@ -348,13 +349,15 @@ GapLine GapLine::lowered(double depth) const {
   return line;
 }
 
-GapLine find_gap_line(const Placement& p, const ProfileCurve& rail, double ds) {
-  const double dy = SearchThresholds::locus_step * ds;
-  const Locus locus = contact_locus(p, rail, dy);
-  GapLine line;
+GapLine find_gap_line(const Placement& p, const ProfileCurve& rail, const PatchRules& sizes) {
+  const double dy = SearchThresholds::locus_step * sizes.ds;
   const auto [least_y, greatest_y] =
       p.rail_profile.varies() ? whole_extent(p, rail) : std::pair(rail.least_y(), rail.greatest_y());
-  const auto count = static_cast<std::size_t>(std::floor((greatest_y - least_y) / dy + 1e-9)) + 1;
+  const double points = std::floor((greatest_y - least_y) / dy + 1e-9) + 1;
+  require_few_points(points, sizes);
+  const Locus locus = contact_locus(p, rail, dy);
+  GapLine line;
+  const auto count = static_cast<std::size_t>(points);
   line.overlaps = false;
   for (std::size_t k = 0; k < count; ++k) {
     const double y = least_y + double(k) * dy;

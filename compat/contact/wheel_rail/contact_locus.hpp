@@ -21,6 +21,6 @@ struct GapLine {
 };
 
 /// At steps of 0.3 DS over the rail. `rail` is its profile in track coordinates; a roller is turned about its axle.
-GapLine find_gap_line(const Placement& placement, const ProfileCurve& rail, double ds);
+GapLine find_gap_line(const Placement& placement, const ProfileCurve& rail, const PatchRules& sizes);
 
 } // namespace microslip::contact_program

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace microslip::contact_program {
 namespace {
 
 constexpr double missing = 777;
 
-/// Indices of local minima with overlap; points of a plateau count once.
-std::vector<std::size_t> local_minima(const std::vector<double>& gap) {
+/// Indices of local minima in [least, below), the least one first; points of a plateau count once.
+std::vector<std::size_t> local_minima(const std::vector<double>& gap, double least, double below) {
   std::vector<std::size_t> minima;
   std::vector<char> on_plateau(gap.size(), 0);
   for (std::size_t k = 0; k < gap.size(); ++k) {
@@ -25,10 +26,11 @@ std::vector<std::size_t> local_minima(const std::vector<double>& gap) {
       }
     }
     if (is_minimum && k + 1 < gap.size() && gap[k + 1] < gap[k]) is_minimum = false;
-    if (!is_minimum || !(gap[k] < 0)) continue;
+    if (!is_minimum || !(gap[k] >= least && gap[k] < below)) continue;
     minima.push_back(k);
     on_plateau[k] = 1;
   }
+  std::sort(minima.begin(), minima.end(), [&](std::size_t a, std::size_t b) { return gap[a] < gap[b]; });
   return minima;
 }
 
@@ -104,12 +106,17 @@ LeastGap least_gap(const GapLine& g) {
   return least;
 }
 
+std::vector<NearMiss> near_misses(const GapLine& line, double farthest) {
+  std::vector<NearMiss> found;
+  for (const std::size_t k : local_minima(line.gap, 0, farthest))
+    if (found.size() < SearchThresholds::most_near_misses) found.push_back({line.x[k], line.y[k], line.gap[k]});
+  return found;
+}
+
 std::vector<GapRegion> find_regions(const GapLine& line, double curvature) {
-  auto minima = local_minima(line.gap);
-  std::sort(minima.begin(), minima.end(), [&](std::size_t a, std::size_t b) { return line.gap[a] < line.gap[b]; });
   std::vector<Interval> taken;
   std::vector<GapRegion> regions;
-  for (const std::size_t k : minima) {
+  for (const std::size_t k : local_minima(line.gap, -std::numeric_limits<double>::infinity(), 0)) {
     if (std::any_of(taken.begin(), taken.end(), [k](const Interval& i) { return i.holds(k); })) continue;
     taken.push_back(overlap_around(line.gap, k));
     regions.push_back(region_of(line, taken.back(), curvature));

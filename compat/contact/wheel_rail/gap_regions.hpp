@@ -25,6 +25,14 @@ struct LeastGap {
 
 LeastGap least_gap(const GapLine& line);
 
+/// A place where wheel and rail do not touch, but nearly [mm].
+struct NearMiss {
+  double x = 0, y = 0, gap = 0;
+};
+
+/// The local minima of the gap in [0, farthest), the two least at most, as in CONTACT.
+std::vector<NearMiss> near_misses(const GapLine& line, double farthest);
+
 /// The regions of overlap, from the deepest one on. `curvature` is half that of wheel and roller along the track
 /// [1/mm].
 std::vector<GapRegion> find_regions(const GapLine& line, double curvature);

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/gap_surface.hpp"
 
+#include "compat/contact/wheel_rail/search_size.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
 #include "compat/contact/wheel_rail/varied_rail.hpp"
@@ -14,11 +15,18 @@ namespace {
 
 constexpr double missing = 999, beyond = 777;
 
+/// Columns of the grid, an odd number.
+double columns_along(const Placement& p, double dx, bool steep) {
+  using Limit = SearchThresholds;
+  const bool varies = p.wheel_profile.varies();
+  const double length = 2 * (varies ? Limit::reach_varied * p.radius : half_of_lower_side(p, steep));
+  const double count = std::round(length / ((varies ? Limit::step_along_varied : Limit::step_along) * dx) + 2);
+  return std::fmod(count, 2) == 0 ? count + 1 : count;
+}
+
 /// The lower side of a round wheel, in the track's axes, at the points of its profile.
-SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
+SurfaceMesh lower_side(const Placement& p, int slices, bool steep) {
   const double half = half_of_lower_side(p, steep);
-  int slices = static_cast<int>(std::lround(2 * half / (SearchThresholds::step_along * dx) + 2));
-  slices += slices % 2 == 0;
   const auto& profile = p.wheel_profile.curve->points();
   std::vector<Vec3<double>> points;
   for (const ProfilePoint& at : profile)
@@ -42,14 +50,15 @@ std::pair<double, double> extent_across(const Placement& p, const ProfileCurve& 
 
 GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const PatchRules& sizes, bool steep)
     : dx_(sizes.dx) {
-  SurfaceMesh wheel = p.wheel_profile.varies() ? varied_lower_side(p, sizes.dx) : lower_side(p, sizes.dx, steep);
-  const auto [first, last] = wheel.range_of_x();
-  nx_ = wheel.columns();
-  for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
   const auto [y0, y1] = extent_across(p, rail);
   const double dy = (steep ? SearchThresholds::step_across_steep : SearchThresholds::step_across) * sizes.ds;
-  const double steps = std::floor((y1 - y0) / dy + 1e-9);
+  const double steps = std::floor((y1 - y0) / dy + 1e-9), columns = columns_along(p, dx_, steep);
+  require_few_points(columns, steps + 1, sizes, p.radius);
+  nx_ = static_cast<int>(columns);
   ny_ = static_cast<int>(steps) + 1;
+  SurfaceMesh wheel = p.wheel_profile.varies() ? varied_lower_side(p, nx_) : lower_side(p, nx_, steep);
+  const auto [first, last] = wheel.range_of_x();
+  for (int i = 0; i < nx_; ++i) x_.push_back(first + i * (last - first) / (nx_ - 1));
   for (int j = 0; j < ny_; ++j) y_.push_back(0.5 * (y0 + y1 - steps * dy) + j * dy); // in the middle of the range
   find_rail(p, rail);
   for (int j = 0; j < ny_; ++j)
@@ -119,7 +128,7 @@ LeastGap GapSurface::least() const {
   return least;
 }
 
-/// Points below their four neighbours, with overlap; those of a plateau count once.
+/// Points below their four neighbours with a gap below `depth`, the least one first; those of a plateau count once.
 std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
   std::vector<std::pair<int, int>> found;
   std::vector<char> mask(gap_.size(), 0);
@@ -208,6 +217,14 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
   r.z0 = rail_at(middle, box.j0).z;
   r.z1 = rail_at(middle, box.j1).z;
   return r;
+}
+
+std::vector<NearMiss> GapSurface::near_misses(double depth, double farthest) const {
+  std::vector<NearMiss> found;
+  for (const auto& [i, j] : minima(depth + farthest))
+    if (gap(i, j) >= depth && found.size() < SearchThresholds::most_near_misses)
+      found.push_back({x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)], gap(i, j) - depth});
+  return found;
 }
 
 std::vector<GapRegion> GapSurface::regions(double depth) const {

@@ -18,6 +18,8 @@ public:
   LeastGap least() const;
   /// With the wheelset lower by `depth` [mm], from the deepest one on.
   std::vector<GapRegion> regions(double depth) const;
+  /// With the wheelset lower by `depth`: the local minima of the gap in [0, farthest), the two least at most.
+  std::vector<NearMiss> near_misses(double depth, double farthest) const;
 
 private:
   struct Box {

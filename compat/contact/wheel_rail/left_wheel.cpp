@@ -136,6 +136,7 @@ void mirror_back(WheelOutcome& wheel) {
   mirror(wheel.track);
   mirror(wheel.wheelset);
   wheel.dy_rail *= -1;
+  for (NearMiss& miss : wheel.near_misses) miss.y *= -1;
   Placement& placed = wheel.placement;
   for (Frame<double>* frame : {&placed.rail, &placed.wheelset, &placed.wheel_on_axle, &placed.wheel}) mirror(*frame);
   for (WheelPatch& patch : wheel.patches) {

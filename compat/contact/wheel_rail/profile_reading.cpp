@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace microslip::contact_program {
 namespace {
@@ -96,7 +97,7 @@ std::vector<std::size_t> with_points_between(const std::vector<std::size_t>& kin
   return breaks;
 }
 
-/// Of ISMOOTH = 0 or 1.
+/// Of ISMOOTH = 0, or of 1 and 2.
 std::vector<double> smoothing_weights(const std::vector<ProfilePoint>& points, const std::vector<std::size_t>& kinks,
                                       bool by_length) {
   std::vector<double> weights(points.size(), 1);
@@ -193,10 +194,12 @@ private:
 
   void smooth(const std::vector<std::size_t>& kinks) {
     if (record_.smooth == 0) return;
-    if (record_.smoothing == 2) fail("ISMOOTH = 2 (smoothing by B-splines) is not supported");
-    const bool by_length = record_.smoothing == 1;
-    const double lambda = by_length ? smoothing_factor(record_.smooth) : record_.smooth;
-    points_ = smoothed_with_weights(points_, kinks, lambda, smoothing_weights(points_, kinks, by_length));
+    const double square = std::pow(record_.smooth / (2 * std::numbers::pi), 2);
+    const double lambdas[] = {record_.smooth, smoothing_factor(record_.smooth), square * square * square};
+    const auto penalty =
+        record_.smoothing == 2 ? SmoothingPenalty::third_derivative : SmoothingPenalty::second_derivative;
+    points_ = smoothed_with_weights(points_, kinks, lambdas[record_.smoothing],
+                                    smoothing_weights(points_, kinks, record_.smoothing > 0), penalty);
   }
 
   const ProfileRecord& record_;

@@ -112,7 +112,7 @@ WheelsetDimensions read_wheelset(Words& words) {
   WheelsetDimensions w;
   w.flange_back_distance = words.real("FBDIST");
   w.flange_back_position = words.real("FBPOS");
-  w.nominal_radius = words.between("NOMRADW", 1e-3, 1e20);
+  w.nominal_radius = words.between("NOMRADW", w.least_radius, w.greatest_radius);
   w.tape_circle = words.optional_real("YTAPE", w.tape_circle);
   words.end_record();
   return w;

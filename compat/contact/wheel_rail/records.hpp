@@ -31,11 +31,11 @@ struct ProfileRecord {
   std::string name = {};                          ///< as the input file has it
   int mirror_y = 0;
   double scale = 1;
-  double smooth = 0;                               ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
-  int mirror_z = 0;                                ///< -1 no, 0 by the shape, 1 yes
-  int smoothing = 0;                               ///< ISMOOTH: 0 without weights, 1 with, 2 by B-splines with weights
-  double zigzag = ProfileThresholds::zigzag;       ///< ZIGTHRS
-  double kink_high = ProfileThresholds::kink_high; ///< KINKHIGH
+  double smooth = 0;                         ///< SMOOTH: lambda with ISMOOTH = 0, else a wavelength
+  int mirror_z = 0;                          ///< -1 no, 0 by the shape, 1 yes
+  int smoothing = 0;                         ///< ISMOOTH: 0 without weights, 1 with, 2 with by the third derivative
+  double zigzag = ProfileThresholds::zigzag; ///< ZIGTHRS
+  double kink_high = ProfileThresholds::kink_high;                                ///< KINKHIGH
   double kink_low = ProfileThresholds::kink_high / ProfileThresholds::kink_ratio; ///< KINKLOW
   double kink_width = ProfileThresholds::kink_width;                              ///< KINKWID
   int error_handling = 0;                                                         ///< ERRHND
@@ -67,6 +67,8 @@ struct RailSupport {
 
 /// FBDIST FBPOS NOMRADW YTAPE.
 struct WheelsetDimensions {
+  /// Range of NOMRADW [mm]. Ours: with more the wheel is a plane along the track, and overlaps are as long as the grid.
+  static constexpr double least_radius = 1e-3, greatest_radius = 1e6;
   double flange_back_distance = 0, flange_back_position = 0, nominal_radius = 0;
   double tape_circle = 999; ///< y of the wheel's profile where the radius is the nominal one; from 999 on: z = 0
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <numbers>
 
 namespace microslip::contact_program {
@@ -15,6 +16,8 @@ struct SearchThresholds {
 
   /// Gaps of neighbouring points that differ by less are one plateau with one minimum: thresh.
   static constexpr double plateau = 1e-6;
+  /// Near misses that count at most.
+  static constexpr std::size_t most_near_misses = 2;
   /// The least weight of a point of overlap in the means of x, y and angle.
   static constexpr double least_weight = 1e-10;
 
@@ -24,6 +27,9 @@ struct SearchThresholds {
   /// How far that grid reaches to either side of the axle, over the wheel's radius; with D = 6 and for a radius below
   /// the third number; in rad of a wheel that is not round.
   static constexpr double reach = 0.125, reach_steep = 0.242, small_radius = 30.5, reach_varied = 0.2;
+
+  /// Points at most of the gap's line over the locus and of its grid of brute force, which take seconds. Ours.
+  static constexpr double most_on_line = 2e6, most_on_grid = 2e7;
 
   /// Exponent of the factor with which parts of a patch act on each other.
   static constexpr double blending = 0.8;

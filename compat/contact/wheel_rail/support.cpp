@@ -56,10 +56,4 @@ std::vector<std::string> unsupported_of_wheel(const Case& c) {
   return applying(refusals, c);
 }
 
-std::vector<std::string> left_out_of_wheel(const Case& c) {
-  std::vector<std::string> notes;
-  if (c.wheel_rail->grid.g_miss > 0) notes.emplace_back("G_MISS > 0: near misses do not count");
-  return notes;
-}
-
 } // namespace microslip::contact_program

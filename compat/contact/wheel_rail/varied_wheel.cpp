@@ -15,10 +15,8 @@ std::optional<WheelPoint> wheel_point(const Placement& p, double theta, double v
                     {at->dv.z * s, at->dv.y, at->dv.z * c}};
 }
 
-SurfaceMesh varied_lower_side(const Placement& p, double dx) {
+SurfaceMesh varied_lower_side(const Placement& p, int count) {
   constexpr double reach = SearchThresholds::reach_varied;
-  int count = static_cast<int>(std::lround(2 * reach * p.radius / (SearchThresholds::step_along_varied * dx) + 2));
-  count += count % 2 == 0;
   const std::size_t last = p.wheel_profile.surface->last_v();
   std::vector<Vec3<double>> points;
   for (std::size_t v = 0; v <= last; ++v)

@@ -15,8 +15,7 @@ struct WheelPoint {
 /// The wheel's lowest point is at theta = -PITCH. Nothing beyond its profile.
 std::optional<WheelPoint> wheel_point(const Placement& placement, double theta, double v);
 
-/// Its lower side, 0.2 rad to either side, in the track's axes, at points that lie 4 DX from each other around the
-/// wheel.
-SurfaceMesh varied_lower_side(const Placement& placement, double dx);
+/// Its lower side, 0.2 rad to either side, in the track's axes, at so many points around the wheel.
+SurfaceMesh varied_lower_side(const Placement& placement, int count);
 
 } // namespace microslip::contact_program

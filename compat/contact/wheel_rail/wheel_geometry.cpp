@@ -21,12 +21,12 @@ WheelGeometry::WheelGeometry(const WheelRailData& right, ProfileShape rail, cons
   if (brute_force || placed_at_zero_.wheel_profile.varies())
     brute_force_.emplace(placed_at_zero_, *rail_in_track_, data_.grid, right.search == ContactSearch::steep);
   else
-    at_zero_ = find_gap_line(placed_at_zero_, *rail_in_track_, data_.grid.ds);
+    at_zero_ = find_gap_line(placed_at_zero_, *rail_in_track_, data_.grid);
 }
 
 /// A round wheel that is lowered over a rail has the same locus, but not over a roller, whose slope depends on height.
 GapLine WheelGeometry::line(double z) const {
-  return data_.digits.is_roller() ? find_gap_line(placement(z), *rail_in_track_, data_.grid.ds) : at_zero_->lowered(z);
+  return data_.digits.is_roller() ? find_gap_line(placement(z), *rail_in_track_, data_.grid) : at_zero_->lowered(z);
 }
 
 double WheelGeometry::curvature() const {
@@ -48,6 +48,12 @@ std::vector<GapRegion> WheelGeometry::regions(double z) const {
     throw Error("wheel and rail overlap by " + std::to_string(depth) + " mm; is the wheel's height right?");
   if (!brute_force_) return find_regions(line(z), curvature());
   return brute_force_->regions(z);
+}
+
+std::vector<NearMiss> WheelGeometry::near_misses(double z) const {
+  if (!(data_.grid.g_miss > 0)) return {};
+  return brute_force_ ? brute_force_->near_misses(z, data_.grid.g_miss)
+                      : contact_program::near_misses(line(z), data_.grid.g_miss);
 }
 
 /// The rail's profile in the track's axes; of slices that in the middle of a patch.

@@ -20,6 +20,8 @@ public:
   LeastGap least_gap_at_zero() const;
   /// The patches with the wheelset at `z`; conformal ones still are to be bent.
   std::vector<PatchFrame> patches(double z);
+  /// Near misses within G_MISS with the wheelset at `z`; none with G_MISS < 0.
+  std::vector<NearMiss> near_misses(double z) const;
   /// Lays the rows of a conformal patch on their surface.
   void bend(PatchFrame& frame, double z) const;
   UndeformedDistance distance(const PatchFrame& frame, double z) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "compat/contact/case.hpp"
+#include "compat/contact/wheel_rail/gap_regions.hpp"
 #include "compat/contact/wheel_rail/placement.hpp"
 
 #include <memory>
@@ -46,6 +47,7 @@ struct WheelOutcome {
   Wrench track;                    ///< in the track's axes, moment about the rail's marker
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;
+  std::vector<NearMiss> near_misses; ///< within G_MISS, in the track's axes
   WheelEffort effort;
   Placement placement;
 };

@@ -9,6 +9,7 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/contact/wheel_rail/root_search.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
+#include "compat/contact/words.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 
@@ -145,6 +146,14 @@ bool ends(const PrescribedForce& force, int step, std::optional<double> width, d
   return force.is_reached() || step == SearchThresholds::most_solutions || (width && *width < least_width);
 }
 
+std::vector<std::string> notes_of(const std::vector<NearMiss>& misses) {
+  std::vector<std::string> notes;
+  for (const NearMiss& miss : misses)
+    notes.push_back("G_MISS: near miss at x = " + short_number(miss.x) + ", y = " + short_number(miss.y) + " mm, gap " +
+                    short_number(miss.gap) + " mm; the patches do not reach for it");
+  return notes;
+}
+
 void append_new(std::vector<std::string>& to, const std::vector<std::string>& from) {
   for (const auto& text : from)
     if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
@@ -188,7 +197,7 @@ Outcome WheelRailSolver::solve(const Case& c, const Progress& progress) {
     remember(*outcome.wheel, frames_, place_on_track(data), origin_of(c.digits));
     finish(c, *outcome.wheel, progress);
   }
-  append_new(outcome.notes, left_out_of_wheel(c));
+  if (outcome.wheel) append_new(outcome.notes, notes_of(outcome.wheel->near_misses));
   return outcome;
 }
 
@@ -467,6 +476,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
   Outcome outcome;
   WheelOutcome wheel;
   wheel.z = z;
+  wheel.near_misses = geometry.near_misses(z);
   wheel.vpitch = right.wheel_rail->velocity.pitch_rate();
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const PatchFrame& frame = frames[k];

@@ -91,6 +91,8 @@ TEST_F(Misuse, OfNumbersOfValues) {
   EXPECT_EQ(set(cntc_setwheelsetvelocity, 1, 2, few), CNTC_err_other);
   EXPECT_EQ(set(cntc_setwheelsetflexibility, 1, 4, few), CNTC_err_other);
   EXPECT_EQ(set(cntc_setwheelsetdimensions, 1, 3, few), CNTC_err_other);
+  EXPECT_EQ(set(cntc_setwheelsetdimensions, 1, 3, {1360, -70, 1e9}), CNTC_err_other);
+  expect_in_log("NOMRAD = 1e+09 mm: must be in [0.001, 1e+06]");
   EXPECT_EQ(set(cntc_setundeformeddistc, 3, 1, 9, {1}), CNTC_err_discr) << "no potential contact yet";
   expect_in_log("rparam has 2 values: must be 4");
   int one = 1, icp = whole, none = -1;

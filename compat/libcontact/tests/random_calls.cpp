@@ -510,7 +510,7 @@ int run_round(const Options& o, unsigned round) {
 enum class End { well, given_up, failed };
 
 /// In a separate process. One that takes long is given up: some wheels that lie far from how wheels lie on rails,
-/// such as one turned on its side or of a kilometre's radius, keep the search for their contact busy for minutes.
+/// such as one turned on its side, keep the search for their contact busy for minutes.
 End end_of(const Options& o, unsigned round) {
   constexpr rlimit most_seconds{20, 30}; // of the processor
   const pid_t child = fork();

@@ -1,6 +1,7 @@
 #include "microslip/railway/profile/profile_smoothing.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/profile/quintic_smoothing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,7 @@ private:
   std::vector<double> pivots_, first_, second_;
 };
 
+template <class Smoothing>
 std::vector<ProfilePoint> smoothed_section(std::span<const ProfilePoint> points,
                                            std::span<const double> inverse_weights, double lambda) {
   const std::size_t n = points.size();
@@ -93,7 +95,7 @@ std::vector<ProfilePoint> smoothed_section(std::span<const ProfilePoint> points,
     y[k] = points[k].y;
     z[k] = points[k].z;
   }
-  const SmoothingSection section(steps, inverse_weights, lambda);
+  const Smoothing section(steps, inverse_weights, lambda);
   section.smooth(y);
   section.smooth(z);
   std::vector<ProfilePoint> result;
@@ -102,13 +104,15 @@ std::vector<ProfilePoint> smoothed_section(std::span<const ProfilePoint> points,
 }
 
 /// A kink has the position that the section behind it gives it.
+template <class Smoothing>
 std::vector<ProfilePoint> smoothed_sections(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                             double lambda, std::span<const double> inverse_weights) {
   std::vector<ProfilePoint> result(points.begin(), points.end());
   std::size_t first = 0;
   for (std::size_t k = 0; k <= kinks.size(); ++k) {
     const std::size_t last = k < kinks.size() ? kinks[k] : points.size() - 1, count = last - first + 1;
-    const auto section = smoothed_section(points.subspan(first, count), inverse_weights.subspan(first, count), lambda);
+    const auto section =
+        smoothed_section<Smoothing>(points.subspan(first, count), inverse_weights.subspan(first, count), lambda);
     std::copy(section.begin(), section.end(), result.begin() + static_cast<std::ptrdiff_t>(first));
     first = last;
   }
@@ -158,15 +162,17 @@ std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::sp
   std::vector<double> inverse_weights;
   for (const double share : shares_of_length(points)) inverse_weights.push_back(1 / share);
   for (const std::size_t kink : kinks) inverse_weights[kink] = 0;
-  return smoothed_sections(points, kinks, smoothing_factor(length), inverse_weights);
+  return smoothed_sections<SmoothingSection>(points, kinks, smoothing_factor(length), inverse_weights);
 }
 
 std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> points,
                                                 std::span<const std::size_t> kinks, double lambda,
-                                                std::span<const double> weights) {
+                                                std::span<const double> weights, SmoothingPenalty penalty) {
   std::vector<double> inverse_weights;
   for (const double weight : weights) inverse_weights.push_back(1 / weight);
-  return smoothed_sections(points, kinks, lambda, inverse_weights);
+  return penalty == SmoothingPenalty::third_derivative
+             ? smoothed_sections<QuinticSmoothing>(points, kinks, lambda, inverse_weights)
+             : smoothed_sections<SmoothingSection>(points, kinks, lambda, inverse_weights);
 }
 
 double smoothing_factor(double length) {

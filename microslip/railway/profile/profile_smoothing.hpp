@@ -17,10 +17,14 @@ namespace microslip {
 std::vector<ProfilePoint> smoothed(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                    double length);
 
+/// What smooth curves have little of: f'' or f''' squared.
+enum class SmoothingPenalty { second_derivative, third_derivative };
+
 /// Smoothed points with weights > 0 of all points and lambda >= 0 given, in any unit of length. Kinks move, too.
 std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> points,
                                                 std::span<const std::size_t> kinks, double lambda,
-                                                std::span<const double> weights);
+                                                std::span<const double> weights,
+                                                SmoothingPenalty penalty = SmoothingPenalty::second_derivative);
 
 /// The weights of `smoothed`, except at kinks: half of the sides that meet at each point, which all together are the
 /// polygon's length.
