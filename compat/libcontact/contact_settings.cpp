@@ -109,55 +109,41 @@ void set_creepages(ContactProblem& p, double x, double y, double spin) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
-  return guarded({"cntc_setreferencevelocity", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     constexpr double least = 1e-9;
     p.data.rolling->veloc = std::max(least, std::abs(real("veloc", veloc)) * p.units.speed);
   });
 }
 
 int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-  return set_by({"cntc_sethertzcontact", ire, icp, Module::contact, Scope::patch}, set_hertzian, "ipotcn", ipotcn,
-                "rparam", nparam, rparam);
+  return set_by(contact_call(__func__, ire, icp), set_hertzian, "ipotcn", ipotcn, "rparam", nparam, rparam);
 }
 
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
-  return guarded({"cntc_setpenetration", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.approach = real("pen", pen) * p.units.length;
     p.data.digits.norm = microslip::contact_program::Normal::approach;
   });
 }
 
 int cntc_setnormalforce(int* ire, int* icp, double* fn) {
-  return guarded({"cntc_setnormalforce", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.normal_force = real("fn", fn);
     p.data.digits.norm = microslip::contact_program::Normal::force;
   });
 }
 
 int cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
-  return set_by({"cntc_setundeformeddistc", ire, icp, Module::contact, Scope::patch}, set_distance, "ibase", ibase,
-                "prmudf", nparam, prmudf);
+  return set_by(contact_call(__func__, ire, icp), set_distance, "ibase", ibase, "prmudf", nparam, prmudf);
 }
 
 int cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
-  return guarded({"cntc_setcreepages", ire, icp, Module::contact, Scope::patch},
+  return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_creepages(p, real("vx", vx), real("vy", vy), real("phi", phi)); });
 }
 
 int cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy) {
-  return guarded({"cntc_setextrarigidslip", ire, icp, Module::contact, Scope::patch},
+  return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_extra_slip(p, reals("wx", lenarr, wx), reals("wy", lenarr, wy)); });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setreferencevelocity)
-LIBCONTACT_UNDERSCORED(cntc_sethertzcontact)
-LIBCONTACT_UNDERSCORED(cntc_setpenetration)
-LIBCONTACT_UNDERSCORED(cntc_setnormalforce)
-LIBCONTACT_UNDERSCORED(cntc_setundeformeddistc)
-LIBCONTACT_UNDERSCORED(cntc_setcreepages)
-LIBCONTACT_UNDERSCORED(cntc_setextrarigidslip)

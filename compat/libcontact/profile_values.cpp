@@ -182,37 +182,28 @@ std::vector<double> profile_values(ContactProblem& p, const Request& r, bool num
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                           double* values) {
-  return answered({"cntc_getprofilevalues", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values)), [&](ContactProblem& p) {
-                    const auto choices = integers("iparam", nints, iparam);
-                    const auto numbers = reals("rparam", nreals, rparam);
-                    const auto number = [&](std::size_t k) {
-                      return k < numbers.size() ? std::optional(numbers[k]) : std::optional<double>();
-                    };
-                    const Request request = {.task = integer("itask", itask),
-                                             .of_wheel = !choices.empty() && choices[0] > 0,
-                                             .sampling = choices.size() > 1 ? choices[1] : 0,
-                                             .step = number(0).value_or(1),
-                                             .place = number(1).value_or(0),
-                                             .from = number(2),
-                                             .to = number(3)};
-                    if (request.task < -1 || request.task > 9)
-                      throw Refusal(CNTC_err_other, "itask must be in -1 to 9");
-                    const auto place = room("values", lenarr, values);
-                    fill(place, profile_values(p, request, place.size() == 1));
-                  });
+  return answered(wheel_call(__func__, ire), into(results(lenarr, values)), [&](ContactProblem& p) {
+    const auto choices = integers("iparam", nints, iparam);
+    const auto numbers = reals("rparam", nreals, rparam);
+    const auto number = [&](std::size_t k) {
+      return k < numbers.size() ? std::optional(numbers[k]) : std::optional<double>();
+    };
+    const Request request = {.task = integer("itask", itask),
+                             .of_wheel = !choices.empty() && choices[0] > 0,
+                             .sampling = choices.size() > 1 ? choices[1] : 0,
+                             .step = number(0).value_or(1),
+                             .place = number(1).value_or(0),
+                             .from = number(2),
+                             .to = number(3)};
+    if (request.task < -1 || request.task > 9) throw Refusal(CNTC_err_other, "itask must be in -1 to 9");
+    const auto place = room("values", lenarr, values);
+    fill(place, profile_values(p, request, place.size() == 1));
+  });
 }
 
 int cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                               double* values) {
   return cntc_getprofilevalues(ire, itask, nints, iparam, nreals, rparam, lenarr, values);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_getprofilevalues)
-LIBCONTACT_UNDERSCORED(cntc_getprofilevalues_new)

@@ -239,39 +239,35 @@ void set_rectangle(ContactProblem& p, int method, std::span<const double> v) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam) {
-  return guarded({"cntc_setsolverflags", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     set_solver(p, integer("gdigit", gdigit), integers("iparam", nints, iparam), reals("rparam", nreals, rparam));
   });
 }
 
 int cntc_setmaterialparameters(int* ire, int* icp, int* mdigit, int* nparam, double* rparam) {
-  return set_by({"cntc_setmaterialparameters", ire, icp, Module::any, Scope::whole}, set_material, "mdigit", mdigit,
-                "rparam", nparam, rparam);
+  return set_by(problem_call(__func__, ire, icp), set_material, "mdigit", mdigit, "rparam", nparam, rparam);
 }
 
 int cntc_setmaterialproperties(int* ire, int* icp, double* g1, double* nu1, double* g2, double* nu2) {
-  return guarded({"cntc_setmaterialproperties", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     set_elasticity(p, real("nu1", nu1), real("nu2", nu2), real("g1", g1), real("g2", g2));
   });
 }
 
 int cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
-  return set_by({"cntc_settemperaturedata", ire, icp, Module::any, Scope::whole}, set_heat, "imeth", imeth, "rparam",
-                nparam, rparam);
+  return set_by(problem_call(__func__, ire, icp), set_heat, "imeth", imeth, "rparam", nparam, rparam);
 }
 
 int cntc_settimestep(int* ire, int* icp, double* dt) {
-  return guarded({"cntc_settimestep", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (!(real("dt", dt) > 0)) throw Refusal(CNTC_err_other, "dt must be > 0");
     p.time_step = *dt;
   });
 }
 
 int cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
-  return guarded({"cntc_setrollingstepsize", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (!(real("dq", dq) > 0)) throw Refusal(CNTC_err_discr, "dq must be > 0");
     if (p.is_wheel()) {
       p.wheel().grid.dqrel = *dq;
@@ -283,19 +279,18 @@ int cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
 }
 
 int cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
-  return set_by({"cntc_setfrictionmethod", ire, icp, Module::any, Scope::whole}, set_friction, "imeth", imeth, "params",
-                nparam, params);
+  return set_by(problem_call(__func__, ire, icp), set_friction, "imeth", imeth, "params", nparam, params);
 }
 
 int cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-  return guarded({"cntc_setpotcontact", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     const auto set = p.is_wheel() ? set_patch_rules : set_rectangle;
     set(p, integer("ipotcn", ipotcn), reals("rparam", nparam, rparam));
   });
 }
 
 int cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
-  return guarded({"cntc_settangentialforces", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (p.is_wheel()) {
       p.force_x = real("fx", fx);
       return;
@@ -305,15 +300,3 @@ int cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
     p.ratio_y = y / size;
   });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setsolverflags)
-LIBCONTACT_UNDERSCORED(cntc_setmaterialparameters)
-LIBCONTACT_UNDERSCORED(cntc_setmaterialproperties)
-LIBCONTACT_UNDERSCORED(cntc_settemperaturedata)
-LIBCONTACT_UNDERSCORED(cntc_settimestep)
-LIBCONTACT_UNDERSCORED(cntc_setrollingstepsize)
-LIBCONTACT_UNDERSCORED(cntc_setfrictionmethod)
-LIBCONTACT_UNDERSCORED(cntc_setpotcontact)
-LIBCONTACT_UNDERSCORED(cntc_settangentialforces)

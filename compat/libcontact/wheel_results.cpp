@@ -91,9 +91,14 @@ std::vector<double> location(const ContactProblem& p, int icp) {
 }
 
 /// With zeros behind them, as CONTACT gives.
-void fill_all(std::span<double> room, const std::vector<double>& values) {
-  std::fill(room.begin(), room.end(), 0);
-  fill(room, values);
+int get_zero_filled(const Call& call, const int* length, double* values,
+                    std::vector<double> (*find)(const ContactProblem&, int icp)) {
+  return answered(call, into(results(length, values)), [&](ContactProblem& p) {
+    const auto to = room("values", length, values);
+    auto found = find(p, *call.icp);
+    found.resize(std::max(found.size(), to.size()));
+    fill(to, found);
+  });
 }
 
 } // namespace
@@ -101,46 +106,33 @@ void fill_all(std::span<double> room, const std::vector<double>& values) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
-  return answered({"cntc_getwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
-                    const auto& w = p.wheel().position;
-                    const double unit = 1 / p.units.length;
-                    fill(room("values", lenarr, values), {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch});
-                  });
+  const auto find = [](ContactProblem& p) -> std::vector<double> {
+    const auto& w = p.wheel().position;
+    const double unit = 1 / p.units.length;
+    return {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch};
+  };
+  return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);
 }
 
 int cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values) {
-  return answered({"cntc_getwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
-                    const auto& w = p.wheel().velocity;
-                    const double unit = 1 / p.units.speed;
-                    const double along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
-                    fill(room("values", lenarr, values), {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch});
-                  });
+  const auto find = [](ContactProblem& p) -> std::vector<double> {
+    const auto& w = p.wheel().velocity;
+    const double unit = 1 / p.units.speed, along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
+    return {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch};
+  };
+  return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);
 }
 
 int cntc_getnumcontactpatches(int* ire, int* npatch) {
-  return answered({"cntc_getnumcontactpatches", ire, &whole_wheel, Module::wheel, Scope::whole}, into(result(npatch)),
-                  [&](ContactProblem& p) { given("npatch", npatch) = p.contacts(); });
+  return get_numbers<int>(wheel_call(__func__, ire), {{"npatch", npatch}},
+                          [](ContactProblem& p) { return std::array{p.contacts()}; });
 }
 
 int cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
-  return answered({"cntc_getcontactlocation", ire, icp, Module::wheel, Scope::patch}, into(results(lenarr, values)),
-                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), location(p, *icp)); });
+  return get_zero_filled({__func__, ire, icp, Module::wheel, Scope::patch}, lenarr, values, location);
 }
 
 int cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values) {
-  return answered({"cntc_getglobalforces", ire, icp, Module::wheel, Scope::either}, into(results(lenarr, values)),
-                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), global_forces(p, *icp)); });
+  return get_zero_filled({__func__, ire, icp, Module::wheel, Scope::either}, lenarr, values, global_forces);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_getwheelsetposition)
-LIBCONTACT_UNDERSCORED(cntc_getwheelsetvelocity)
-LIBCONTACT_UNDERSCORED(cntc_getnumcontactpatches)
-LIBCONTACT_UNDERSCORED(cntc_getcontactlocation)
-LIBCONTACT_UNDERSCORED(cntc_getglobalforces)

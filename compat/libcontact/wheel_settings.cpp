@@ -192,10 +192,8 @@ void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setverticalforce(int* ire, double* fz) {
-  return guarded({"cntc_setverticalforce", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
     p.vertical_force = real("fz", fz);
     p.data.digits.norm = microslip::contact_program::Normal::force;
   });
@@ -203,7 +201,7 @@ int cntc_setverticalforce(int* ire, double* fz) {
 
 int cntc_setprofileinputfname(int* ire, const char* c_fname, int* len_fname, int* nints, int* iparam, int* nreals,
                               double* rparam) {
-  return guarded({"cntc_setprofileinputfname", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
     set_profile_file(p, text("c_fname", c_fname, len_fname), integers("iparam", nints, iparam),
                      reals("rparam", nreals, rparam));
   });
@@ -211,50 +209,32 @@ int cntc_setprofileinputfname(int* ire, const char* c_fname, int* len_fname, int
 
 int cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints, int* iparam, int* nreals,
                                double* rparam) {
-  return guarded({"cntc_setprofileinputvalues", ire, &whole_wheel, Module::wheel, Scope::whole},
-                 [&](ContactProblem& p) {
-                   constexpr int most_points = 1000000;
-                   const int points = integer("npoint", npoint);
-                   if (points < 0 || points > most_points)
-                     throw Refusal(CNTC_err_profil, "npoint must be in 0 to a million");
-                   const int count = 2 * points;
-                   set_profile_values(p, reals("values", &count, values), integers("iparam", nints, iparam),
-                                      reals("rparam", nreals, rparam));
-                 });
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
+    constexpr int most_points = 1000000;
+    const int points = integer("npoint", npoint);
+    if (points < 0 || points > most_points) throw Refusal(CNTC_err_profil, "npoint must be in 0 to a million");
+    const int count = 2 * points;
+    set_profile_values(p, reals("values", &count, values), integers("iparam", nints, iparam),
+                       reals("rparam", nreals, rparam));
+  });
 }
 
 int cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam) {
-  return set_by({"cntc_settrackdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_track_dimensions,
-                "ztrack", ztrack, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_track_dimensions, "ztrack", ztrack, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_wheelset, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_wheelset, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, set_position, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_position, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, set_velocity, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_velocity, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetflexibility", ire, &whole_wheel, Module::wheel, Scope::whole}, set_flexibility,
-                "ewheel", ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_flexibility, "ewheel", ewheel, "rparam", nparam, rparam);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setverticalforce)
-LIBCONTACT_UNDERSCORED(cntc_setprofileinputfname)
-LIBCONTACT_UNDERSCORED(cntc_setprofileinputvalues)
-LIBCONTACT_UNDERSCORED(cntc_settrackdimensions)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetdimensions)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetposition)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetvelocity)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetflexibility)
