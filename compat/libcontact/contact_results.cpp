@@ -15,16 +15,17 @@ namespace {
 using namespace contact_program;
 
 std::vector<double> kinematics(const ContactProblem& p, const Contact& c) {
-  const double l = p.units.length;
+  const double per_length = p.units.per_length;
   const RollingData& r = *c.data.rolling;
   const auto& model = c.data.material->model_data;
   const double yield = c.data.digits.mater == Bulk::layer ? model[2] : 0;
-  return {r.veloc / p.units.speed, r.chi, r.dq / l, c.data.spin_x / l, c.data.spin_y / l, yield / p.units.pressure()};
+  return {r.veloc * per_length,        r.chi, r.dq * per_length, c.data.spin_x * per_length, c.data.spin_y * per_length,
+          yield * p.units.per_pressure};
 }
 
 /// What M adds to the material, where CONTACT has it: flexibilities, K0, ALFA and BETA, K_EFF, the layer's.
 std::vector<double> model_parameters(const ContactProblem& p, const MaterialData& m, Bulk model) {
-  const double volume = p.units.length / p.units.pressure(), pressure = p.units.pressure();
+  const double volume = p.units.length / p.units.pressure, pressure = p.units.pressure;
   const auto& v = m.model_data;
   const double flexibility = default_of("FLX") / volume;
   std::vector<double> found = {flexibility,
@@ -57,10 +58,15 @@ std::vector<double> model_parameters(const ContactProblem& p, const MaterialData
 std::vector<double> material(const ContactProblem& p, const Contact& c) {
   const MaterialData& m = *c.data.material;
   const CombinedMaterial pair = combined_material(c.data);
-  const double pressure = p.units.pressure(), g = pair.shear_modulus * newton_per_mm2;
+  const double per_pressure = p.units.per_pressure, g = pair.shear_modulus;
   const double k = g / 4 * ((1 - 2 * m.poisson1) / m.shear1 - (1 - 2 * m.poisson2) / m.shear2);
-  std::vector<double> found = {
-      m.shear1 / pressure, m.shear2 / pressure, g / pressure, m.poisson1, m.poisson2, pair.poisson_ratio, k};
+  std::vector<double> found = {m.shear1 * per_pressure,
+                               m.shear2 * per_pressure,
+                               g * per_pressure,
+                               m.poisson1,
+                               m.poisson2,
+                               pair.poisson_ratio,
+                               k};
   const auto model = model_parameters(p, m, c.data.digits.mater);
   found.insert(found.end(), model.begin(), model.end());
   const DampingData d = c.data.damping.value_or(DampingData());
@@ -79,11 +85,13 @@ std::vector<double> friction(const ContactProblem& p) {
   const FrictionData& f = p.data.friction;
   const bool has_memory = f.law != Law::coulomb;
   const auto& first = f.sets[0];
+  const bool along = p.is_wheel() && p.wheel().digits.varfrc == FrictionStations::along_track;
+  const double unit_of_station = along ? mm : 1; // in mm, as the memory, whatever the units
   std::vector<double> found = {static_cast<double>(number(f.law)), static_cast<double>(f.sets.size()),
-                               has_memory ? first[first.size() - 2] : 0, has_memory ? first.back() : 0};
+                               has_memory ? first[first.size() - 2] / mm : 0, has_memory ? first.back() / mm : 0};
   for (std::size_t k = 0; k < f.sets.size(); ++k) {
     const auto [at_rest, kinetic] = coefficients(f.law, f.sets[k]);
-    found.insert(found.end(), {f.stations.empty() ? 0 : f.stations[k], at_rest, kinetic});
+    found.insert(found.end(), {f.stations.empty() ? 0 : f.stations[k] / unit_of_station, at_rest, kinetic});
   }
   return found;
 }
@@ -105,7 +113,7 @@ std::vector<double> parameters(const ContactProblem& p, const Contact& c, int ta
 std::vector<double> hertzian(const ContactProblem& p, const Contact& c) {
   const auto shape = hertzian_shape(c.data, c.outcome.step);
   if (!shape) throw Refusal(CNTC_err_other, "the contact is not a Hertzian one");
-  const double l = p.units.length, per_length = l / mm_per_m, length = mm_per_m / l;
+  const double per_length = p.units.length, length = p.units.per_length;
   const PotentialContact& potential = *c.data.potential;
   const bool is_halved = potential.kind == Potential::half_ellipses;
   const double sum = shape->gap.x + shape->gap.y;
@@ -116,8 +124,8 @@ std::vector<double> hertzian(const ContactProblem& p, const Contact& c) {
           sum > 0 ? 2 / sum * length : 0,
           std::sqrt(shape->a * shape->b) * length,
           potential.scale,
-          (is_halved ? potential.values[1] : shape->b * mm_per_m) / l,
-          (is_halved ? potential.values[2] : shape->b * mm_per_m) / l,
+          (is_halved ? potential.values[1] : shape->b) * length,
+          (is_halved ? potential.values[2] : shape->b) * length,
           shape->a / shape->b};
 }
 
@@ -147,7 +155,7 @@ int cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* valu
 
 int cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"veloc", veloc}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).data.rolling->veloc / p.units.speed};
+    return std::array{p.contact(*icp).data.rolling->veloc * p.units.per_length};
   });
 }
 
@@ -167,9 +175,9 @@ int cntc_getnumelements(int* ire, int* icp, int* mx, int* my) {
 int cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy) {
   return get_numbers<double>(either_call(__func__, ire, icp), {{"dx", dx}, {"dy", dy}}, [&](ContactProblem& p) {
     if (p.is_wheel() && *icp < 0)
-      return std::array{p.wheel().grid.dx / p.units.length, p.wheel().grid.ds / p.units.length};
+      return std::array{p.wheel().grid.dx * p.units.per_length, p.wheel().grid.ds * p.units.per_length};
     const auto& g = p.contact(*icp).outcome.step.grid;
-    return std::array{g.dx * mm_per_m / p.units.length, g.dy * mm_per_m / p.units.length};
+    return std::array{g.dx * p.units.per_length, g.dy * p.units.per_length};
   });
 }
 
@@ -177,7 +185,7 @@ int cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
   const auto elements = results<double>(lenarr, values, 2, no_columns);
   return answered(patch_call(__func__, ire, icp), into(results(lenarr, values, 6), elements), [&](ContactProblem& p) {
     const auto& g = p.contact(*icp).outcome.step.grid;
-    const double length = mm_per_m / p.units.length;
+    const double length = p.units.per_length;
     fill(room("values", lenarr, values),
          {double(g.mx), double(g.my), g.x0 * length, g.y0 * length, g.dx * length, g.dy * length});
   });
@@ -185,7 +193,7 @@ int cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
 
 int cntc_getpenetration(int* ire, int* icp, double* pen) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"pen", pen}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).outcome.totals.approach / p.units.length};
+    return std::array{p.contact(*icp).outcome.solution.normal.approach * p.units.per_length};
   });
 }
 
@@ -194,41 +202,42 @@ int cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
       patch_call(__func__, ire, icp), {{"vx", vx}, {"vy", vy}, {"phi", phi}}, [&](ContactProblem& p) {
         const Contact c = p.contact(*icp);
         const bool shifts = c.data.digits.tang == Tangential::shift;
-        const double unit = shifts ? 1 / p.units.length : 1, turn = shifts ? 1 : p.units.length;
+        const double unit = shifts ? p.units.per_length : 1, turn = shifts ? 1 : p.units.length;
         const PrintedTotals& t = c.outcome.totals;
         const auto *given_x = std::get_if<Slip>(&c.data.x), *given_y = std::get_if<Slip>(&c.data.y);
-        const double x = given_x ? given_x->value : t.x, y = given_y ? given_y->value : t.y;
+        const double x = given_x ? given_x->value : shifts ? t.x * mm : t.x;
+        const double y = given_y ? given_y->value : shifts ? t.y * mm : t.y;
         return std::array{p.units.body * unit * x, p.units.body * unit * y, p.units.body * turn * c.data.phi};
       });
 }
 
 int cntc_getcontactforces(int* ire, int* icp, double* fn, double* tx, double* ty, double* mz) {
-  return get_numbers<double>(patch_call(__func__, ire, icp), {{"fn", fn}, {"tx", tx}, {"ty", ty}, {"mz", mz}},
-                             [&](ContactProblem& p) {
-                               const auto& t = p.contact(*icp).outcome.totals;
-                               const double body = p.units.body;
-                               return std::array{t.fn, body * t.fx, body * t.fy, body * t.mz / p.units.length};
-                             });
+  return get_numbers<double>(
+      patch_call(__func__, ire, icp), {{"fn", fn}, {"tx", tx}, {"ty", ty}, {"mz", mz}}, [&](ContactProblem& p) {
+        const auto& t = p.contact(*icp).outcome.totals;
+        const double body = p.units.body;
+        return std::array{t.fn, body * t.fx, body * t.fy, body * t.mz * (mm * p.units.per_length)};
+      });
 }
 
 int cntc_getcontactpatchareas(int* ire, int* icp, double* carea, double* harea, double* sarea) {
   return get_numbers<double>(
       patch_call(__func__, ire, icp), {{"carea", carea}, {"harea", harea}, {"sarea", sarea}}, [&](ContactProblem& p) {
         const auto& o = p.contact(*icp).outcome;
-        const double element = o.step.grid.element_area() * mm_per_m * mm_per_m / p.units.area();
+        const double element = o.step.grid.element_area() * p.units.per_length * p.units.per_length;
         return std::array{o.totals.contact * element, o.totals.adhesion * element, o.totals.slip * element};
       });
 }
 
 int cntc_getmaximumpressure(int* ire, int* icp, double* pnmax) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"pnmax", pnmax}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).outcome.totals.peak_pressure / p.units.pressure()};
+    return std::array{p.contact(*icp).outcome.solution.normal.peak_pressure * p.units.per_pressure};
   });
 }
 
 int cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"ptmax", ptmax}}, [&](ContactProblem& p) {
-    return std::array{largest_traction(p.contact(*icp).outcome) * newton_per_mm2 / p.units.pressure()};
+    return std::array{largest_traction(p.contact(*icp).outcome) * p.units.per_pressure};
   });
 }
 
@@ -251,7 +260,7 @@ int cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* s
     const int count = outputs * inputs;
     const auto found = room("sens", &count, sens);
     const bool shifts = p.contact(*icp).data.digits.tang == Tangential::shift;
-    const double l = p.units.length, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
+    const double l = p.units.length * per_m, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
     const double of_output[] = {1, 1, 1, l};
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t o = 0; o < 4; ++o)

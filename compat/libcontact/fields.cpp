@@ -60,9 +60,9 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   const Outcome& o = c.outcome;
   const auto& n = o.solution.normal;
   const auto& t = o.solution.tangential;
-  const double length = mm_per_m / p.units.length, pressure = newton_per_mm2 / p.units.pressure();
+  const double length = p.units.per_length, pressure = p.units.per_pressure;
   // Of a shift the slip is a distance in mm, whatever the units.
-  const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? mm_per_m : 1);
+  const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? per_m : 1);
   switch (code) {
   case CNTC_fld_h:
     return [&o, &n, length](std::size_t k) { return length * (o.step.gap[k] - n.approach); };

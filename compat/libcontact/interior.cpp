@@ -52,7 +52,7 @@ PointBlock block(int isubs, std::span<const double> x, std::span<const double> y
     b.y = is_listed ? indices("yparam", y) : lengths(y, unit);
   }
   if (b.has_equal_depths()) {
-    constexpr double least = 1e-9; // mm
+    constexpr double least = 1e-12; // [m]
     require_count("zparam", z.size(), 3, 3);
     b.z = {static_cast<double>(as_integer("NZ", z[0], 1, most_points)), z[1] * unit, std::max(least, z[2] * unit)};
   } else {
@@ -80,12 +80,11 @@ const InteriorBlock& found_block(const ContactProblem& p, int icp, int number) {
   return blocks[static_cast<std::size_t>(number) - 1];
 }
 
-/// A column of the table; nothing for one that does not exist. `unit` is that of lengths [mm], `pressure` of stresses
-/// [N/mm2].
-std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, double unit, double pressure) {
+/// A column of the table; nothing for one that does not exist. by `length` and `stress` in
+/// the units of the call.
+std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, double length, double stress) {
   const InteriorState& state = b.states[k];
   const auto& s = state.stress;
-  const double length = mm_per_m / unit, stress = newton_per_mm2 / pressure;
   const double places[] = {b.points.x_of(k), b.points.y_of(k), b.points.z_of(k), state.ux, state.uy, state.uz};
   if (column >= 1 && column <= 6) return places[column - 1] * length;
   const auto principal = principal_stresses(s);
@@ -140,7 +139,7 @@ int subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* 
         if (!exists)
           place = none;
         else if (k < b.states.size())
-          place = *value(b, k, columns[c], p.units.length, p.units.pressure());
+          place = *value(b, k, columns[c], p.units.per_length, p.units.per_pressure);
       }
   });
 }

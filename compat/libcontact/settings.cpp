@@ -15,30 +15,32 @@ namespace {
 
 using namespace contact_program;
 
+constexpr double least = 1e-6; ///< of coefficients of friction and of what M adds to the material
+
 void set_solver(ContactProblem& p, int method, std::span<const int> counts, std::span<const double> numbers) {
   constexpr std::size_t most_counts[] = {4, 0, 5, 5, 5, 5, 1}, most_numbers[] = {1, 0, 4, 4, 2, 8, 1};
   if (method < 0 || method > 6) throw Refusal(CNTC_err_other, "G = " + std::to_string(method) + " does not exist");
   require_count("iparam", counts.size(), most_counts[method], most_counts[method]);
   require_count("rparam", numbers.size(), most_numbers[method], most_numbers[method]);
   SolverData& s = p.data.solver;
-  constexpr double least = 1e-20;
+  constexpr double least_positive = 1e-20;
   if (method == 1) return;
   if (method == 6) {
     p.sensitivity.relative_step = std::clamp(numbers[0], 1e-8, 0.1);
     return;
   }
   s.method = p.data.digits.gausei = static_cast<SolverChoice>(method);
-  s.eps = std::max(least, numbers[0]);
+  s.eps = std::max(least_positive, numbers[0]);
   constexpr int SolverData::*limits[] = {&SolverData::maxgs, &SolverData::maxin, &SolverData::maxnr,
                                          &SolverData::maxout};
   for (std::size_t k = 0; k < std::size(limits); ++k) s.*limits[k] = std::max(1, counts[k]);
   if (s.starts_from_slip()) {
     s.inislp = counts[4];
-    s.omgslp = std::max(least, numbers.back());
+    s.omgslp = std::max(least_positive, numbers.back());
   }
   if (s.method == SolverChoice::convex_gs || s.method == SolverChoice::steady_gs) {
-    s.omegah = std::max(least, numbers[1]);
-    s.omegas = std::max(least, numbers[2]);
+    s.omegah = std::max(least_positive, numbers[1]);
+    s.omegas = std::max(least_positive, numbers[2]);
   }
 }
 
@@ -52,30 +54,21 @@ void set_elasticity(ContactProblem& p, double nu1, double nu2, double g1, double
     if (!(g > 0)) throw Refusal(CNTC_err_other, "modulus of rigidity " + std::to_string(g) + ": must be > 0");
   m.poisson1 = nu1;
   m.poisson2 = nu2;
-  m.shear1 = g1 * p.units.pressure();
-  m.shear2 = g2 * p.units.pressure();
+  m.shear1 = g1 * p.units.pressure;
+  m.shear2 = g2 * p.units.pressure;
 }
 
 /// What M adds to them.
 std::vector<double> model_data(const Units& u, Bulk model, std::span<const double> v) {
-  constexpr double least = 1e-6;
-  switch (model) {
-  case Bulk::viscoelastic:
-    return {v[0], v[1], v[2], v[3]};
-  case Bulk::fastsim_one: // a volume over a force
-    return {v[0] * u.length / u.pressure(), std::max(least, v[1]), std::max(least, v[2]), std::max(least, v[3])};
-  case Bulk::fastsim:
-  case Bulk::fastrip:
-    return {std::max(least, v[0]), std::max(least, v[1]), std::max(least, v[2])};
-  case Bulk::layer: {
-    constexpr double endless = 1e10, least_thickness = 1e-9;
-    const double yield = v[2] * u.pressure();
-    return {std::max(least, v[0] * u.pressure()), std::max(least_thickness, v[1] * u.length),
-            yield >= endless ? 0 : yield, v[3] * u.pressure() / u.length};
+  constexpr double endless = 1e16, least_thickness = 1e-12; // [Pa], [m]
+  auto data = u.in_si(v, units_of_model(model));
+  if (model == Bulk::layer) {
+    data = {std::max(newton_per_mm2 * least, data[0]), std::max(least_thickness, data[1]),
+            data[2] >= endless ? 0 : data[2], data[3]};
+  } else if (model != Bulk::viscoelastic) { // K0_MF, ALFAMF, BETAMF, behind FLX with M = 2
+    for (std::size_t k = model == Bulk::fastsim_one; k < data.size(); ++k) data[k] = std::max(least, data[k]);
   }
-  default:
-    return {};
-  }
+  return data;
 }
 
 /// CDAMPN, CDAMPT, DFNMAX, DFTMAX.
@@ -133,36 +126,28 @@ constexpr std::size_t friction_counts[] = {2, 0, 7, 7, 7, 3, 6}; ///< by L
 
 /// Polach's law mu = mu0 ((1 - A) exp(-B s) + A) as an exponential one, as in CONTACT.
 std::vector<double> polach_set(const Units& u, std::span<const double> v) {
-  const double at_rest = std::max(1e-6, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.speed;
+  const double at_rest = std::max(least, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.length;
   if (!(b > 0)) throw Refusal(CNTC_err_frclaw, "Polach's B must be > 0");
   return {share * at_rest,      (1 - share) * at_rest, std::numbers::ln2 / b, 0,
           default_of("SABSH2"), default_of("MEMDST"),  default_of("MEM_S0")};
 }
 
 std::vector<double> friction_set(const Units& u, int law, std::span<const double> v) {
-  constexpr double least = 1e-6, least_speed = 1e-4;
-  if (law == 0) {
-    const double coefficient = std::max(least, std::min(v[0], v[1]));
-    return {coefficient, coefficient};
-  }
+  constexpr double least_speed = 1e-7; // [m/s]
   if (law == polach) return polach_set(u, v);
+  auto set = u.in_si(v, units_of_friction(static_cast<Law>(law)));
+  if (law == number(Law::coulomb)) set[0] = set[1] = std::min(set[0], set[1]);
+  set[0] = std::max(least, set[0]);
+  if (law == number(Law::coulomb)) return {set[0], set[0]};
   if (law == number(Law::thermal)) {
-    const double reference = std::max(least, v[0]);
-    if (!(v[3] > 0)) throw Refusal(CNTC_err_frclaw, "DTHEAT must be > 0");
-    return {reference,
-            v[1],
-            std::max(least - reference, v[2]),
-            v[3],
-            std::max(0.0, v[4] * u.length),
-            std::max(0.0, v[5] * u.speed)};
+    if (!(set[3] > 0)) throw Refusal(CNTC_err_frclaw, "DTHEAT must be > 0");
+    set[2] = std::max(least - set[0], set[2]);
+  } else {
+    for (const std::size_t k : {1u, 3u}) set[k] = std::max(0.0, set[k]);
+    for (const std::size_t k : {2u, 4u}) set[k] = std::max(least_speed, set[k]);
   }
-  return {std::max(least, v[0]),
-          std::max(0.0, v[1]),
-          std::max(least_speed, v[2] * u.speed),
-          std::max(0.0, v[3]),
-          std::max(least_speed, v[4] * u.speed),
-          std::max(0.0, v[5] * u.length),
-          std::max(0.0, v[6] * u.speed)};
+  for (double* memory : {&set[set.size() - 2], &set.back()}) *memory = std::max(0.0, *memory);
+  return set;
 }
 
 void set_friction(ContactProblem& p, int method, std::span<const double> v) {
@@ -200,12 +185,12 @@ void set_patch_rules(ContactProblem& p, int method, std::span<const double> v) {
   if (method != 0 && method != -1)
     throw Refusal(CNTC_err_discr, "method " + std::to_string(method) + " does not exist");
   require_count("rparam", v.size(), method == 0 ? 3 : 5, method == 0 ? 3 : 7);
-  constexpr double least = 1e-8; // mm
+  constexpr double least_size = 1e-11; // [m]
   PatchRules rules = p.wheel().grid;
   const double l = p.units.length;
   rules.dx = v[0] * l;
   rules.ds = v[1] * l;
-  if (!(rules.dx >= least && rules.ds >= least)) throw Refusal(CNTC_err_discr, "DX and DS must be > 0");
+  if (!(rules.dx >= least_size && rules.ds >= least_size)) throw Refusal(CNTC_err_discr, "DX and DS must be > 0");
   if (method == -1) {
     rules.a_sep = std::max(0.0, v[2]);
     rules.d_sep = std::max(0.0, v[3] * l);

@@ -1,4 +1,5 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/wheel_rail/record_numbers.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
 #include "compat/libcontact/defaults.hpp"
@@ -27,13 +28,13 @@ ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::
   for (const int mirror : {p.mirror_y, p.mirror_z})
     if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
   if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
-  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length;
+  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length / mm;
   p.smooth = std::max(0.0, value(1, default_of("SMOOTH", of)));
   p.most_omitted = value(2, default_of("MAXOMIT", of));
   p.zigzag = std::max(ProfileThresholds::least_zigzag, value(3, default_of("ZIGTHRS", of)));
   p.kink_high = value(4, default_of("KINKHIGH", of));
   p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / ProfileThresholds::kink_ratio : default_of("KINKLOW", of));
-  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length : default_of("KINKWID", of);
+  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length / mm : default_in_file("KINKWID", of);
   return p;
 }
 
@@ -110,15 +111,20 @@ void set_track(ContactProblem& p, std::span<const double> v) {
   p.wheel().track = t;
 }
 
+/// The numbers of a record that has a table, from the first one on.
+template <class Table, class Record>
+void set_numbers(const Units& u, const Table& numbers, std::span<const double> values, Record& record) {
+  const auto* value = values.data();
+  for (const auto& number : numbers) record.*number.member = *value++ * u.of(number.unit);
+}
+
 void set_rail_position(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length, s = p.units.speed;
-  p.wheel().rail_position = {v[0] * l, v[1] * l, v[2], v[3] * s, v[4] * s, v[5]};
+  set_numbers(p.units, rail_position_numbers, v, p.wheel().rail_position);
 }
 
 void set_rail_support(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length;
-  p.wheel().support = {v[0] / l, v[1], v[2] / l, v[3],
-                       v.size() > 4 ? v[4] * l : default_of("DYSTEP0", DefaultOf::wheel)};
+  set_numbers(p.units, rail_support_numbers, v, p.wheel().support);
+  p.wheel().support.first_step = v.size() > 4 ? v[4] * p.units.length : default_of("DYSTEP0", DefaultOf::wheel);
 }
 
 void set_track_dimensions(ContactProblem& p, int method, std::span<const double> v) {
@@ -153,7 +159,7 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
   if (method != 3 && method != 5) return require_count("rparam", v.size(), 0, 1);
   require_count("rparam", v.size(), 3, 4);
   const double l = p.units.length;
-  constexpr double least_radius = 1e-3; // mm
+  constexpr double least_radius = 1e-6; // [m]
   if (!(v[2] * l >= least_radius)) throw Refusal(CNTC_err_other, "NOMRAD must be > 0");
   p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : default_of("YTAPE", DefaultOf::wheel)};
 }
@@ -161,18 +167,19 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
 void set_position(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
-  const double l = p.units.length;
-  p.z = v[2] * l;
-  p.wheel().position = {v[0] * l, v[1] * l, {}, v[3], v[4], v[5]};
+  p.z = v[2] * p.units.length;
+  const std::span<const RecordNumber<WheelsetPosition>> numbers(wheelset_position_numbers);
+  set_numbers(p.units, numbers.first(before_vertical), v, p.wheel().position);
+  set_numbers(p.units, numbers.subspan(before_vertical), v.subspan(before_vertical + 1), p.wheel().position);
 }
 
 void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
-  const double s = p.units.speed;
-  const double along = p.wheel().digits.is_roller() ? v[0] : v[0] * s; // of rollers the rate of rotation
+  WheelsetVelocity& velocity = p.wheel().velocity;
+  velocity.vs = v[0] * (p.wheel().digits.is_roller() ? 1 : p.units.length); // of rollers the rate of rotation
+  set_numbers(p.units, wheelset_velocity_numbers, v.subspan(1), velocity);
   p.vpitch = v[5];
-  p.wheel().velocity = {along, v[1] * s, v[2] * s, v[3], v[4], {}};
 }
 
 void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
@@ -182,9 +189,7 @@ void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
   p.wheel().digits.ewheel = bends ? WheelsetSource::all_flexible : WheelsetSource::all;
   if (!bends) return; // what is given for no deflection does not matter
   require_count("rparam", v.size(), 12, 12);
-  const double l = p.units.length, s = p.units.speed;
-  p.wheel().deflection = {v[0] * l, v[1] * l, v[2] * l, v[3], v[4],  v[5],
-                          v[6] * s, v[7] * s, v[8] * s, v[9], v[10], v[11]};
+  set_numbers(p.units, wheel_deflection_numbers, v, p.wheel().deflection);
 }
 
 } // namespace

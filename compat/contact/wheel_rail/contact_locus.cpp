@@ -13,7 +13,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double nowhere = 999, below_nothing = -888;
+constexpr double nowhere = 0.999, below_nothing = -0.888;
 
 /// The points of the wheel's profile without the parts that fold back when seen from above, from the one at the middle
 /// of its width outwards.
@@ -103,7 +103,7 @@ double roller_height(const Placement& p, const ProfileCurve& rail, double x, dou
   const double radius = sign * (p.roller_radius - rail.at(rail.nearest_s_at_y(y)).value.z);
   slope = sign * x / radius;
   const double square = radius * radius - x * x;
-  return square > 0 ? p.roller_radius - sign * std::sqrt(square) : 888;
+  return square > 0 ? p.roller_radius - sign * std::sqrt(square) : 0.888;
 }
 
 /// Three steps of a fixed-point iteration for the points that lie next to a roller.
@@ -191,7 +191,7 @@ private:
   /// bracket, the staying one's slope halved.
   std::optional<Place> least_between(Place low, Place high) const {
     if (!(low.slope < 0 && high.slope > 0)) return {};
-    constexpr double tolerance = 1e-10; // mm
+    constexpr double tolerance = 1e-13; // [m]
     std::optional<Place> found;
     for (int k = 0; k < 80 && high.x - low.x > tolerance; ++k) {
       const double x = low.x - low.slope * (high.x - low.x) / (high.slope - low.slope);
@@ -208,7 +208,7 @@ private:
 
   /// As far towards `off` as there is rail, less a margin, so that rail lies below what is interpolated, too.
   Place end_of_rail(Place on, double off) const {
-    constexpr double tolerance = 1e-7, margin = 1e-6; // mm
+    constexpr double tolerance = 1e-10, margin = 1e-9; // [m]
     while (std::abs(off - on.x) > tolerance) {
       const double middle = 0.5 * (on.x + off);
       if (const auto there = place(middle))
@@ -238,7 +238,7 @@ struct Trace {
 /// The contact locus over a rail made of slices, circle by circle.
 class LocusOnSlices {
 public:
-  /// Where it jumps from one part of the rail to another it has steps of `step` [mm] over the wheel's profile, and is
+  /// Where it jumps from one part of the rail to another it has steps of `step` [m] over the wheel's profile, and is
   /// straight, so that it stays within the wheel.
   LocusOnSlices(const Placement& p, const PointRange& range, double step) : p_(p), step_(step) {
     for (std::size_t k = range.first; k <= range.last; ++k) {
@@ -265,7 +265,7 @@ private:
   }
 
   void go_on_to(double s, const Point& point) {
-    constexpr double far = 1; // mm
+    constexpr double far = 1e-3; // [m]
     const bool jumps = !s_.empty() && std::abs(point.on_wheel.x - wheel_.points.back().x) > far;
     if (jumps && s - s_.back() > step_) {
       const double middle = 0.5 * (s_.back() + s);
@@ -343,7 +343,7 @@ GapLine GapLine::lowered(double depth) const {
   GapLine line = *this;
   for (std::size_t k = 0; k < size(); ++k) {
     if (line.z_wheel[k] != below_nothing) line.z_wheel[k] += depth;
-    if (line.gap[k] < 777) line.gap[k] -= depth;
+    if (line.gap[k] < 0.777) line.gap[k] -= depth;
   }
   return line;
 }

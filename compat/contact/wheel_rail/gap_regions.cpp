@@ -8,7 +8,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 777;
+constexpr double missing = 0.777;
 
 /// Indices of local minima with overlap; points of a plateau count once.
 std::vector<std::size_t> local_minima(const std::vector<double>& gap) {
@@ -59,13 +59,13 @@ double weight_of(double overlap, double curvature) {
 /// them.
 double crossing(double outside, double inside) {
   const double change = inside - outside;
-  return outside * inside <= -1e-12 && std::abs(change) >= 1e-9 ? -outside / change : 0;
+  return outside * inside <= -1e-18 && std::abs(change) >= 1e-12 ? -outside / change : 0;
 }
 
 GapRegion region_of(const GapLine& g, const Interval& i, double curvature) {
   GapRegion r;
-  r.x0 = 999;
-  r.x1 = -999;
+  r.x0 = 0.999;
+  r.x1 = -0.999;
   for (std::size_t k = i.first; k <= i.last; ++k) {
     if (g.gap[k] > 0) continue;
     const double half = std::sqrt(-g.gap[k] / curvature), weight = weight_of(-g.gap[k], curvature);

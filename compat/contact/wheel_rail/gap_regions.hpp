@@ -6,7 +6,7 @@
 
 namespace microslip::contact_program {
 
-/// A region where wheel and rail overlap [mm], seen from above.
+/// A region where wheel and rail overlap [m], seen from above.
 struct GapRegion {
   double x0 = 0, x1 = 0; ///< its extent along the track,
   double y0 = 0, y1 = 0; ///< across it,
@@ -20,13 +20,13 @@ struct GapRegion {
 struct LeastGap {
   double gap = 0, angle = 0;
   double wheel_height = 0; ///< z of the wheel's surface
-  double curvature = 0;    ///< of the rail across the track, half the second derivative [1/mm]
+  double curvature = 0;    ///< of the rail across the track, half the second derivative [1/m]
 };
 
 LeastGap least_gap(const GapLine& line);
 
 /// The regions of overlap, from the deepest one on. `curvature` is half that of wheel and roller along the track
-/// [1/mm].
+/// [1/m].
 std::vector<GapRegion> find_regions(const GapLine& line, double curvature);
 
 } // namespace microslip::contact_program

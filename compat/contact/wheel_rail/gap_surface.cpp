@@ -12,7 +12,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 999, beyond = 777;
+constexpr double missing = 0.999, beyond = 0.777;
 
 /// The lower side of a round wheel, in the track's axes, at the points of its profile.
 SurfaceMesh lower_side(const Placement& p, double dx, bool steep) {
@@ -190,7 +190,7 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
     for (int i = box.i0; i <= box.i1; ++i) {
       const double overlap = depth - gap(i, j);
       if (!(overlap > 0)) continue;
-      const double weight = dx_ * std::max(overlap * overlap, SearchThresholds::least_weight);
+      const double weight = dx_ * std::max(overlap * overlap, SearchThresholds::least_weight_on_surface);
       r.x += weight * x_[static_cast<std::size_t>(i)];
       r.y += weight * y_[static_cast<std::size_t>(j)];
       r.angle += weight * rail_at(i, j).angle;

@@ -16,7 +16,7 @@ public:
 
   bool overlaps() const { return overlaps_; }
   LeastGap least() const;
-  /// With the wheelset lower by `depth` [mm], from the deepest one on.
+  /// With the wheelset lower by `depth` [m], from the deepest one on.
   std::vector<GapRegion> regions(double depth) const;
 
 private:
@@ -27,7 +27,7 @@ private:
 
   double gap(int i, int j) const { return gap_[static_cast<std::size_t>(j) * nx_ + i]; }
   struct RailSample {
-    double z, angle; ///< z beyond 777 where there is no rail
+    double z, angle; ///< z beyond 0.777 where there is no rail
   };
   const RailSample& rail_at(int i, int j) const {
     const auto row = static_cast<std::size_t>(j);

@@ -107,7 +107,7 @@ double ProfileCurve::s_in(const Branch& branch, double y) const {
     if (!(next > s0 && next < s1)) next = 0.5 * (s0 + s1);
     const double step = std::abs(next - s);
     s = next;
-    if (step < 1e-13 * (1 + std::abs(s))) break;
+    if (step < 1e-13 * (1e-3 + std::abs(s))) break;
   }
   return s;
 }

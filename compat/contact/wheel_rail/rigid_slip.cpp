@@ -79,10 +79,10 @@ std::size_t central_element(const PatchFrame& frame) {
          nearest(frame.x0, frame.dx, frame.mx);
 }
 
-/// V with the sign of forward rolling [mm/s].
+/// V with the sign of forward rolling [m/s].
 double speed_of(const WheelRailData& d, const PatchFrame& frame, const std::vector<ElementMotion>& motions,
                 bool is_shift) {
-  if (is_shift) return 1;
+  if (is_shift) return PatchMotion().velocity;
   if (!d.digits.is_roller()) return d.velocity.vs;
   const ElementMotion& middle = motions[central_element(frame)];
   return -(middle.rail.x + middle.wheel.x) / 2;
@@ -94,7 +94,7 @@ Vec2 slip_along_path(const ElementMotion& motion, double speed, double rail_shar
   const auto in_plane = [&](const Vec& v) { return Vec2{v.x - speed, v.z}; };
   const Vec2 rail = in_plane(motion.rail), wheel = in_plane(motion.wheel);
   const Vec2 mean{rail_share * rail.x + (1 - rail_share) * wheel.x, rail_share * rail.y + (1 - rail_share) * wheel.y};
-  const double length = std::copysign(std::max(std::hypot(mean.x, mean.y), 1e-8), mean.x);
+  const double length = std::copysign(std::max(std::hypot(mean.x, mean.y), 1e-11), mean.x);
   return {((rail.x - wheel.x) * mean.x + (rail.y - wheel.y) * mean.y) / length, motion.rail.y - motion.wheel.y};
 }
 
@@ -116,7 +116,7 @@ void extract_creepages(const PatchFrame& frame, const UndeformedDistance& distan
   }
   for (double* sum : {&x, &y, &square, &wx, &wy, &turn}) *sum /= std::max(count, 1.0);
   const double spread = square - x * x - y * y;
-  if (spread < 1e-12) return;
+  if (spread < 1e-18) return;
   m.phi = (turn + y * wx - x * wy) / spread;
   m.xi = wx + y * m.phi;
   m.eta = wy - x * m.phi;
@@ -136,7 +136,8 @@ PatchMotion surface_motion(const WheelRailData& d, const Placement& p, const Pat
   PatchMotion m;
   m.velocity = std::abs(speed);
   m.backward = speed < 0;
-  const double unit = m.velocity > 1e-6 ? 1 / m.velocity : 1;
+  constexpr double least = 1e-9; // [m/s]
+  const double unit = !is_shift && m.velocity > least ? 1 / m.velocity : 1;
   for (const ElementMotion& motion : motions) {
     const Vec2 slip = slip_along_path(motion, d.digits.is_roller() ? 0 : speed, rail_share);
     m.extra.push_back(unit * slip.x);
@@ -159,7 +160,7 @@ PatchMotion patch_motion(const WheelRailData& d, const Placement& p, const Patch
     m.velocity = (std::abs(translation) + std::abs(by_pitch.x)) / 2;
     m.backward = std::abs(translation) > std::abs(by_pitch.x) ? translation < 0 : by_pitch.x > 0;
   }
-  const double unit = m.velocity > 0 ? 1 / m.velocity : 0;
+  const double unit = is_shift ? 1 : m.velocity > 0 ? 1 / m.velocity : 0;
   const Vec slip = reference.axes.back(rail.velocity - wheel.velocity);
   m.xi = unit * slip.x;
   m.eta = unit * slip.y;

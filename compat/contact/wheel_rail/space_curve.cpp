@@ -53,7 +53,7 @@ std::optional<Vec3<double>> SpaceCurve::at_y(double y) const {
     const bool rises = behind > before;
     for (int i = 0; i < 50; ++i) { // regula falsi, then bisection
       const double difference = at(k, t).y - y;
-      if (std::abs(difference) < 1e-13 || high - low < 1e-13) break;
+      if (std::abs(difference) < 1e-16 || high - low < 1e-16) break;
       ((difference < 0) == rises ? low : high) = t;
       const double secant = t - difference * (s_[k + 1] - s_[k]) / (behind - before);
       t = secant > low && secant < high ? secant : 0.5 * (low + high);

@@ -7,16 +7,16 @@
 
 namespace microslip::contact_program {
 
-/// The cross-section of a rail made of slices at x [mm] of the track: the natural spline through its surface's points,
+/// The cross-section of a rail made of slices at x [m] of the track: the natural spline through its surface's points,
 /// in the track's axes, with s as in those of the rail. Nothing where the rail is interrupted.
 std::optional<ProfileCurve> rail_section(const Placement& placement, double x);
 
-/// From the least to the greatest y [mm] of all its slices, across the track. `first` is the first of them there.
+/// From the least to the greatest y [m] of all its slices, across the track. `first` is the first of them there.
 std::pair<double, double> whole_extent(const Placement& placement, const ProfileCurve& first);
 
 /// A point of the upper side of such a rail.
 struct RailPoint {
-  Vec3<double> place;     ///< in the track's axes [mm]
+  Vec3<double> place;     ///< in the track's axes [m]
   double along = 0;       ///< its slope dz/dx at the same y of the rail's profile
   double inclination = 0; ///< across the track [rad]
 };

@@ -25,7 +25,7 @@ SurfaceMesh varied_lower_side(const Placement& p, double dx) {
     for (int i = 0; i < count; ++i) {
       const double theta = -p.pitch + reach * (2.0 * i / (count - 1) - 1);
       const auto at = wheel_point(p, theta, double(v));
-      points.push_back(p.wheel.outer(at ? at->value : Vec3<double>{p.radius * std::sin(theta + p.pitch), 0, -999}));
+      points.push_back(p.wheel.outer(at ? at->value : Vec3<double>{p.radius * std::sin(theta + p.pitch), 0, -0.999}));
     }
   return SurfaceMesh(count, static_cast<int>(last + 1), std::move(points));
 }

@@ -7,7 +7,7 @@
 
 namespace microslip::contact_program {
 
-/// A point of a wheel that is not round, in the axes of its profile [mm], with its derivatives around it and across.
+/// A point of a wheel that is not round, in the axes of its profile [m], with its derivatives around it and across.
 struct WheelPoint {
   Vec3<double> value, around, across;
 };

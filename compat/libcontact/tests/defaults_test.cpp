@@ -60,11 +60,11 @@ TEST(Defaults, AreTheNumbersOfNewWheels) {
   int ire = 1, icp = whole, count = 6;
   double dx = 0, ds = 0, force = 80e3;
   ASSERT_EQ(cntc_getgriddiscretization(&ire, &icp, &dx, &ds), 0);
-  EXPECT_EQ(dx, default_of("DX", DefaultOf::wheel));
-  EXPECT_EQ(ds, default_of("DS", DefaultOf::wheel));
+  EXPECT_EQ(dx, default_in_file("DX", DefaultOf::wheel));
+  EXPECT_EQ(ds, default_in_file("DS", DefaultOf::wheel));
   Values velocity(6);
   ASSERT_EQ(cntc_getwheelsetvelocity(&ire, &count, velocity.data()), 0);
-  EXPECT_EQ(velocity, (Values{default_of("VS", DefaultOf::wheel), 0, 0, 0, 0, 0}));
+  EXPECT_EQ(velocity, (Values{default_in_file("VS", DefaultOf::wheel), 0, 0, 0, 0, 0}));
   // Those of the track and the wheelset are the ones of the example, so that profiles alone make a contact.
   const auto forces = [&](int element, bool is_set) {
     if (is_set) {
@@ -101,12 +101,13 @@ TEST(Defaults, AreTheNumbersOfNewContactProblems) {
     return values;
   };
   EXPECT_EQ(parameters(1, 3),
-            (Values{default_of("VELOC", DefaultOf::contact), 0, default_of("DQ", DefaultOf::contact)}));
-  EXPECT_EQ(parameters(2, 18),
-            (Values{default_of("GG1"), default_of("GG2"), 1, default_of("POISS1"), default_of("POISS2"),
-                    default_of("POISS1"), 0, default_of("FLX"), default_of("FLX"), 0, default_of("K0_MF"),
-                    default_of("ALFAMF"), default_of("BETAMF"), 0, default_of("GG3"), 0, 0, 0}));
-  EXPECT_EQ(parameters(3, 7), (Values{default_of("L"), 1, 0, 0, 0, default_of("FSTAT"), default_of("FKIN")}));
+            (Values{default_in_file("VELOC", DefaultOf::contact), 0, default_in_file("DQ", DefaultOf::contact)}));
+  EXPECT_EQ(parameters(2, 18), (Values{default_in_file("GG1"), default_in_file("GG2"), 1, default_in_file("POISS1"),
+                                       default_in_file("POISS2"), default_in_file("POISS1"), 0, default_in_file("FLX"),
+                                       default_in_file("FLX"), 0, default_in_file("K0_MF"), default_in_file("ALFAMF"),
+                                       default_in_file("BETAMF"), 0, default_in_file("GG3"), 0, 0, 0}));
+  EXPECT_EQ(parameters(3, 7),
+            (Values{default_in_file("L"), 1, 0, 0, 0, default_in_file("FSTAT"), default_in_file("FKIN")}));
   EXPECT_EQ(scalars(cntc_getcreepages, 3, 1), (Values{0, 0, 0}));
   const Values h = field(3, 1, CNTC_fld_h, 25);
   EXPECT_NEAR(h[0], 2 * 0.2 * 0.2 - approach, 1e-15) << "h = x2 + y2";

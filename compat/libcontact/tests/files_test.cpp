@@ -190,8 +190,9 @@ TEST_F(Files, HaveAllDataOfContacts) {
     EXPECT_EQ(mat_of(stem), mat_text(c.input, c.outcome)) << name;
     expect_in_out(c);
     const PrintedTotals& t = c.outcome.totals;
-    const double body = name.ends_with("metres") ? -1 : 1, unit = body < 0 ? 1e3 : 1;
-    EXPECT_EQ(scalars(cntc_getcontactforces, ire, 1), (Values{t.fn, body * t.fx, body * t.fy, body * t.mz / unit}))
+    const double body = name.ends_with("metres") ? -1 : 1,
+                 unit = body < 0 ? 1e-3 : 1; // [m] over that of the outcome, [mm]
+    EXPECT_EQ(scalars(cntc_getcontactforces, ire, 1), (Values{t.fn, body * t.fx, body * t.fy, body * t.mz * unit}))
         << name;
   }
 }
@@ -224,7 +225,8 @@ TEST_F(Files, OfWheelsHaveTheNumbersOfThoseOfTheProgram) {
   for (const auto& [ire, k] : {std::pair{1, 0u}, {2, 2u}}) {
     const Wrench& track = cases[k].outcome.wheel->track;
     const Values f = list(cntc_getglobalforces, ire, whole, 6);
-    EXPECT_EQ(f, (Values{track.force.x, track.force.y, track.force.z, track.moment.x, track.moment.y, track.moment.z}));
+    EXPECT_EQ(f, (Values{track.force.x, track.force.y, track.force.z, 1e3 * track.moment.x, 1e3 * track.moment.y,
+                         1e3 * track.moment.z}));
   }
   EXPECT_NE(library_.log().find("\n Case 2 for w/r contact on result element 2\n"), std::string::npos);
 }
@@ -272,7 +274,7 @@ TEST_F(Files, HavePointsInside) {
   Case c = *reader.next();
   c.digits.stress = InteriorPoints::read;
   c.subs_file = SubsFile::components;
-  c.points = {{Points::anywhere, {}, x, y, {-1, .5}}};
+  c.points = {{Points::anywhere, {}, {0, .5 * mm}, {.25 * mm}, {-mm, .5 * mm}}};
   const Outcome o = contact_program::Run().run(c);
   EXPECT_EQ(text("caddon_re003_cp4.0001.subs"), subs_text(c, o.interior));
   EXPECT_NE(library_.log().find(" SUBSURFACE STRESSES BLOCK  1:"), std::string::npos);

@@ -56,8 +56,9 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
     ASSERT_EQ(calculate(1), 0) << library_.log();
     const WheelOutcome& w = *outcomes[k].wheel;
     const Values f = list(cntc_getglobalforces, 1, whole, 24);
-    EXPECT_EQ(Values(f.begin(), f.begin() + 6), (Values{w.track.force.x, w.track.force.y, w.track.force.z,
-                                                        w.track.moment.x, w.track.moment.y, w.track.moment.z}));
+    EXPECT_EQ(Values(f.begin(), f.begin() + 6),
+              (Values{w.track.force.x, w.track.force.y, w.track.force.z, 1e3 * w.track.moment.x, 1e3 * w.track.moment.y,
+                      1e3 * w.track.moment.z}));
     EXPECT_EQ(Values(f.begin() + 6, f.begin() + 9),
               (Values{w.wheelset.force.x, w.wheelset.force.y, w.wheelset.force.z}));
     ASSERT_EQ(patches(1), static_cast<int>(w.patches.size()));
@@ -66,7 +67,7 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const auto& totals = patch.solution->totals;
       EXPECT_EQ(scalars(cntc_getcontactforces, 1, icp), (Values{totals.fn, totals.fx, totals.fy, totals.mz}));
       EXPECT_EQ(scalars(cntc_getcreepages, 1, icp),
-                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), patch.contact.phi}));
+                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), 1e-3 * patch.contact.phi}));
       EXPECT_EQ(scalars(cntc_getmaximumpressure, 1, icp), Values{totals.peak_pressure});
       const Values pn = field(1, icp, CNTC_fld_pn, elements(1, icp));
       ASSERT_EQ(pn.size(), patch.solution->solution.normal.pressure.size());
@@ -75,7 +76,8 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const Values l = list(cntc_getcontactlocation, 1, icp, 38);
       const PatchLocation& at = patch.location;
       EXPECT_EQ(Values(l.begin(), l.begin() + 7),
-                (Values{at.track.x, at.track.y, at.track.z, at.angle, at.rail.x, at.rail.y, at.rail.z}));
+                (Values{1e3 * at.track.x, 1e3 * at.track.y, 1e3 * at.track.z, at.angle, 1e3 * at.rail.x,
+                        1e3 * at.rail.y, 1e3 * at.rail.z}));
     }
   }
 }
