@@ -222,7 +222,7 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
   EXPECT_EQ(cases[0].points[1].x, (std::vector<double>{1, 2}));
   EXPECT_EQ(cases[0].points[2].z, (std::vector<double>{0, mm}));
   EXPECT_EQ(cases[0].solver.method, SolverChoice::convex_gs);
-  EXPECT_EQ(cases[0].geometry.values, in_si({1, 2, 3, 4, 5, 6}, Scales(6, mm)));
+  EXPECT_EQ(cases[0].geometry.values, in_si({1, 2, 3, 4, 5, 6}, UnitList(6, 1)));
   EXPECT_EQ(cases[0].geometry.plan_values.size(), 8u);
   EXPECT_EQ(cases[0].friction.sets.size(), 3u);
   EXPECT_EQ(cases[0].friction.sets[2][0], 0.3);

@@ -27,7 +27,7 @@ constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
 void read_hertzian(Words& words, PotentialContact& p) {
   const Names& names = hertzian_names[-number(p.kind) - 1];
   for (std::size_t k = 0; k < 4 && names.of[k]; ++k)
-    p.values[k] = words.positive(names.of[k], unit_of_hertz(p.kind, k));
+    p.values[k] = words.positive(names.of[k], unit_of_hertz(p.kind, k).value());
   p.scale = words.positive("SCALE");
 }
 
@@ -163,10 +163,10 @@ PointBlock read_block(Words& words) {
 
 } // namespace
 
-double unit_of_hertz(Potential kind, std::size_t k) {
-  const bool curved = kind == Potential::curvatures ||
-                      (k == 0 && (kind == Potential::curvature_and_ratio || kind == Potential::line_curvature));
-  return curved ? per_mm : kind == Potential::curvature_and_ratio ? 1 : mm;
+Unit unit_of_hertz(Potential kind, std::size_t k) {
+  if (kind == Potential::curvatures || (kind == Potential::line_curvature && k == 0)) return -1;
+  if (kind == Potential::curvature_and_ratio) return k == 0 ? -1 : 0;
+  return 1;
 }
 
 PotentialContact read_potential_contact(Words& words) {

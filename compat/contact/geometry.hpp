@@ -40,10 +40,10 @@ struct PointBlock {
 };
 
 /// Unit of a number of Hertz's geometry, from k = 0 on.
-double unit_of_hertz(Potential kind, std::size_t k);
+Unit unit_of_hertz(Potential kind, std::size_t k);
 /// Units of a quadratic form, and of waves.
-inline const Scales units_of_quadratic = {per_mm, per_mm, per_mm, 1, 1, mm};
-inline const Scales units_of_waves = {mm, per_mm, mm, mm, per_mm, mm, mm, mm};
+inline const UnitList units_of_quadratic = {-1, -1, -1, 0, 0, 1};
+inline const UnitList units_of_waves = {1, -1, 1, 1, -1, 1, 1, 1};
 
 /// Each reads the records at which `words` stands. Errors as those of Words.
 PotentialContact read_potential_contact(Words& words);

@@ -110,8 +110,7 @@ private:
   }
   /// The numbers of a record that has a table.
   template <class Table, class Record> void add_numbers(const Table& numbers, const Record& record) {
-    for (const auto& number : numbers)
-      add_number(in_file(record.*number.member, number.unit == angle ? 1 : number.unit));
+    for (const auto& number : numbers) add_number(in_file(record.*number.member, number.unit.value()));
   }
   /// Many numbers on several lines.
   void add_list(std::span<const double> values, double unit = 1) {
@@ -237,7 +236,7 @@ private:
     text_ += fmt::format(" {} {}", p.mx, p.my);
     const std::size_t count = !p.is_hertzian() ? 4 : p.kind == Potential::half_ellipses ? 3 : 2;
     for (std::size_t k = 0; k < count; ++k)
-      add_number(in_file(p.values[k], p.is_hertzian() ? unit_of_hertz(p.kind, k) : mm));
+      add_number(in_file(p.values[k], p.is_hertzian() ? unit_of_hertz(p.kind, k).value() : mm));
     if (p.is_hertzian()) add_number(p.scale);
     text_ += "  % MX, MY, ...\n";
   }
@@ -341,7 +340,7 @@ private:
       if (!places->empty()) add_list(*places, b.kind == Points::anywhere ? mm : 1);
     if (b.kind != Points::anywhere && !b.has_equal_depths()) counts({b.z.size()});
     if (b.has_equal_depths())
-      add_list(in_file(b.z, {1, mm, mm}));
+      add_list(in_file(b.z, {0, 1, 1}));
     else
       add_list(b.z, mm);
   }

@@ -102,7 +102,7 @@ std::string hertzian_geometry(const Case& c, const Outcome& o) {
     text += name + general(values, 12, 4) + "\n";
   };
   auto v = p.values;
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] /= unit_of_hertz(p.kind, k);
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] /= unit_of_hertz(p.kind, k).value();
   switch (p.kind) {
   case Potential::curvatures:
     line(" CURVATURE PRESCRIBED, A1,B1: ", {v[0], v[1]});

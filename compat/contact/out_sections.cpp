@@ -35,8 +35,8 @@ std::string names_of(Law law) {
 std::string numbers_of(Law law, const std::vector<double>& set) {
   const std::size_t count = law == Law::coulomb ? 2 : law == Law::thermal ? 4 : 5;
   std::string text;
-  const Scales units = units_of_friction(law);
-  for (std::size_t k = 0; k < count; ++k) text += general(set[k] / units[k], 12, 4);
+  const UnitList units = units_of_friction(law);
+  for (std::size_t k = 0; k < count; ++k) text += general(set[k] / units[k].value(), 12, 4);
   return text + "\n";
 }
 
@@ -186,9 +186,10 @@ std::string out_damping(const Case& c) {
 std::string out_heat(const Case& c) {
   if (c.digits.heat == Heat::none) return "";
   std::string text = "     BKTEMP      HEATCP      LAMBDA      DENSITY\n";
-  const Scales& units = units_of_heat;
-  for (const auto& b : {c.heat->body1, c.heat->body2})
-    text += columns({b[0] / units[0], b[1] / units[1], b[2] / units[2], b[3] / units[3]});
+  for (const auto& body : {c.heat->body1, c.heat->body2}) {
+    const auto b = in_file({body.begin(), body.end()}, units_of_heat);
+    text += columns({b[0], b[1], b[2], b[3]});
+  }
   return text;
 }
 

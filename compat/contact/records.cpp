@@ -45,23 +45,23 @@ std::vector<double> read_memory(Words& words, Law law) {
 
 } // namespace
 
-Scales units_of_friction(Law law) {
-  if (law == Law::coulomb) return {1, 1};
-  if (law == Law::thermal) return {1, 1, 1, 1, mm, mm};
-  return {1, 1, mm, 1, mm, mm, mm};
+UnitList units_of_friction(Law law) {
+  if (law == Law::coulomb) return {0, 0};
+  if (law == Law::thermal) return {0, 0, 0, 0, 1, 1};
+  return {0, 0, 1, 0, 1, 1, 1};
 }
 
-Scales units_of_model(Bulk model) {
+UnitList units_of_model(Bulk model) {
   switch (model) {
   case Bulk::viscoelastic:
-    return {1, 1, 1, 1};
+    return {0, 0, 0, 0};
   case Bulk::fastsim_one:
-    return {mm3_per_newton, 1, 1, 1};
+    return {3, 0, 0, 0};
   case Bulk::layer:
-    return {newton_per_mm2, mm, newton_per_mm2, newton_per_mm2 / mm};
+    return {-2, 1, -2, -3};
   case Bulk::fastsim:
   case Bulk::fastrip:
-    return {1, 1, 1};
+    return {0, 0, 0};
   case Bulk::elastic:
   case Bulk::fastrip_first:
   case Bulk::fastrip_first_bounded:
@@ -164,7 +164,7 @@ void read_model(Words& words, const Digits& digits, MaterialData& m) {
     words.end_record();
   }
   m.model = digits.mater;
-  const Scales units = units_of_model(digits.mater);
+  const UnitList units = units_of_model(digits.mater);
   if (!units.empty()) m.model_data = in_si(words.reals("material", units.size()), units);
 }
 
@@ -184,7 +184,7 @@ HeatData read_heat(Words& words, Bulk model) {
   for (auto* body : {&heat.body1, &heat.body2}) {
     for (std::size_t k = 0; k < 4; ++k) {
       constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
-      (*body)[k] = words.real(fields[k], units_of_heat[k]);
+      (*body)[k] = words.real(fields[k], units_of_heat[k].value());
     }
     words.end_record();
   }

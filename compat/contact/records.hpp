@@ -23,9 +23,9 @@ struct CaseSequence {
 };
 
 // Units of numbers that stand in lists: a set of friction data, what M adds to the material, heat parameters of a body.
-Scales units_of_friction(Law law);
-Scales units_of_model(Bulk model);
-inline const Scales units_of_heat = {1, 1, per_mm, 1e9};
+UnitList units_of_friction(Law law);
+UnitList units_of_model(Bulk model);
+inline const UnitList units_of_heat = {0, 0, -1, -3};
 
 void read_solver(Words& words, SolverChoice method, SolverData& solver);
 /// A set of friction data, by the law, and MEMDST, MEM_S0 behind it where the law has them.

@@ -12,8 +12,8 @@ double in_file(double value, double unit) {
   return near;
 }
 
-std::vector<double> in_file(std::vector<double> values, const Scales& units) {
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = in_file(values[k], units[k]);
+std::vector<double> in_file(std::vector<double> values, const UnitList& units) {
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = in_file(values[k], units[k].value());
   return values;
 }
 

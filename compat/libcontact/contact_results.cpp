@@ -15,17 +15,18 @@ namespace {
 using namespace contact_program;
 
 std::vector<double> kinematics(const ContactProblem& p, const Contact& c) {
-  const double per_length = p.units.per_length;
+  const double per_length = p.units.per_length();
   const RollingData& r = *c.data.rolling;
   const auto& model = c.data.material->model_data;
   const double yield = c.data.digits.mater == Bulk::layer ? model[2] : 0;
-  return {r.veloc * per_length,        r.chi, r.dq * per_length, c.data.spin_x * per_length, c.data.spin_y * per_length,
-          yield * p.units.per_pressure};
+  return {r.veloc * per_length,       r.chi,
+          r.dq * per_length,          c.data.spin_x * per_length,
+          c.data.spin_y * per_length, yield * p.units.per_pressure()};
 }
 
 /// What M adds to the material, where CONTACT has it: flexibilities, K0, ALFA and BETA, K_EFF, the layer's.
 std::vector<double> model_parameters(const ContactProblem& p, const MaterialData& m, Bulk model) {
-  const double volume = p.units.length / p.units.pressure, pressure = p.units.pressure;
+  const double volume = p.units.length() / p.units.pressure(), pressure = p.units.pressure();
   const auto& v = m.model_data;
   const double flexibility = default_of("FLX") / volume;
   std::vector<double> found = {flexibility,
@@ -48,9 +49,9 @@ std::vector<double> model_parameters(const ContactProblem& p, const MaterialData
   if (model == Bulk::layer) {
     for (std::size_t k = 0; k < 3; ++k) found[k] = v[1] / v[0] / volume;
     found[7] = v[0] / pressure;
-    found[8] = v[1] / p.units.length;
+    found[8] = v[1] / p.units.length();
     found[9] = v[2] / pressure;
-    found[10] = v[3] / pressure * p.units.length;
+    found[10] = v[3] / pressure * p.units.length();
   }
   return found;
 }
@@ -58,7 +59,7 @@ std::vector<double> model_parameters(const ContactProblem& p, const MaterialData
 std::vector<double> material(const ContactProblem& p, const Contact& c) {
   const MaterialData& m = *c.data.material;
   const CombinedMaterial pair = combined_material(c.data);
-  const double per_pressure = p.units.per_pressure, g = pair.shear_modulus;
+  const double per_pressure = p.units.per_pressure(), g = pair.shear_modulus;
   const double k = g / 4 * ((1 - 2 * m.poisson1) / m.shear1 - (1 - 2 * m.poisson2) / m.shear2);
   std::vector<double> found = {m.shear1 * per_pressure,
                                m.shear2 * per_pressure,
@@ -113,7 +114,7 @@ std::vector<double> parameters(const ContactProblem& p, const Contact& c, int ta
 std::vector<double> hertzian(const ContactProblem& p, const Contact& c) {
   const auto shape = hertzian_shape(c.data, c.outcome.step);
   if (!shape) throw Refusal(CNTC_err_other, "the contact is not a Hertzian one");
-  const double per_length = p.units.length, length = p.units.per_length;
+  const double per_length = p.units.length(), length = p.units.per_length();
   const PotentialContact& potential = *c.data.potential;
   const bool is_halved = potential.kind == Potential::half_ellipses;
   const double sum = shape->gap.x + shape->gap.y;
@@ -155,7 +156,7 @@ int cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* valu
 
 int cntc_getreferencevelocity(int* ire, int* icp, double* veloc) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"veloc", veloc}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).data.rolling->veloc * p.units.per_length};
+    return std::array{p.contact(*icp).data.rolling->veloc * p.units.per_length()};
   });
 }
 
@@ -175,9 +176,9 @@ int cntc_getnumelements(int* ire, int* icp, int* mx, int* my) {
 int cntc_getgriddiscretization(int* ire, int* icp, double* dx, double* dy) {
   return get_numbers<double>(either_call(__func__, ire, icp), {{"dx", dx}, {"dy", dy}}, [&](ContactProblem& p) {
     if (p.is_wheel() && *icp < 0)
-      return std::array{p.wheel().grid.dx * p.units.per_length, p.wheel().grid.ds * p.units.per_length};
+      return std::array{p.wheel().grid.dx * p.units.per_length(), p.wheel().grid.ds * p.units.per_length()};
     const auto& g = p.contact(*icp).outcome.step.grid;
-    return std::array{g.dx * p.units.per_length, g.dy * p.units.per_length};
+    return std::array{g.dx * p.units.per_length(), g.dy * p.units.per_length()};
   });
 }
 
@@ -185,7 +186,7 @@ int cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
   const auto elements = results<double>(lenarr, values, 2, no_columns);
   return answered(patch_call(__func__, ire, icp), into(results(lenarr, values, 6), elements), [&](ContactProblem& p) {
     const auto& g = p.contact(*icp).outcome.step.grid;
-    const double length = p.units.per_length;
+    const double length = p.units.per_length();
     fill(room("values", lenarr, values),
          {double(g.mx), double(g.my), g.x0 * length, g.y0 * length, g.dx * length, g.dy * length});
   });
@@ -193,7 +194,7 @@ int cntc_getpotcontact(int* ire, int* icp, int* lenarr, double* values) {
 
 int cntc_getpenetration(int* ire, int* icp, double* pen) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"pen", pen}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).outcome.solution.normal.approach * p.units.per_length};
+    return std::array{p.contact(*icp).outcome.solution.normal.approach * p.units.per_length()};
   });
 }
 
@@ -202,7 +203,7 @@ int cntc_getcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
       patch_call(__func__, ire, icp), {{"vx", vx}, {"vy", vy}, {"phi", phi}}, [&](ContactProblem& p) {
         const Contact c = p.contact(*icp);
         const bool shifts = c.data.digits.tang == Tangential::shift;
-        const double unit = shifts ? p.units.per_length : 1, turn = shifts ? 1 : p.units.length;
+        const double unit = shifts ? p.units.per_length() : 1, turn = shifts ? 1 : p.units.length();
         const PrintedTotals& t = c.outcome.totals;
         const auto *given_x = std::get_if<Slip>(&c.data.x), *given_y = std::get_if<Slip>(&c.data.y);
         const double x = given_x ? given_x->value : shifts ? t.x * mm : t.x;
@@ -216,7 +217,7 @@ int cntc_getcontactforces(int* ire, int* icp, double* fn, double* tx, double* ty
       patch_call(__func__, ire, icp), {{"fn", fn}, {"tx", tx}, {"ty", ty}, {"mz", mz}}, [&](ContactProblem& p) {
         const auto& t = p.contact(*icp).outcome.totals;
         const double body = p.units.body;
-        return std::array{t.fn, body * t.fx, body * t.fy, body * t.mz * (mm * p.units.per_length)};
+        return std::array{t.fn, body * t.fx, body * t.fy, body * t.mz * (mm * p.units.per_length())};
       });
 }
 
@@ -224,20 +225,20 @@ int cntc_getcontactpatchareas(int* ire, int* icp, double* carea, double* harea, 
   return get_numbers<double>(
       patch_call(__func__, ire, icp), {{"carea", carea}, {"harea", harea}, {"sarea", sarea}}, [&](ContactProblem& p) {
         const auto& o = p.contact(*icp).outcome;
-        const double element = o.step.grid.element_area() * p.units.per_length * p.units.per_length;
+        const double element = o.step.grid.element_area() * p.units.per_length() * p.units.per_length();
         return std::array{o.totals.contact * element, o.totals.adhesion * element, o.totals.slip * element};
       });
 }
 
 int cntc_getmaximumpressure(int* ire, int* icp, double* pnmax) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"pnmax", pnmax}}, [&](ContactProblem& p) {
-    return std::array{p.contact(*icp).outcome.solution.normal.peak_pressure * p.units.per_pressure};
+    return std::array{p.contact(*icp).outcome.solution.normal.peak_pressure * p.units.per_pressure()};
   });
 }
 
 int cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
   return get_numbers<double>(patch_call(__func__, ire, icp), {{"ptmax", ptmax}}, [&](ContactProblem& p) {
-    return std::array{largest_traction(p.contact(*icp).outcome) * p.units.per_pressure};
+    return std::array{largest_traction(p.contact(*icp).outcome) * p.units.per_pressure()};
   });
 }
 
@@ -260,7 +261,7 @@ int cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* s
     const int count = outputs * inputs;
     const auto found = room("sens", &count, sens);
     const bool shifts = p.contact(*icp).data.digits.tang == Tangential::shift;
-    const double l = p.units.length * per_m, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
+    const double l = p.units.length() * per_m, of_input[] = {l, shifts ? l : 1, shifts ? l : 1, shifts ? 1 : 1 / l};
     const double of_output[] = {1, 1, 1, l};
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t o = 0; o < 4; ++o)

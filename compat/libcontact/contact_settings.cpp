@@ -37,7 +37,7 @@ std::vector<double> circle(const Units& u, std::span<const double> v) {
   const int heights = as_integer("NN", v[0], 1, most_cells);
   const auto count = static_cast<std::size_t>(5 + heights);
   require_count("prmudf", v.size(), count, count);
-  const auto values = u.in_si(v.subspan(1), Scales(count - 1, mm));
+  const auto values = u.in_si(v.subspan(1), UnitList(count - 1, 1));
   if (values[1] == 0) throw Refusal(CNTC_err_discr, "RM must not be 0");
   if (heights > 1 && !(values[3] > 0)) throw Refusal(CNTC_err_discr, "DY1 must be > 0");
   return values;
@@ -52,9 +52,9 @@ void set_distance(ContactProblem& p, int method, std::span<const double> v) {
   if (g.base == Base::circle) {
     g.values = circle(p.units, v);
   } else {
-    const Scales units = g.base == Base::quadratic ? units_of_quadratic
-                         : g.base == Base::waves   ? units_of_waves
-                                                   : Scales(p.data.potential->elements(), mm);
+    const UnitList units = g.base == Base::quadratic ? units_of_quadratic
+                           : g.base == Base::waves   ? units_of_waves
+                                                     : UnitList(p.data.potential->elements(), 1);
     require_count("prmudf", v.size(), units.size(), units.size());
     g.values = p.units.in_si(v, units);
   }
@@ -78,10 +78,10 @@ void set_extra_slip(ContactProblem& p, std::span<const double> wx, std::span<con
 /// Creepages, or with T = 1 the distances of a shift.
 void set_creepages(ContactProblem& p, double x, double y, double spin) {
   const bool shifts = p.data.digits.tang == Tangential::shift;
-  const double unit = shifts ? p.units.length : 1;
+  const double unit = shifts ? p.units.length() : 1;
   p.creep_x = unit * x;
   p.creep_y = unit * y;
-  p.data.phi = shifts ? spin : spin / p.units.length;
+  p.data.phi = shifts ? spin : spin / p.units.length();
 }
 
 } // namespace
@@ -92,7 +92,7 @@ using namespace microslip::libcontact;
 int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     constexpr double least = 1e-12; // [m/s]
-    p.data.rolling->veloc = std::max(least, std::abs(real("veloc", veloc)) * p.units.length);
+    p.data.rolling->veloc = std::max(least, std::abs(real("veloc", veloc)) * p.units.length());
   });
 }
 
@@ -102,7 +102,7 @@ int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* r
 
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
-    p.approach = real("pen", pen) * p.units.length;
+    p.approach = real("pen", pen) * p.units.length();
     p.data.digits.norm = microslip::contact_program::Normal::approach;
   });
 }

@@ -60,7 +60,7 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   const Outcome& o = c.outcome;
   const auto& n = o.solution.normal;
   const auto& t = o.solution.tangential;
-  const double length = p.units.per_length, pressure = p.units.per_pressure;
+  const double length = p.units.per_length(), pressure = p.units.per_pressure();
   // Of a shift the slip is a distance in mm, whatever the units.
   const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? per_m : 1);
   switch (code) {

@@ -109,7 +109,7 @@ int subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, i
     const bool has_places = kind != 1 && kind != 5; // else CONTACT's callers may give anything
     const auto x = has_places ? reals("xparam", nx, xparam) : std::span<const double>();
     const auto y = has_places ? reals("yparam", ny, yparam) : std::span<const double>();
-    const PointBlock b = block(kind, x, y, reals("zparam", nz, zparam), p.units.length);
+    const PointBlock b = block(kind, x, y, reals("zparam", nz, zparam), p.units.length());
     add_block(p, *icp, number, &b);
   });
 }
@@ -139,7 +139,7 @@ int subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* 
         if (!exists)
           place = none;
         else if (k < b.states.size())
-          place = *value(b, k, columns[c], p.units.per_length, p.units.per_pressure);
+          place = *value(b, k, columns[c], p.units.per_length(), p.units.per_pressure());
       }
   });
 }

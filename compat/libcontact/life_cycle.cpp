@@ -1,5 +1,5 @@
 #include "compat/contact/input.hpp"
-#include "compat/contact/wheel_rail/pair_file.hpp"
+#include "compat/contact/wheel_rail/case_reader.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"

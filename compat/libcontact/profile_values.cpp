@@ -93,7 +93,7 @@ std::vector<double> gauge(const ContactProblem& p, const ProfileCurve& rail) {
   const TrackDimensions& track = p.wheel().track;
   if (!track.by_gauge()) throw Refusal(CNTC_err_profil, "the rail is not placed by the gauge");
   const GaugePoint found = gauge_of(rail, track);
-  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = p.units.per_length;
+  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = p.units.per_length();
   const double top = -found.top.z, height = top + track.gauge_height;
   const double side = gauge_side_at(rail.moved(-track.cant, 0, 0), height, found.top.y);
   const RailPosition& off = p.wheel().rail_position;

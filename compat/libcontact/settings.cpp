@@ -54,8 +54,8 @@ void set_elasticity(ContactProblem& p, double nu1, double nu2, double g1, double
     if (!(g > 0)) throw Refusal(CNTC_err_other, "modulus of rigidity " + std::to_string(g) + ": must be > 0");
   m.poisson1 = nu1;
   m.poisson2 = nu2;
-  m.shear1 = g1 * p.units.pressure;
-  m.shear2 = g2 * p.units.pressure;
+  m.shear1 = g1 * p.units.pressure();
+  m.shear2 = g2 * p.units.pressure();
 }
 
 /// What M adds to them.
@@ -110,11 +110,10 @@ void set_heat(ContactProblem& p, int method, std::span<const double> v) {
   require_count("rparam", v.size(), 8, 9);
   HeatData heat;
   for (std::size_t body = 0; body < 2; ++body) {
-    auto& data = body == 0 ? heat.body1 : heat.body2;
-    const double l = p.units.length, *of_body = &v[4 * body];
-    data = {of_body[0], of_body[1], of_body[2] / l, of_body[3] / (l * l * l)};
-    for (const std::size_t k : {1u, 2u, 3u})
-      if (!(data[k] > 0)) throw Refusal(CNTC_err_other, "HEATCP, LAMBDA and DENS must be > 0");
+    const auto data = p.units.in_si(v.subspan(4 * body, 4), units_of_heat);
+    if (!(data[1] > 0 && data[2] > 0 && data[3] > 0))
+      throw Refusal(CNTC_err_other, "HEATCP, LAMBDA and DENS must be > 0");
+    std::copy(data.begin(), data.end(), (body == 0 ? heat.body1 : heat.body2).begin());
   }
   heat.plastic_share = v.size() > 8 ? v[8] : default_of("BETAPL");
   p.data.heat = heat;
@@ -126,7 +125,7 @@ constexpr std::size_t friction_counts[] = {2, 0, 7, 7, 7, 3, 6}; ///< by L
 
 /// Polach's law mu = mu0 ((1 - A) exp(-B s) + A) as an exponential one, as in CONTACT.
 std::vector<double> polach_set(const Units& u, std::span<const double> v) {
-  const double at_rest = std::max(least, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.length;
+  const double at_rest = std::max(least, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.length();
   if (!(b > 0)) throw Refusal(CNTC_err_frclaw, "Polach's B must be > 0");
   return {share * at_rest,      (1 - share) * at_rest, std::numbers::ln2 / b, 0,
           default_of("SABSH2"), default_of("MEMDST"),  default_of("MEM_S0")};
@@ -169,7 +168,7 @@ void set_friction(ContactProblem& p, int method, std::span<const double> v) {
     require_count("params", v.size(), 1 + stations * (1 + count), 1 + stations * (1 + count));
     for (std::size_t k = 0; k < stations; ++k) {
       const auto station = v.subspan(1 + k * (1 + count), 1 + count);
-      const double at = by == 1 ? station[0] : station[0] * p.units.length;
+      const double at = by == 1 ? station[0] : station[0] * p.units.length();
       if (k > 0 && !(at > friction.stations.back())) throw Refusal(CNTC_err_frclaw, "stations must be ascending");
       friction.stations.push_back(at);
       friction.sets.push_back(friction_set(p.units, law, station.subspan(1)));
@@ -187,7 +186,7 @@ void set_patch_rules(ContactProblem& p, int method, std::span<const double> v) {
   require_count("rparam", v.size(), method == 0 ? 3 : 5, method == 0 ? 3 : 7);
   constexpr double least_size = 1e-11; // [m]
   PatchRules rules = p.wheel().grid;
-  const double l = p.units.length;
+  const double l = p.units.length();
   rules.dx = v[0] * l;
   rules.ds = v[1] * l;
   if (!(rules.dx >= least_size && rules.ds >= least_size)) throw Refusal(CNTC_err_discr, "DX and DS must be > 0");
@@ -209,7 +208,7 @@ void set_rectangle(ContactProblem& p, int method, std::span<const double> v) {
   potential.kind = static_cast<Potential>(method);
   potential.mx = as_integer("MX", v[0], 1, most_cells);
   potential.my = as_integer("MY", v[1], 1, most_cells);
-  for (std::size_t k = 0; k < 4; ++k) potential.values[k] = v[2 + k] * p.units.length;
+  for (std::size_t k = 0; k < 4; ++k) potential.values[k] = v[2 + k] * p.units.length();
   const bool has_sizes = potential.kind == Potential::corner_and_size || potential.kind == Potential::centre_and_size;
   for (std::size_t k = 0; k < 2; ++k) {
     const bool single = potential.kind == Potential::centres && (k == 0 ? potential.mx : potential.my) == 1;
@@ -259,7 +258,7 @@ int cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
       return;
     }
     p.data.rolling->chi = real("chi", chi);
-    p.data.rolling->dq = *dq * p.units.length;
+    p.data.rolling->dq = *dq * p.units.length();
   });
 }
 

@@ -29,7 +29,7 @@ std::vector<double> global_forces(const ContactProblem& p, int icp) {
   for (const Wrench* w : {&track, &wheelset, &rail, &on_wheel}) {
     for (const double force : {w->force.x, w->force.y, w->force.z}) found.push_back(p.units.body * force);
     for (const double moment : {w->moment.x, w->moment.y, w->moment.z})
-      found.push_back(p.units.body * moment * p.units.per_length);
+      found.push_back(p.units.body * moment * p.units.per_length());
   }
   return found;
 }
@@ -66,7 +66,7 @@ std::vector<double> location(const ContactProblem& p, int icp) {
   const WheelPatch& patch = p.patch(icp);
   const PatchLocation& l = patch.location;
   const Placement& placed = wheel.placement;
-  const double unit = p.units.per_length;
+  const double unit = p.units.per_length();
   const Vec centre = pressure_centre(patch), in_wheelset = placed.wheelset.inner(patch.reference.origin);
   const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
   const double on_wheelset = roll_of_normal(placed.wheelset.axes, patch.reference.axes);
@@ -109,7 +109,7 @@ using namespace microslip::libcontact;
 int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
   const auto find = [](ContactProblem& p) -> std::vector<double> {
     const auto& w = p.wheel().position;
-    const double unit = p.units.per_length;
+    const double unit = p.units.per_length();
     return {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch};
   };
   return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);
@@ -118,7 +118,7 @@ int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
 int cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values) {
   const auto find = [](ContactProblem& p) -> std::vector<double> {
     const auto& w = p.wheel().velocity;
-    const double unit = p.units.per_length, along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
+    const double unit = p.units.per_length(), along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
     return {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch};
   };
   return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);

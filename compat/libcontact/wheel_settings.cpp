@@ -28,13 +28,13 @@ ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::
   for (const int mirror : {p.mirror_y, p.mirror_z})
     if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
   if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
-  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length / mm;
+  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length() / mm;
   p.smooth = std::max(0.0, value(1, default_of("SMOOTH", of)));
   p.most_omitted = value(2, default_of("MAXOMIT", of));
   p.zigzag = std::max(ProfileThresholds::least_zigzag, value(3, default_of("ZIGTHRS", of)));
   p.kink_high = value(4, default_of("KINKHIGH", of));
   p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / ProfileThresholds::kink_ratio : default_of("KINKLOW", of));
-  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length / mm : default_in_file("KINKWID", of);
+  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length() / mm : default_in_file("KINKWID", of);
   return p;
 }
 
@@ -96,7 +96,7 @@ void set_profile_values(ContactProblem& p, std::span<const double> values, std::
 
 /// GAUGHT, dummy, GAUGWD or GAUGHT, RAILY0, RAILZ0; CANT, NOMRAD and, if it is there, CURV.
 void set_track(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length;
+  const double l = p.units.length();
   TrackDimensions t;
   t.gauge_height = v[0] * l;
   if (t.by_gauge()) {
@@ -124,7 +124,7 @@ void set_rail_position(ContactProblem& p, std::span<const double> v) {
 
 void set_rail_support(ContactProblem& p, std::span<const double> v) {
   set_numbers(p.units, rail_support_numbers, v, p.wheel().support);
-  p.wheel().support.first_step = v.size() > 4 ? v[4] * p.units.length : default_of("DYSTEP0", DefaultOf::wheel);
+  p.wheel().support.first_step = v.size() > 4 ? v[4] * p.units.length() : default_of("DYSTEP0", DefaultOf::wheel);
 }
 
 void set_track_dimensions(ContactProblem& p, int method, std::span<const double> v) {
@@ -158,7 +158,7 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 0);
   if (method != 3 && method != 5) return require_count("rparam", v.size(), 0, 1);
   require_count("rparam", v.size(), 3, 4);
-  const double l = p.units.length;
+  const double l = p.units.length();
   constexpr double least_radius = 1e-6; // [m]
   if (!(v[2] * l >= least_radius)) throw Refusal(CNTC_err_other, "NOMRAD must be > 0");
   p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : default_of("YTAPE", DefaultOf::wheel)};
@@ -167,7 +167,7 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
 void set_position(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
-  p.z = v[2] * p.units.length;
+  p.z = v[2] * p.units.length();
   const std::span<const RecordNumber<WheelsetPosition>> numbers(wheelset_position_numbers);
   set_numbers(p.units, numbers.first(before_vertical), v, p.wheel().position);
   set_numbers(p.units, numbers.subspan(before_vertical), v.subspan(before_vertical + 1), p.wheel().position);
@@ -177,7 +177,7 @@ void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
   WheelsetVelocity& velocity = p.wheel().velocity;
-  velocity.vs = v[0] * (p.wheel().digits.is_roller() ? 1 : p.units.length); // of rollers the rate of rotation
+  velocity.vs = v[0] * (p.wheel().digits.is_roller() ? 1 : p.units.length()); // of rollers the rate of rotation
   set_numbers(p.units, wheelset_velocity_numbers, v.subspan(1), velocity);
   p.vpitch = v[5];
 }

@@ -237,7 +237,7 @@ ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
     own.file = entry.file;
     const auto curve = read_profile_curve(own, role);
     if (!shape.curve) shape.curve = curve;
-    slices.push_back({unit * entry.u, curve->profile(), in_si(entry.features, Scales(entry.features.size(), mm))});
+    slices.push_back({unit * entry.u, curve->profile(), in_si(entry.features, UnitList(entry.features.size(), 1))});
   }
   try {
     shape.surface = std::make_shared<ProfileSurface>(

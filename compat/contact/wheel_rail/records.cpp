@@ -82,7 +82,7 @@ namespace {
 
 template <class Table, class Record> void read_numbers(Words& words, const Table& numbers, Record& record) {
   for (const auto& [name, member, unit, mirrored] : numbers)
-    record.*member = unit == angle ? words.angle(name) : words.real(name, unit);
+    record.*member = unit.is_angle ? words.angle(name) : words.real(name, unit.value());
 }
 
 PitchDrive read_pitch_drive(Words& words, TotalForce digit) {

@@ -1,8 +1,7 @@
 #include "compat/contact/wheel_rail/undeformed_distance.hpp"
 
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
-#include "compat/contact/wheel_rail/varied_wheel.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "compat/contact/wheel_rail/curved_patch.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
 #include "microslip/error.hpp"
 
 #include <string>

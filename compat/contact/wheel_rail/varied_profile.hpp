@@ -1,11 +1,14 @@
 #pragma once
 
 #include "compat/contact/wheel_rail/placement.hpp"
+#include "compat/contact/wheel_rail/surface_mesh.hpp"
 
 #include <optional>
 #include <utility>
 
 namespace microslip::contact_program {
+
+// Rails made of slices, and wheels that are not round.
 
 /// The cross-section of a rail made of slices at x [m] of the track: the natural spline through its surface's points,
 /// in the track's axes, with s as in those of the rail. Nothing where the rail is interrupted.
@@ -23,5 +26,17 @@ struct RailPoint {
 
 /// Over or under a point of the track, along the z axis of the rail's profile; nothing beyond the rail.
 std::optional<RailPoint> rail_point(const Placement& placement, const Vec3<double>& at);
+
+/// A point of a wheel that is not round, in the axes of its profile [m], with its derivatives around it and across.
+struct WheelPoint {
+  Vec3<double> value, around, across;
+};
+
+/// The wheel's lowest point is at theta = -PITCH. Nothing beyond its profile.
+std::optional<WheelPoint> wheel_point(const Placement& placement, double theta, double v);
+
+/// Its lower side, 0.2 rad to either side, in the track's axes, at points that lie 4 DX from each other around the
+/// wheel.
+SurfaceMesh varied_lower_side(const Placement& placement, double dx);
 
 } // namespace microslip::contact_program
