@@ -139,97 +139,72 @@ const Function functions[] = {
 #undef LIBCONTACT_FUNCTION
 };
 
-/// A call as programs make it: numbers, of which those from the first to the last angle are angles.
-struct Setting {
+/// A call by its name, whose numbers from the first to the last angle are angles.
+struct NamedSetting {
   const char* name;
-  std::function<int(int ire, int icp, Values numbers)> set;
-  Values numbers;
+  Setting setting;
   std::size_t first_angle = 1, last_angle = 0;
 };
 
-/// By a method and numbers.
-auto by(Setter setter, int method) {
-  return [=](int ire, int icp, const Values& v) { return set(setter, ire, icp, method, v); };
-}
-auto by(WheelSetter setter, int method) {
-  return [=](int ire, int, const Values& v) { return set(setter, ire, method, v); };
-}
-/// By one, two or three numbers.
-template <class... Numbers> auto by(int (*setter)(int*, int*, Numbers...)) {
-  return [=](int ire, int icp, Values v) {
-    v.resize(sizeof...(Numbers));
-    return [&]<std::size_t... k>(std::index_sequence<k...>) {
-      return setter(&ire, &icp, &v[k]...);
-    }
-    (std::index_sequence_for<Numbers...>());
-  };
-}
-
-const Setting settings_of_both[] = {
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 0), {.28, .28, 82000, 82000}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 1), {.28, .28, 82000, 82000, 1, 1, .001, .001}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 2), {.28, .28, 82000, 82000, 1e-5, 1, 1, 1}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 3), {.28, .28, 82000, 82000, 1, 1, 1}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 4), {.28, .28, 82000, 82000, 8200, .02, 0, 0}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 5), {.28, .28, 82000, 82000, 1, 1, 1}},
-    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 12), {1e-4, 1e-4, 1e30, 1e30}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 0), {.3, .3}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 1), {}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 2), {.2, .1, 5000, 0, 1, .001, 10}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 3), {.2, .1, 5000, 0, 1, .001, 10}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 4), {.2, .1, 5000, 0, 1, .001, 10}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 5), {.3, .4, 1e-4}},
-    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 6), {.3, 20, -.1, 800, .001, 10}},
-    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 0), {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1}},
-    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 3), {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1}},
-    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize), {0, .2}},
-    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize), {0, 1}},
-    {"cntc_settangentialforces", by(cntc_settangentialforces), {.3, -.2}},
+const NamedSetting settings_of_both[] = {
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 1, {.28, .28, 82000, 82000, 1, 1, .001, .001})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 2, {.28, .28, 82000, 82000, 1e-5, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 3, {.28, .28, 82000, 82000, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 4, {.28, .28, 82000, 82000, 8200, .02, 0, 0})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 5, {.28, .28, 82000, 82000, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 12, {1e-4, 1e-4, 1e30, 1e30})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 0, {.3, .3})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 1, {})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 2, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 3, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 4, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 5, {.3, .4, 1e-4})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 6, {.3, 20, -.1, 800, .001, 10})},
+    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 0, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1})},
+    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1})},
+    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize, {0, .2})},
+    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize, {0, 1})},
+    {"cntc_settangentialforces", by(cntc_settangentialforces, {.3, -.2})},
     {"subs_addblock",
-     [](int ire, int icp, Values z) {
-       z.resize(3);
-       Values x = {1, 1, 3}, y = x;
-       int block = 1, kind = z[0] > 2 ? 1 : 2, three = 3;
-       return subs_addblock(&ire, &icp, &block, &kind, &three, &three, &three, x.data(), y.data(), z.data());
-     },
-     {3, 0, .2}},
+     {[](int ire, int icp, Values z) {
+        z.resize(3);
+        Values x = {1, 1, 3}, y = x;
+        int block = 1, kind = z[0] > 2 ? 1 : 2, three = 3;
+        return subs_addblock(&ire, &icp, &block, &kind, &three, &three, &three, x.data(), y.data(), z.data());
+      },
+      {3, 0, .2}}},
 };
 
-const Setting settings_of_wheels[] = {
-    {"cntc_setverticalforce",
-     [](int ire, int, Values v) { return v.resize(1), cntc_setverticalforce(&ire, v.data()); },
-     {80e3}},
-    {"cntc_setpotcontact", by(cntc_setpotcontact, -1), {.5, .5, 1.57, 8, 4}},
-    {"cntc_settrackdimensions", by(cntc_settrackdimensions, 3), {14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0}, 3, 7},
-    {"cntc_setwheelsetdimensions", by(cntc_setwheelsetdimensions, 3), {1360, -70, 460}},
-    {"cntc_setwheelsetposition", by(cntc_setwheelsetposition, 2), {0, 3, .2, -3e-4, 6e-3, 0}, 3, 5},
-    {"cntc_setwheelsetvelocity", by(cntc_setwheelsetvelocity, 2), {30e3, 0, 0, 0, 0, -30e3 / 460.3}},
-    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4), Values(12, 0), 3, 5},
-    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4), Values(12, 1e-3), 3, 5},
-    {"cntc_setprofileinputfname",
-     [](int ire, int, const Values&) { return set_profile(ire, profiles + "60e1.prr", 0); },
-     {}},
-    {"cntc_setprofileinputfname",
-     [](int ire, int, const Values&) { return set_profile(ire, profiles + "s1002.prw", 1); },
-     {}},
+const NamedSetting settings_of_wheels[] = {
+    {"cntc_setverticalforce", by_force(80e3)},
+    {"cntc_setpotcontact", by(cntc_setpotcontact, -1, {.5, .5, 1.57, 8, 4})},
+    {"cntc_settrackdimensions", by(cntc_settrackdimensions, 3, {14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0}), 3, 7},
+    {"cntc_setwheelsetdimensions", by(cntc_setwheelsetdimensions, 3, {1360, -70, 460})},
+    {"cntc_setwheelsetposition", by(cntc_setwheelsetposition, 2, {0, 3, .2, -3e-4, 6e-3, 0}), 3, 5},
+    {"cntc_setwheelsetvelocity", by(cntc_setwheelsetvelocity, 2, {30e3, 0, 0, 0, 0, -30e3 / 460.3})},
+    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4, Values(12, 0)), 3, 5},
+    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4, Values(12, 1e-3)), 3, 5},
+    {"cntc_setprofileinputfname", by_profile(profiles + "60e1.prr", 0)},
+    {"cntc_setprofileinputfname", by_profile(profiles + "s1002.prw", 1)},
 };
 
-const Setting settings_of_contacts[] = {
-    {"cntc_setnormalforce", by(cntc_setnormalforce), {1000}},
-    {"cntc_setpenetration", by(cntc_setpenetration), {.01}},
-    {"cntc_setcreepages", by(cntc_setcreepages), {1e-3, -5e-4, 1e-4}},
-    {"cntc_setpotcontact", by(cntc_setpotcontact, 1), {21, 21, -1.05, -1.05, .1, .1}},
-    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -1), {21, 21, .005, .005, 1.2}},
-    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -2), {21, 21, .005, 1, 1.2}},
-    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -3), {21, 21, 1, 1, 1.2}},
-    {"cntc_setundeformeddistc", by(cntc_setundeformeddistc, 1), {.005, 0, .005, 0, 0, 0}},
-    {"cntc_setreferencevelocity", by(cntc_setreferencevelocity), {1000}},
+const NamedSetting settings_of_contacts[] = {
+    {"cntc_setnormalforce", by(cntc_setnormalforce, {1000})},
+    {"cntc_setpenetration", by(cntc_setpenetration, {.01})},
+    {"cntc_setcreepages", by(cntc_setcreepages, {1e-3, -5e-4, 1e-4})},
+    {"cntc_setpotcontact", by(cntc_setpotcontact, 1, {21, 21, -1.05, -1.05, .1, .1})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -1, {21, 21, .005, .005, 1.2})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -2, {21, 21, .005, 1, 1.2})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -3, {21, 21, 1, 1, 1.2})},
+    {"cntc_setundeformeddistc", by(cntc_setundeformeddistc, 1, {.005, 0, .005, 0, 0, 0})},
+    {"cntc_setreferencevelocity", by(cntc_setreferencevelocity, {1000})},
     {"cntc_setextrarigidslip",
-     [](int ire, int icp, Values v) {
-       int count = size_of(v);
-       return cntc_setextrarigidslip(&ire, &icp, &count, v.data(), v.data());
-     },
-     Values(12, 1e-4)},
+     {[](int ire, int icp, Values v) {
+        int count = size_of(v);
+        return cntc_setextrarigidslip(&ire, &icp, &count, v.data(), v.data());
+      },
+      Values(12, 1e-4)}},
 };
 
 /// What a function may return.
@@ -297,9 +272,9 @@ private:
     give_one(settings_of_contacts);
   }
 
-  void give_setting(const Setting& setting, int ire, int icp) {
-    const Values numbers = perhaps(setting.numbers, setting.first_angle, setting.last_angle);
-    give(setting.name, [&] { return setting.set(ire, icp, numbers); });
+  void give_setting(const NamedSetting& named, int ire, int icp) {
+    const Values numbers = perhaps(named.setting.numbers, named.first_angle, named.last_angle);
+    give(named.name, [&] { return named.setting.set(ire, icp, numbers); });
   }
 
   double perhaps(double number, bool is_angle = false) {
