@@ -13,7 +13,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double least = 1e-10; ///< deviations below it are none, and not printed
+constexpr double least = 1e-13; ///< deviations below it [m], [rad] are none, and not printed
 
 std::string digits_text(const Case& c) {
   const Digits& d = c.digits;
