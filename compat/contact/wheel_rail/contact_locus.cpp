@@ -3,10 +3,12 @@
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/space_curve.hpp"
 #include "compat/contact/wheel_rail/varied_profile.hpp"
+#include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/railway/profile/profile_kinks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -187,23 +189,15 @@ private:
     return Place{x, on_wheel, rail->place, normal.x + normal.z * rail->along};
   }
 
-  /// Where the gap is least between two places, if that is not one of them: by straight lines through the ends of the
-  /// bracket, the staying one's slope halved.
-  std::optional<Place> least_between(Place low, Place high) const {
+  /// Where the gap is least between two places, if that is not one of them.
+  std::optional<Place> least_between(const Place& low, const Place& high) const {
     if (!(low.slope < 0 && high.slope > 0)) return {};
     constexpr double tolerance = 1e-13; // [m]
-    std::optional<Place> found;
-    for (int k = 0; k < 80 && high.x - low.x > tolerance; ++k) {
-      const double x = low.x - low.slope * (high.x - low.x) / (high.slope - low.slope);
-      const bool is_near = found && std::abs(x - found->x) < tolerance;
-      found = place(x);
-      if (!found || is_near) return found;
-      if (found->slope < 0)
-        low = *found, high.slope *= 0.5;
-      else
-        high = *found, low.slope *= 0.5;
-    }
-    return found;
+    const auto slope = [this](double x) {
+      const auto there = place(x);
+      return there ? there->slope : std::numeric_limits<double>::quiet_NaN();
+    };
+    return place(find_bracketed_root({low.x, low.slope}, {high.x, high.slope}, 0, tolerance, slope).side.at);
   }
 
   /// As far towards `off` as there is rail, less a margin, so that rail lies below what is interpolated, too.

@@ -2,6 +2,7 @@
 
 #include "compat/contact/wheel_rail/contact_locus.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace microslip::contact_program {
@@ -24,6 +25,10 @@ struct LeastGap {
 };
 
 LeastGap least_gap(const GapLine& line);
+
+/// Points of a grid of nx columns, x fastest, at which the gap is below `depth` and less than at their four neighbours,
+/// from the deepest one on; those of a plateau count once.
+std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap, int nx, double depth);
 
 /// The regions of overlap, from the deepest one on. `curvature` is half that of wheel and roller along the track
 /// [1/m].

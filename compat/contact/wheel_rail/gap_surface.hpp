@@ -35,7 +35,6 @@ private:
   }
   void find_roller(const Placement& placement, const ProfileCurve& rail);
   void find_rail(const Placement& placement, const ProfileCurve& rail);
-  std::vector<std::pair<int, int>> minima(double depth) const;
   Box box_around(int i, int j, double depth) const;
   GapRegion region(const Box& box, int middle, double depth) const;
 
