@@ -93,25 +93,29 @@ void print_contact(const Case& c, const Outcome& outcome, char lateral) {
   print_interior(outcome);
 }
 
+std::string in_mm(double length) {
+  return fmt::format("{:.4f}", length * 1e3);
+}
+
 /// Prints the position of a patch and the bodies' relative motion there.
 void print_location(const contact_program::WheelPatch& patch) {
   const auto& [track, rail, wheel, angle, on_rail, on_wheel] = patch.location;
   Lines location, motion;
-  location.add("XCP(TR) [mm]", fmt::format("{:.4f}", track.x));
-  location.add("YCP(TR)", fmt::format("{:.4f}", track.y));
-  location.add("ZCP(TR)", fmt::format("{:.4f}", track.z));
+  location.add("XCP(TR) [mm]", in_mm(track.x));
+  location.add("YCP(TR)", in_mm(track.y));
+  location.add("ZCP(TR)", in_mm(track.z));
   location.add("DELTCP [rad]", fmt::format("{:.4f}", angle));
-  location.add("YCP(R)", fmt::format("{:.4f}", rail.y));
-  location.add("ZCP(R)", fmt::format("{:.4f}", rail.z));
-  location.add("XCP(W)", fmt::format("{:.4f}", wheel.x));
-  location.add("YCP(W)", fmt::format("{:.4f}", wheel.y));
-  location.add("ZCP(W)", fmt::format("{:.4f}", wheel.z));
+  location.add("YCP(R)", in_mm(rail.y));
+  location.add("ZCP(R)", in_mm(rail.z));
+  location.add("XCP(W)", in_mm(wheel.x));
+  location.add("YCP(W)", in_mm(wheel.y));
+  location.add("ZCP(W)", in_mm(wheel.z));
   location.print();
   if (!patch.contact.digits.has_friction()) return;
-  motion.add("VELOC [mm/s]", patch.contact.rolling->veloc);
-  motion.add("CKSI", contact_program::number_of(patch.contact.x));
-  motion.add("CETA", contact_program::number_of(patch.contact.y));
-  motion.add("CPHI [rad/mm]", patch.contact.phi);
+  motion.add("VELOC [mm/s]", patch.contact.rolling->veloc * 1e3);
+  motion.add("CKSI", contact_program::in_file(patch.contact.x, patch.contact.digits));
+  motion.add("CETA", contact_program::in_file(patch.contact.y, patch.contact.digits));
+  motion.add("CPHI [rad/mm]", patch.contact.phi / contact_program::unit_of_spin(patch.contact.digits));
   motion.print();
 }
 
@@ -122,7 +126,7 @@ void print_wheel(const Case& c, const Outcome& outcome) {
              digits.is_roller() ? "roller" : "rail", wheel.patches.size(),
              wheel.patches.size() == 1 ? "patch" : "patches");
   Lines totals;
-  totals.add("Z_WS [mm]", fmt::format("{:.4f}", wheel.z));
+  totals.add("Z_WS [mm]", in_mm(wheel.z));
   totals.add("FX(TR) [N]", wheel.track.force.x);
   totals.add("FY(TR)", wheel.track.force.y);
   totals.add("FZ(TR)", wheel.track.force.z);

@@ -10,12 +10,13 @@
 namespace microslip::contact_program {
 namespace {
 
-/// How many forces are computed until they are met to `tolerance`; -1 if it gives up.
+/// How many forces, over the depth in mm, are computed until they are met to `tolerance`; -1 if it gives up.
 int steps_to(double target, double start, double tolerance, const std::function<double(double)>& force) {
   ForceSearch search(target, 0);
-  double z = start;
+  constexpr double mm = 1e-3;
+  double z = start * mm;
   for (int k = 1; k <= 60; ++k) {
-    const double f = force(z);
+    const double f = force(z / mm);
     if (std::abs(f - target) < tolerance * target) return k;
     search.add(z, f);
     const auto next = search.next();

@@ -31,12 +31,12 @@ TEST(ContactInputFile, ReadsEveryRecordOfACase) {
   ASSERT_EQ(c.friction.sets.size(), 1u);
   EXPECT_EQ(c.friction.sets[0][0], 0.4);
   EXPECT_EQ(c.material->poisson1, 0.42);
-  EXPECT_EQ(c.material->shear2, 200.0);
+  EXPECT_EQ(c.material->shear2, 200e6);
   EXPECT_EQ(c.potential->kind, Potential::corner_and_size);
   EXPECT_EQ(c.potential->mx, 19);
-  EXPECT_EQ(c.potential->values[3], 0.13333);
+  EXPECT_EQ(c.potential->values[3], 0.13333 * mm);
   EXPECT_EQ(c.geometry.base, Base::quadratic);
-  EXPECT_EQ(c.geometry.values[2], 0.01);
+  EXPECT_EQ(c.geometry.values[2], 10);
 }
 
 TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
@@ -45,15 +45,15 @@ TEST(ContactInputFile, KeepsWhatTheDigitsSay) {
   const auto cases = read_cases(first_shift + second + third + " 0 MODULE\n");
   ASSERT_EQ(cases.size(), 3u);
   EXPECT_EQ(cases[1].friction.sets[0][0], 0.4);
-  EXPECT_EQ(cases[1].material->shear1, 1.0);
+  EXPECT_EQ(cases[1].material->shear1, 1e6);
   EXPECT_EQ(cases[1].rolling->facphi, 0.5);
   EXPECT_EQ(cases[1].potential->mx, 19);
   EXPECT_EQ(cases[1].solver.eps, 1e-7);
   EXPECT_EQ(cases[1].digits.iestim, InitialGuess::regularised);
   EXPECT_EQ(cases[2].friction.sets[0][0], 0.2);
-  EXPECT_EQ(cases[2].rolling->dq, 0.25);
-  EXPECT_EQ(cases[2].spin_y, 0.2);
-  EXPECT_EQ(cases[2].geometry.values[0], 0.01);
+  EXPECT_EQ(cases[2].rolling->dq, 0.25 * mm);
+  EXPECT_EQ(cases[2].spin_y, 0.2 * mm);
+  EXPECT_EQ(cases[2].geometry.values[0], 10);
 }
 
 TEST(ContactInputFile, TheFirstCaseBeginsASequence) {
@@ -216,13 +216,13 @@ TEST(ContactInputFile, ReadsRecordsOfHiddenDigits) {
   const auto cases = read_cases(text);
   ASSERT_EQ(cases.size(), 1u);
   EXPECT_EQ(cases[0].heat->body2[0], 30.0);
-  EXPECT_EQ(cases[0].heat->body1[3], 7.8e-6);
+  EXPECT_EQ(cases[0].heat->body1[3], 7800);
   ASSERT_EQ(cases[0].points.size(), 3u);
   EXPECT_EQ(cases[0].points[0].range, (std::vector<int>{1, 1, 2, 1, 1, 3}));
   EXPECT_EQ(cases[0].points[1].x, (std::vector<double>{1, 2}));
-  EXPECT_EQ(cases[0].points[2].z, (std::vector<double>{0, 1}));
+  EXPECT_EQ(cases[0].points[2].z, (std::vector<double>{0, mm}));
   EXPECT_EQ(cases[0].solver.method, SolverChoice::convex_gs);
-  EXPECT_EQ(cases[0].geometry.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(cases[0].geometry.values, in_si({1, 2, 3, 4, 5, 6}, UnitList(6, 1)));
   EXPECT_EQ(cases[0].geometry.plan_values.size(), 8u);
   EXPECT_EQ(cases[0].friction.sets.size(), 3u);
   EXPECT_EQ(cases[0].friction.sets[2][0], 0.3);

@@ -157,7 +157,7 @@ Vec3<double> centre(const WheelPatch& patch) {
       sum += p;
     }
   const PatchLocation& at = patch.location;
-  return {at.track.x + per_m * x / sum, at.track.y + per_m * y / sum * std::cos(at.angle), 0};
+  return per_m * Vec3<double>{at.track.x + x / sum, at.track.y + y / sum * std::cos(at.angle), 0};
 }
 
 /// The patches that carry more than a fiftieth of the load, from the field side on.
@@ -170,7 +170,7 @@ std::vector<WheelPatch> loaded(const WheelOutcome& wheel) {
 
 /// Elements of 0.2 mm and the steps of both searches are what differs where a rail ends in a sharp edge.
 void expect_alike(const WheelOutcome& a, const WheelOutcome& b) {
-  EXPECT_NEAR(a.z, b.z, 0.01);
+  EXPECT_NEAR(a.z, b.z, 0.01 * mm);
   const auto by_a = loaded(a), by_b = loaded(b);
   ASSERT_EQ(by_a.size(), by_b.size());
   for (std::size_t k = 0; k < by_a.size(); ++k) {
@@ -245,10 +245,10 @@ TEST(ContactLocus, OnACrossingIsContacts) {
     const auto& contacts = printed.at(static_cast<std::size_t>(count));
     EXPECT_FALSE(outcome.misses_force);
     const WheelOutcome& wheel = outcome.wheel.value();
-    EXPECT_NEAR(wheel.z, contacts.totals.at("Z_WS").value, 1.5e-4);
+    EXPECT_NEAR(wheel.z / mm, contacts.totals.at("Z_WS").value, 1.5e-4);
     ASSERT_EQ(wheel.patches.size(), contacts.patches.size());
     for (std::size_t k = 0; k < wheel.patches.size(); ++k) {
-      const Vec3<double>& at = wheel.patches[k].location.track;
+      const Vec3<double> at = per_m * wheel.patches[k].location.track;
       EXPECT_NEAR(at.x, contacts.patches[k].at("XCP(TR)").value, 0.01);
       EXPECT_NEAR(at.y, contacts.patches[k].at("YCP(TR)").value, 0.01);
       EXPECT_NEAR(at.z, contacts.patches[k].at("ZCP(TR)").value, 1e-3);

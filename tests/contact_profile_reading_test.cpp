@@ -146,8 +146,8 @@ TEST_F(ContactProfileReading, MirrorsOfFileAndRecordAddUp) {
   for (const int mirror : {-1, 0, 1}) {
     record.mirror_y = record.mirror_z = mirror;
     const auto least = read_profile_curve(record, ProfileRole::wheel)->points().front();
-    EXPECT_NEAR(least.y, mirror == 0 ? -30 : -20, 1e-12) << mirror;
-    EXPECT_NEAR(least.z, mirror == 0 ? -1 : -5, 1e-12) << mirror;
+    EXPECT_NEAR(least.y / mm, mirror == 0 ? -30 : -20, 1e-12) << mirror;
+    EXPECT_NEAR(least.z / mm, mirror == 0 ? -1 : -5, 1e-12) << mirror;
   }
 }
 
@@ -194,10 +194,11 @@ TEST_F(ContactProfileReading, EndsOfASmoothedProfileWeighMore) {
       const bool first = k == 0, last = k + 1 == rough.size();
       const double side = first ? s[1] : last ? s[k] - s[k - 1] : (s[k + 1] - s[k - 1]) / 2;
       const double weight = method == 0 ? 1 : first || last ? 20 * side : side;
-      mean += weight * (rough[k].z - smooth[k].z);
-      moment += weight * s[k] * (rough[k].z - smooth[k].z);
-      second += weight * s[k] * s[k] * (rough[k].z - smooth[k].z);
-      scatter += weight * std::abs(rough[k].z - smooth[k].z);
+      const double moved = rough[k].z - smooth[k].z / mm;
+      mean += weight * moved;
+      moment += weight * s[k] * moved;
+      second += weight * s[k] * s[k] * moved;
+      scatter += weight * std::abs(moved);
     }
     EXPECT_GT(scatter, 0.1) << method;
     EXPECT_NEAR(mean, 0, 1e-9) << method;

@@ -9,6 +9,7 @@
 #include "tests/support/expect_close.hpp"
 #include "tests/support/steel.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -385,6 +386,16 @@ TEST(ContactRun, AForceThatIsNotReachedIsNotOk) {
                                           : "the force that is prescribed is not reached: FX is -1.84092 N instead of "
                                             "-1.83908 N");
   }
+}
+
+TEST(ContactRun, NotesThatSteadyRollingTakesDxForDq) {
+  const auto has_note = [](const std::string& dq) {
+    const auto notes = run_cases(steady_rolling("100. 2d-4 -1d-4 1d-4", "0 " + dq + " 30000.")).at(0).outcome.notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const auto& note) { return note.starts_with("T = 3: DQ is DX"); });
+  };
+  EXPECT_TRUE(has_note(".1"));
+  EXPECT_FALSE(has_note(".1666663")) << "2 mm times SCALE over 16 elements";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// From the numbers of a CONTACT case, mm and N, to a problem in SI.
+// From a CONTACT input file, mm and N, to a problem in SI.
 
 #include "compat/contact/set_up.hpp"
 

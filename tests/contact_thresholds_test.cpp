@@ -1,5 +1,6 @@
 // Thresholds of profile reading and contact search are those that the documentation has beside CONTACT's.
 
+#include "compat/contact/units.hpp"
 #include "compat/contact/wheel_rail/profile_thresholds.hpp"
 #include "compat/contact/wheel_rail/records.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
@@ -42,18 +43,18 @@ const std::map<std::string, double> thresholds = {
     {"greatest spacing of samples across a slice", P::slice_spacing},
     {"step across the track over the locus, times DS", S::locus_step},
     {"locus jumps: turn with x at a tenth", S::jump_turn},
-    {"locus jumps: side longer than", S::jump_length},
+    {"locus jumps: side longer than", S::jump_length / mm},
     {"brute force, step along the track, times DX", S::step_along},
     {"brute force, the same of a wheel that is not round", S::step_along_varied},
     {"brute force, step across, times DS", S::step_across},
     {"brute force, the same with D = 6", S::step_across_steep},
     {"brute force, reach along the track, times the wheel's radius", S::reach},
     {"brute force, the same with D = 6 and of small wheels", S::reach_steep},
-    {"brute force, small wheels: radius below", S::small_radius},
+    {"brute force, small wheels: radius below", S::small_radius / mm},
     {"brute force, reach around a wheel that is not round, rad", S::reach_varied},
-    {"minima: gaps of one plateau differ by less than", S::plateau},
-    {"least weight in the means of x, y and angle", S::least_weight},
-    {"wheel's radius at most", WheelsetDimensions::greatest_radius},
+    {"minima: gaps of one plateau differ by less than", S::plateau / mm},
+    {"least weight in the means of x, y and angle", S::least_weight / (mm * mm * mm)},
+    {"wheel's radius at most", WheelsetDimensions::greatest_radius / mm},
     {"points across the track over the locus at most", S::most_on_line},
     {"points of brute force at most", S::most_on_grid},
     {"depth of the wheel in the rail, times its radius", S::deepest},
@@ -66,7 +67,7 @@ const std::map<std::string, double> thresholds = {
     {"D = 4: elements beyond the last in the overlap", S::curved_beyond},
     {"D = 4: surfaces face each other, length of the mean normal above", S::facing},
     {"solutions at most", S::most_solutions},
-    {"first height: Hertz's solution with a curvature across the track of at least, 1/mm", S::least_curvature},
+    {"first height: Hertz's solution with a curvature across the track of at least, 1/mm", S::least_curvature / per_mm},
 };
 
 struct Row {

@@ -55,8 +55,8 @@ void expect_alike(const WheelOutcome& a, const WheelOutcome& b, double tolerance
   expect_near(a.track.force, b.track.force, force);
   ASSERT_EQ(a.patches.size(), b.patches.size());
   for (std::size_t k = 0; k < a.patches.size(); ++k) {
-    EXPECT_NEAR(a.patches[k].location.track.x, b.patches[k].location.track.x, 10 * tolerance);
-    EXPECT_NEAR(a.patches[k].location.track.y, b.patches[k].location.track.y, 10 * tolerance);
+    EXPECT_NEAR(a.patches[k].location.track.x / mm, b.patches[k].location.track.x / mm, 10 * tolerance);
+    EXPECT_NEAR(a.patches[k].location.track.y / mm, b.patches[k].location.track.y / mm, 10 * tolerance);
     EXPECT_NEAR(a.patches[k].location.angle, b.patches[k].location.angle, tolerance);
   }
 }
@@ -93,9 +93,9 @@ TEST_F(VariedProfiles, SlicesOfASphereAreASphere) {
   for (const char* digits : {" 0022033", " 0052033"}) {
     const WheelOutcome above = wheel(with(on_slices, search, digits));
     EXPECT_NEAR(above.track.force.z / hertz.normal_force, 1, 0.004) << digits;
-    EXPECT_NEAR(above.patches.at(0).location.track.x, 0, 1e-3);
+    EXPECT_NEAR(above.patches.at(0).location.track.x / mm, 0, 1e-3);
     const WheelOutcome ahead = wheel(with(on_slices, {{search, digits}, {place, " 4. 0 .13 0 0 0"}}));
-    EXPECT_NEAR(ahead.patches.at(0).location.track.x, -2, 0.01) << digits;
+    EXPECT_NEAR(ahead.patches.at(0).location.track.x / mm, -2, 0.01) << digits;
   }
 }
 
@@ -104,7 +104,7 @@ TEST_F(VariedProfiles, OnARampTheWheelTouchesAhead) {
   write_rail(equal_steps(-40, 40, 5), [](double u, double) { return -0.1 * u; });
   const double lift = 100 * (std::sqrt(1.01) - 1);
   const WheelOutcome w = wheel(with(on_slices, place, " 0 0 " + std::to_string(0.16 - lift) + " 0 0 0"));
-  EXPECT_NEAR(w.patches.at(0).location.track.x, 10 / std::sqrt(1.01), 5e-3);
+  EXPECT_NEAR(w.patches.at(0).location.track.x / mm, 10 / std::sqrt(1.01), 5e-3);
   EXPECT_NEAR(w.patches.at(0).contact.load.value, 0.16e-3, 2e-7);
 }
 
@@ -112,13 +112,13 @@ TEST_F(VariedProfiles, OnARampTheWheelTouchesAhead) {
 TEST_F(VariedProfiles, CorrugationLiftsTheWheel) {
   const std::string text = with(on_slices, {{" 1203000", " 1203100"}, {place, " 0 0 5e4 0 0 0"}});
   write_slices("rail.slcs", {-60, 60}, {"convex.prr"});
-  const double smooth = wheel(text).z;
+  const double smooth = wheel(text).z / mm;
   write_slices("rail.slcs", {-60, 60}, {"convex.prr"}, "1 1", "1\n .01 800. 0d\n");
   const auto at = [&](const char* s) { return wheel(with(text, " 0 0 5e4 ", std::string(" ") + s + " 0 5e4 ")); };
-  EXPECT_NEAR(at("200.").z - smooth, 0.01, 1e-5) << "z points down";
-  EXPECT_NEAR(at("600.").z - smooth, -0.01, 1e-5);
+  EXPECT_NEAR(at("200.").z / mm - smooth, 0.01, 1e-5) << "z points down";
+  EXPECT_NEAR(at("600.").z / mm - smooth, -0.01, 1e-5);
   const double slope = 0.01 * 2 * std::numbers::pi / 800;
-  EXPECT_NEAR(at("0.").patches.at(0).location.track.x, -100 * slope, 5e-4);
+  EXPECT_NEAR(at("0.").patches.at(0).location.track.x / mm, -100 * slope, 5e-4);
 }
 
 TEST_F(VariedProfiles, AWheelOfEqualSlicesIsRound) {
@@ -139,7 +139,7 @@ TEST_F(VariedProfiles, AnEccentricWheelRisesAndFalls) {
       with(on_rail, {{"'wheel.prw'", "'wheel.slcw'"}, {" 1203000", " 1203100"}, {place, " 0 0 5e4 0 0 0"}});
   write_slices("wheel.slcw", equal_steps(-3, 3, 61), {"wheel.prw"}, "1 2", "1\n .5 1 0\n");
   const auto height = [&](const char* pitch) {
-    return wheel(with(text, " 0 0 5e4 0 0 0", std::string(" 0 0 5e4 0 0 ") + pitch)).z;
+    return wheel(with(text, " 0 0 5e4 0 0 0", std::string(" 0 0 5e4 0 0 ") + pitch)).z / mm;
   };
   const double level = 0.5 * (height("90d") + height("-90d"));
   EXPECT_NEAR(height("-90d") - level, -0.5, 1e-3) << "theta = 90 degrees is lowest";
@@ -154,7 +154,7 @@ TEST_F(VariedProfiles, LeftIsTheMirrorImageOfRight) {
                                            {" 3. 3. .1 .002 .01 0", " 3. -3. .1 -.002 -.01 0"},
                                            {" 100. 1. 0 .1 .2 -1. ", " 100. -1. 0 -.1 -.2 -1. "}});
   const WheelOutcome right = wheel(text), left = wheel(mirrored);
-  EXPECT_GT(std::abs(right.patches.at(0).location.track.x), 0.02);
+  EXPECT_GT(std::abs(right.patches.at(0).location.track.x / mm), 0.02);
   EXPECT_NEAR(right.track.force.x, left.track.force.x, 1e-6);
   EXPECT_NEAR(right.track.force.y, -left.track.force.y, 1e-6);
   EXPECT_NEAR(right.patches.at(0).location.angle, -left.patches.at(0).location.angle, 1e-12);
@@ -170,8 +170,8 @@ TEST_F(VariedProfiles, WhereTheRailIsInterruptedThereIsNone) {
   file.close();
   const std::string text = with(on_slices, {{" 1203000", " 1203100"}, {place, " 0 6. 5e4 0 0 0"}});
   const auto at = [&](const char* s) { return wheel(with(text, " 0 6. 5e4", std::string(" ") + s + " 6. 5e4")); };
-  EXPECT_NEAR(at("25.").patches.at(0).location.track.z, 0, 0.2) << "on the nose";
-  EXPECT_NEAR(at("-25.").patches.at(0).location.track.z, 5, 0.2) << "beside it";
+  EXPECT_NEAR(at("25.").patches.at(0).location.track.z / mm, 0, 0.2) << "on the nose";
+  EXPECT_NEAR(at("-25.").patches.at(0).location.track.z / mm, 5, 0.2) << "beside it";
 }
 
 TEST_F(VariedProfiles, MistakesInSlicesAreReasons) {
@@ -206,12 +206,12 @@ TEST(ContactVariedProfiles, DigitsAreContacts) {
   };
   const WheelOutcome locus = first("cross_locus.inp"), brute = first("cross_brute.inp"), flat = first("wheelflat.inp");
   EXPECT_NEAR(locus.track.force.x, 2814, 0.5);
-  EXPECT_NEAR(locus.patches.at(0).location.track.x, 45.7583, 1e-4);
+  EXPECT_NEAR(locus.patches.at(0).location.track.x / mm, 45.7583, 1e-4);
   EXPECT_EQ(locus.patches.at(0).solution->totals.contact, 724);
   EXPECT_NEAR(brute.track.force.x, 2812, 0.5);
   EXPECT_NEAR(brute.track.force.y, -918.8, 0.05);
   EXPECT_EQ(brute.patches.at(0).solution->totals.potential, 3355);
-  EXPECT_NEAR(flat.z, 0.3729, 5e-5);
+  EXPECT_NEAR(flat.z / mm, 0.3729, 5e-5);
   EXPECT_NEAR(flat.track.force.x, 7499, 0.5);
   EXPECT_NEAR(flat.patches.at(0).solution->totals.peak_pressure, 1096, 0.5);
 }

@@ -26,15 +26,15 @@ TEST(ContactWheelInput, ReadsARecordPerConcept) {
   const WheelRailData& d = *c.wheel_rail;
   EXPECT_EQ(d.digits.config, Config::right_on_track);
   EXPECT_EQ(d.search, ContactSearch::locus);
-  EXPECT_EQ(d.grid.dx, 0.2);
+  EXPECT_EQ(d.grid.dx, 0.2 * mm);
   EXPECT_DOUBLE_EQ(d.grid.a_sep, std::numbers::pi / 2);
-  EXPECT_EQ(d.grid.d_turn, 12) << "2 D_SEP - D_COMB";
-  EXPECT_EQ(d.grid.g_miss, -1);
+  EXPECT_EQ(d.grid.d_turn, 12 * mm) << "2 D_SEP - D_COMB";
+  EXPECT_EQ(d.grid.g_miss, -mm);
   EXPECT_FALSE(d.track.by_gauge());
-  EXPECT_EQ(d.track.rail_y0, 200);
+  EXPECT_EQ(d.track.rail_y0, 0.2);
   EXPECT_EQ(d.rail.file, "folder/rail.prr");
-  EXPECT_EQ(d.wheelset.flange_back_position, -100);
-  EXPECT_EQ(std::get<VerticalPosition>(d.position.vertical).z, 0.16);
+  EXPECT_EQ(d.wheelset.flange_back_position, -0.1);
+  EXPECT_EQ(std::get<VerticalPosition>(d.position.vertical).z, 0.16 * mm);
   EXPECT_EQ(std::get<PitchVelocity>(d.velocity.pitch).rate, -1);
   EXPECT_EQ(c.solver.npot_max, 2000000);
   EXPECT_EQ(c.digits.norm, Normal::approach);
@@ -59,17 +59,17 @@ TEST(ContactWheelInput, ReadsWhatIsOptional) {
                     {"100.       FBDIST", "100. -3. FBDIST"}});
   const WheelRailData d = *read(text).at(0).wheel_rail;
   EXPECT_EQ(read(text).at(0).solver.npot_max, 5000);
-  EXPECT_EQ(d.grid.d_turn, 10);
-  EXPECT_EQ(d.grid.g_miss, 0.1);
+  EXPECT_EQ(d.grid.d_turn, 10 * mm);
+  EXPECT_EQ(d.grid.g_miss, 0.1 * mm);
   EXPECT_DOUBLE_EQ(d.track.cant, 2.5 * std::numbers::pi / 180);
-  EXPECT_EQ(d.track.curvature, 1e-6);
+  EXPECT_EQ(d.track.curvature, 1e-3);
   EXPECT_EQ(d.rail.mirror_y, 1);
   EXPECT_EQ(d.rail.mirror_z, -1);
   EXPECT_EQ(d.rail.smoothing, 1);
   EXPECT_EQ(d.rail.kink_width, 1.5);
   EXPECT_EQ(d.rail.error_handling, -1);
   EXPECT_EQ(d.rail.most_omitted, 0.25);
-  EXPECT_EQ(d.wheelset.tape_circle, -3);
+  EXPECT_EQ(d.wheelset.tape_circle, -3 * mm);
 }
 
 /// As in CONTACT: what is no factor of length counts as none.
@@ -90,7 +90,7 @@ TEST(ContactWheelInput, FrictionHasStationsByInclination) {
   const Case c = read(text).at(0);
   ASSERT_EQ(c.friction.stations.size(), 2u);
   EXPECT_DOUBLE_EQ(c.friction.stations[1], -std::numbers::pi / 18);
-  EXPECT_EQ(c.friction.sets[1], (std::vector<double>{0.3, 0, 1, 0, 1, 0.001, 2}));
+  EXPECT_EQ(c.friction.sets[1], (std::vector<double>{0.3, 0, mm, 0, mm, 0.001 * mm, 2 * mm}));
 }
 
 TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
@@ -102,7 +102,7 @@ TEST(ContactWheelInput, LaterCasesKeepWhatTheyDoNotRead) {
   EXPECT_EQ(cases[1].wheel_rail->search, ContactSearch::locus);
   EXPECT_EQ(std::get<VerticalForce>(cases[1].wheel_rail->position.vertical).fz, 5e3);
   EXPECT_EQ(cases[1].digits.norm, Normal::force);
-  EXPECT_EQ(cases[1].wheel_rail->velocity.vs, 100);
+  EXPECT_EQ(cases[1].wheel_rail->velocity.vs, 0.1);
   EXPECT_EQ(cases[1].wheel_rail->rail.file, "folder/rail.prr");
   EXPECT_EQ(cases[2].sequence, (std::pair<int, int>{2, 1}));
 }
@@ -128,11 +128,11 @@ TEST(ContactWheelInput, RollersAndDeflectionsHaveRecordsOfTheirOwn) {
                          {" 100. 0 0 0 0 -1.      VS", " .25 0 0 0 0 -1. VPITCH_ROL\n 1 2 3 4d 5 6\n 7 8 9 10 11 12"}});
   const WheelRailData d = *read(text).at(0).wheel_rail;
   EXPECT_TRUE(d.digits.is_roller());
-  EXPECT_EQ(d.track.roller_radius, 400);
+  EXPECT_EQ(d.track.roller_radius, 0.4);
   EXPECT_EQ(d.support.fz, 4e3);
-  EXPECT_EQ(d.support.first_step, 0.5);
+  EXPECT_EQ(d.support.first_step, 0.5 * mm);
   EXPECT_EQ(d.velocity.vs, 0.25);
-  EXPECT_EQ(d.deflection.dz, 3);
+  EXPECT_EQ(d.deflection.dz, 3 * mm);
   EXPECT_EQ(d.deflection.vpitch, 12);
 }
 

@@ -48,8 +48,8 @@ protected:
     ASSERT_EQ(l.patches.size(), 1u);
     EXPECT_NEAR(r.track.force.x, l.track.force.x, 1e-6);
     EXPECT_NEAR(r.track.force.y, -l.track.force.y, 1e-6);
-    EXPECT_NEAR(r.track.moment.x, -l.track.moment.x, 1e-4);
-    EXPECT_NEAR(r.track.moment.y, l.track.moment.y, 1e-4);
+    EXPECT_NEAR(r.track.moment.x / mm, -l.track.moment.x / mm, 1e-4);
+    EXPECT_NEAR(r.track.moment.y / mm, l.track.moment.y / mm, 1e-4);
     EXPECT_NE(r.patches[0].location.angle, 0);
     EXPECT_NEAR(r.patches[0].location.angle, -l.patches[0].location.angle, 1e-12);
     EXPECT_NEAR(r.patches[0].contact.phi, -l.patches[0].contact.phi, 1e-15);
@@ -105,8 +105,8 @@ TEST_F(WheelOnPlane, IsASphereOnAPlane) {
 TEST_F(WheelOnPlane, LiesBesideThePlaneUnderYaw) {
   const auto outcomes = run(with(first_wheel, " 0 0 .16 0 0 0", " 0 0 .16 0 -.3r 0"));
   const WheelPatch& p = outcomes.at(0).wheel->patches.at(0);
-  EXPECT_NEAR(p.location.track.x, 200 * std::sin(0.3), 1e-3);
-  EXPECT_NEAR(p.location.track.y, 200 * std::cos(0.3), 1e-3);
+  EXPECT_NEAR(p.location.track.x / mm, 200 * std::sin(0.3), 1e-3);
+  EXPECT_NEAR(p.location.track.y / mm, 200 * std::cos(0.3), 1e-3);
 }
 
 TEST_F(WheelOnPlane, BearsTheForceThatIsGiven) {
@@ -114,7 +114,7 @@ TEST_F(WheelOnPlane, BearsTheForceThatIsGiven) {
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_NEAR(w.track.force.z, 5e4, 5e4 * 1e-7);
   const double approach = hertz_from_load({5, 5}, steel, 5e4).approach;
-  EXPECT_NEAR(w.z / (approach * 1e3), 1, 0.003);
+  EXPECT_NEAR(w.z / approach, 1, 0.003);
   EXPECT_LE(w.effort.normal, 8);
 }
 
@@ -122,7 +122,7 @@ TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFinds) {
   const auto locus = run(first_wheel), brute = run(with(first_wheel, " 0022033", " 0052033"));
   const WheelOutcome &a = *locus.at(0).wheel, &b = *brute.at(0).wheel;
   EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 2e-3);
-  EXPECT_NEAR(a.patches.at(0).location.track.y, b.patches.at(0).location.track.y, 0.01);
+  EXPECT_NEAR(a.patches.at(0).location.track.y / mm, b.patches.at(0).location.track.y / mm, 0.01);
 }
 
 /// On rollers and in raceways, off the middle and yawed; with steep slopes, too.
@@ -142,8 +142,8 @@ TEST_F(WheelOnPlane, BruteForceFindsWhatTheLocusFindsOnRollers) {
       ASSERT_EQ(b.patches.size(), 1u);
       EXPECT_NEAR(a.track.force.z / b.track.force.z, 1, 2e-3);
       EXPECT_NEAR(a.track.force.y, b.track.force.y, 2e-3 * a.track.force.z);
-      EXPECT_NEAR(a.patches[0].location.track.x, b.patches[0].location.track.x, 0.01);
-      EXPECT_NEAR(a.patches[0].location.track.y, b.patches[0].location.track.y, 0.01);
+      EXPECT_NEAR(a.patches[0].location.track.x / mm, b.patches[0].location.track.x / mm, 0.01);
+      EXPECT_NEAR(a.patches[0].location.track.y / mm, b.patches[0].location.track.y / mm, 0.01);
       EXPECT_NEAR(a.patches[0].location.angle, b.patches[0].location.angle, 1e-4);
     }
   }
@@ -291,7 +291,7 @@ TEST_F(WheelOnPlane, DampingGoesOnAsPatchesMergeAndSplit) {
       dampings.push_back(damping);
     }
     const auto rate = [&](std::size_t k) { // VELOC/DQ
-      return digits[4] == '3' ? outcomes.at(k).wheel->patches.at(0).contact.rolling->veloc / .4 : 1;
+      return digits[4] == '3' ? outcomes.at(k).wheel->patches.at(0).contact.rolling->veloc / (.4 * mm) : 1;
     };
     ASSERT_EQ(outcomes.at(1).wheel->patches.size(), 1u);
     ASSERT_EQ(outcomes.at(2).wheel->patches.size(), 2u);
@@ -442,7 +442,7 @@ TEST_F(WheelOnPlane, ARailOnASpringIsInBalance) {
                                         {" 0 0 0 0 0 0           DY", " 0 0 0 0 0 0 DY\n 4e3 700. 0 0 .2 KY"}});
   const WheelOutcome& w = *run(text).at(0).wheel;
   EXPECT_GT(std::abs(w.track.force.y), 100);
-  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
+  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail / mm + 700, 0, 0.01);
 }
 
 /// A rail on two springs of 4 and 6 kN/mm, preloaded, under a wheel whose vertical force or height is given.
@@ -460,12 +460,13 @@ TEST_F(RailOnTwoSprings, SinksUnderTheForceThatIsGiven) {
   const Outcome o = run(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_)).at(0);
   const WheelOutcome& w = *o.wheel;
   EXPECT_EQ(o.solution.status, Status::ok);
-  EXPECT_NEAR(w.dz_rail, (50e3 - 2e4) / 6e3, 1e-12);
+  EXPECT_NEAR(w.dz_rail / mm, (50e3 - 2e4) / 6e3, 1e-12);
   EXPECT_NEAR(w.track.force.z, 50e3, 0.01);
-  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail + 700, 0, 0.01);
+  EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail / mm + 700, 0, 0.01);
   const Outcome stiff = run(with_springs(" 1203130", " 0 3. 50e3 0 0 0", "4e3 700. 0 0 .2")).at(0);
-  EXPECT_NEAR(w.z - w.dz_rail, stiff.wheel->z, 1e-6) << "it has only moved down";
-  EXPECT_NEAR(w.patches.at(0).location.track.z - w.dz_rail, stiff.wheel->patches.at(0).location.track.z, 1e-6);
+  EXPECT_NEAR(w.z / mm - w.dz_rail / mm, stiff.wheel->z / mm, 1e-6) << "it has only moved down";
+  EXPECT_NEAR(w.patches.at(0).location.track.z / mm - w.dz_rail / mm, stiff.wheel->patches.at(0).location.track.z / mm,
+              1e-6);
 }
 
 /// At the height that was found for a force the same force is found for the height.
@@ -476,16 +477,16 @@ TEST_F(RailOnTwoSprings, AreInBalanceAtTheHeightThatIsGiven) {
     const WheelOutcome wanted = *run(with_springs(by_force.c_str(), y + "50e3 0 0 0", springs_)).at(0).wheel;
     std::ostringstream height;
     height.precision(17);
-    height << y << wanted.z << " 0 0 0";
+    height << y << in_file(wanted.z, mm) << " 0 0 0";
     const Outcome o = run(with_springs(by_height.c_str(), height.str(), springs_)).at(0);
     const WheelOutcome& w = *o.wheel;
     EXPECT_EQ(o.solution.status, Status::ok);
     EXPECT_EQ(w.z, wanted.z);
-    EXPECT_NEAR(w.dz_rail, wanted.dz_rail, 1e-6);
-    EXPECT_NEAR(w.dy_rail, wanted.dy_rail, 1e-6);
+    EXPECT_NEAR(w.dz_rail / mm, wanted.dz_rail / mm, 1e-6);
+    EXPECT_NEAR(w.dy_rail / mm, wanted.dy_rail / mm, 1e-6);
     EXPECT_NEAR(w.track.force.z, 50e3, 0.05);
     EXPECT_NEAR(w.track.force.y, wanted.track.force.y, 0.05);
-    EXPECT_NEAR(w.patches.at(0).location.track.z, wanted.patches.at(0).location.track.z, 1e-5);
+    EXPECT_NEAR(w.patches.at(0).location.track.z / mm, wanted.patches.at(0).location.track.z / mm, 1e-5);
   }
 }
 
@@ -493,8 +494,8 @@ TEST_F(RailOnTwoSprings, HangFreelyWhereTheWheelDoesNotReachThem) {
   const Outcome o = run(with_springs(" 1203030", " 0 3. -5. 0 0 0", springs_)).at(0);
   EXPECT_EQ(o.solution.status, Status::ok);
   EXPECT_TRUE(o.wheel->patches.empty());
-  EXPECT_NEAR(o.wheel->dz_rail, -2e4 / 6e3, 1e-12);
-  EXPECT_NEAR(o.wheel->dy_rail, 700 / 4e3, 1e-9);
+  EXPECT_NEAR(o.wheel->dz_rail / mm, -2e4 / 6e3, 1e-12);
+  EXPECT_NEAR(o.wheel->dy_rail / mm, 700 / 4e3, 1e-9);
 }
 
 TEST_F(RailOnTwoSprings, NeedASpringBelow) {
@@ -532,7 +533,7 @@ TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
 class DampedWheel : public WheelOnPlane {
 protected:
   /// DQ/VELOC [s]
-  static double time_step(const Outcome& o) { return 0.2 / o.wheel->patches.at(0).contact.rolling->veloc; }
+  static double time_step(const Outcome& o) { return 0.2 * mm / o.wheel->patches.at(0).contact.rolling->veloc; }
 
   static std::string slanting(std::string text) { return with(text, " 100. 0 0 0 0 -1. ", " 100. .02 0 0 0 -1.0004 "); }
   /// With the numbers of M2 = 2.
@@ -563,7 +564,7 @@ TEST_F(DampedWheel, BearsTheRateOfItsForceBesides) {
   EXPECT_NEAR(damping(outcomes[1]).y, 2e-3 * change.y / dt, 1e-6 * change.z);
   EXPECT_NEAR(w.track.force.z, after.track.force.z + 1e-3 * change.z / dt, 1e-6 * change.z);
   EXPECT_NEAR(w.track.force.y, after.track.force.y + 2e-3 * change.y / dt, 1e-6 * change.z);
-  EXPECT_NEAR(w.wheelset.moment.y - after.wheelset.moment.y, -0.17 * (w.track.force.x - after.track.force.x),
+  EXPECT_NEAR(w.wheelset.moment.y / mm - after.wheelset.moment.y / mm, -0.17 * (w.track.force.x - after.track.force.x),
               1e-6 * change.z)
       << "it acts at the reference, on the rail's surface";
   EXPECT_EQ(w.patches[0].solution->totals.fn, after.patches[0].solution->totals.fn) << "of the contact itself";
@@ -733,8 +734,8 @@ TEST_F(WornProfiles, ARailOnSpringsIsWhereContactFindsIt) {
     const WheelOutcome& w = *o.wheel;
     EXPECT_EQ(o.solution.status, Status::ok);
     ASSERT_EQ(w.patches.size(), 1u);
-    EXPECT_NEAR(w.dy_rail, p.dy, 1e-4);
-    EXPECT_NEAR(w.dz_rail, p.dz, 1e-4);
+    EXPECT_NEAR(w.dy_rail / mm, p.dy, 1e-4);
+    EXPECT_NEAR(w.dz_rail / mm, p.dz, 1e-4);
     EXPECT_NEAR(w.track.force.x, p.fx, 5);
     EXPECT_NEAR(w.track.force.y, p.fy, 20); // the position across the track is printed to 5 um
     EXPECT_NEAR(w.track.force.z, p.fz, 10);
@@ -758,14 +759,14 @@ TEST(ContactWheelRun, PlacesAndCreepagesAreContactsToTheDigit) {
   const WheelOutcome& w = *outcome.wheel;
   ASSERT_EQ(w.patches.size(), 1u);
   const WheelPatch& p = w.patches[0];
-  EXPECT_NEAR(w.z, -0.1961, 5e-5);
+  EXPECT_NEAR(w.z / mm, -0.1961, 5e-5);
   EXPECT_NEAR(w.track.force.x, -880.0, 0.05);
   EXPECT_NEAR(w.track.force.y, 1401, 0.5);
-  EXPECT_NEAR(p.location.rail.y, -35.40, 5e-3);
+  EXPECT_NEAR(p.location.rail.y / mm, -35.40, 5e-3);
   EXPECT_NEAR(p.location.angle, -0.4176, 5e-5);
   EXPECT_NEAR(slip_of(p.contact.x), 5.077e-3, 5e-7);
   EXPECT_NEAR(slip_of(p.contact.y), 1.580e-2, 5e-6);
-  EXPECT_NEAR(p.contact.phi, 8.744e-4, 5e-8);
+  EXPECT_NEAR(p.contact.phi * mm, 8.744e-4, 5e-8);
   EXPECT_NEAR(p.solution->totals.peak_pressure, 1149, 0.5);
   EXPECT_EQ(p.solution->totals.contact, 332);
 }

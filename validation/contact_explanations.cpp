@@ -45,8 +45,8 @@ double solved_to(const Difference& d, const Case& c, const Outcome&) {
   constexpr double creepage = 1e-3;
   if (is_one_of(d.name, {"CKSI", "CETA", "CPHI"})) return creepage;
   if (d.name.starts_with("FRIC.")) {
-    const double speed = c.rolling && c.rolling->veloc > 0 ? c.rolling->veloc * 1e-3 : 1; // [m/s]
-    return c.friction.sets.at(0).at(0) * d.load * creepage * speed; // by FSTAT, or FREF of other laws
+    const double speed = c.rolling && c.rolling->veloc > 0 ? c.rolling->veloc : 1; // [m/s]
+    return c.friction.sets.at(0).at(0) * d.load * creepage * speed;                // by FSTAT, or FREF of other laws
   }
   if (d.name.ends_with("/FN")) return 1;
   if (d.name == "APPROACH") return std::abs(d.theirs.value) * (1 + largest_creep_ratio(c));
@@ -85,8 +85,8 @@ bool is_angle_on_slices(const Difference& d, const Case& c, const Outcome& o) {
   const double apart = std::abs(d.ours.value - d.theirs.value), load = is_force_or_power(d.name) ? d.load : 0;
   if (!c.wheel_rail || !has_slices(c.wheel_rail->rail) || o.misses_force || !o.wheel) return false;
   // Turned frames mix the rotation's velocity at x with the lateral one, and turn the rotation into spin.
-  const double radius = c.wheel_rail->wheelset.nominal_radius; // [mm]
-  if (d.name == "CPHI") return apart < most / radius;
+  const double radius = c.wheel_rail->wheelset.nominal_radius;
+  if (d.name == "CPHI") return apart * 1e3 < most / radius; // of [rad/mm]
   if (d.name == "CETA" && d.patch > 0)
     return apart < most * std::abs(o.wheel->patches.at(d.patch - 1).location.track.x) / radius;
   return d.name == "DELTCP(TR)" ? apart < most : d.relative < most || apart < most * load;

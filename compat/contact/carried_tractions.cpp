@@ -10,8 +10,6 @@ namespace {
 using Field = std::vector<double>;
 using State = ContactSequence::State;
 
-constexpr double mm = 1e-3;
-
 std::array<Field*, 6> fields_of(TangentialState& s) {
   return {&s.px, &s.py, &s.pressure, &s.friction_drop, &s.slip_velocity, &s.plastic_deformation};
 }
@@ -79,18 +77,18 @@ State sum_of(const std::vector<State>& states) {
 
 void move_origin(CarriedTractions& carried, double dx, double dy) {
   const auto move = [&](ElementGrid& grid) {
-    grid.x0 += mm * dx;
-    grid.y0 += mm * dy;
+    grid.x0 += dx;
+    grid.y0 += dy;
   };
   move(carried.tractions.grid);
   if (carried.springs) move(carried.springs->grid);
 }
 
 CarriedTractions part_of(CarriedTractions carried, double low, double high) {
-  keep(carried.tractions, mm * low, mm * high);
+  keep(carried.tractions, low, high);
   if (!carried.springs) return carried;
   State springs = as_state(*carried.springs);
-  keep(springs, mm * low, mm * high);
+  keep(springs, low, high);
   carried.springs = as_springs(std::move(springs));
   return carried;
 }

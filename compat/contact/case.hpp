@@ -16,16 +16,18 @@
 
 namespace microslip::contact_program {
 
-/// The law in force and its data, CONTACT's units (mm/s, deg C).
+/// The law in force and its data.
 struct FrictionData {
-  Law law = Law::coulomb;                ///< never keep
-  bool by_row = false;                   ///< V = 3
-  std::vector<std::vector<double>> sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file
-  /// With V = 1, 2 of module 1: the inclination [rad], or the position along the track, of each of the sets, ascending.
+  Law law = Law::coulomb; ///< never keep
+  bool by_row = false;    ///< V = 3
+  std::vector<std::vector<double>>
+      sets; ///< one, or one for each row; L = 0: FSTAT, FKIN; else as in the file [-], [m/s], [m], [deg C]
+  /// With V = 1, 2 of module 1: the inclination [rad], or the position along the track [m], of each of the sets,
+  /// ascending.
   std::vector<double> stations = {};
 };
 
-/// Rolling of the bodies. [rad], [mm], [mm/s], [-]
+/// Rolling of the bodies. [rad], [m], [m/s], [-]
 struct RollingData {
   double chi = 0, dq = 0, veloc = 0;
   double facphi = 1.0 / 6; ///< where in a step the rigid slip is taken
@@ -35,18 +37,18 @@ struct RollingData {
 struct AngleCorrection {
   int method = 0;  ///< IF_METH: 0 angles along a straight line, 1 as they are
   int variant = 1; ///< VARIANT: 1, 2 (but pressure along x) of the traction, 3 of the displacement, 4 half of each
-  std::vector<std::pair<double, double>> angles = {}; ///< Y [mm] and ALPHA [rad], ascending
+  std::vector<std::pair<double, double>> angles = {}; ///< Y [m] and ALPHA [rad], ascending
 };
 
 /// Both bodies' data, and what the material digit adds (M = 1: FG1 FG2 TC1 TC2; 2: FLX K0_MF ALFAMF BETAMF; 3, 5:
-/// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [N/mm2]
+/// K0_MF ALFAMF BETAMF; 4: GG3 LAYTHK TAU_C0 K_TAU). [-], [Pa], [m], [Pa/m]
 struct MaterialData {
   Coefficients coefficients = Coefficients::constant; ///< never keep or form
-  std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9, SI
+  std::shared_ptr<const InfluenceTable> table = {};   ///< of C = 9
   AngleCorrection correction = {};                    ///< of C = 4
   std::string missing_table = {};                     ///< CFNAME of C = 9 where there is no such file
   double poisson1 = 0, poisson2 = 0, shear1 = 0, shear2 = 0;
-  double sheet_flexibility = 0; ///< FLXZ [mm3/N], of B = 1
+  double sheet_flexibility = 0; ///< FLXZ [m3/N], of B = 1
   Bulk model = Bulk::elastic;   ///< M that `model_data` was read for
   std::vector<double> model_data = {};
 };
@@ -67,7 +69,7 @@ struct SolverData {
   }
 };
 
-/// Heat parameters of a body: BKTEMP [deg C], HEATCP [J/(kg K)], LAMBDA [W/(mm K)], DENS [kg/mm3].
+/// Heat parameters of a body: BKTEMP [deg C], HEATCP [J/(kg K)], LAMBDA [W/(m K)], DENS [kg/m3].
 struct HeatData {
   std::array<double, 4> body1 = {}, body2 = {};
   double plastic_share = 0; ///< BETAPL, with M = 4
@@ -79,7 +81,7 @@ struct DampingData {
   double normal_limit = 0, tangential_limit = 0; ///< DFNMAX, DFTMAX: the most that a rate counts [N/s]
 };
 
-/// CKSI or CETA [-], in a shift the distance [mm].
+/// CKSI or CETA [-], in a shift the distance [m].
 struct Slip {
   double value = 0;
 };
@@ -87,6 +89,15 @@ struct Slip {
 struct ForceRatio {
   double value = 0;
 };
+/// Units of creepages, and in a shift of distances: CKSI, CETA, wx, wy,
+inline double unit_of_slip(const Digits& d) {
+  return d.tang == Tangential::shift ? mm : 1;
+}
+/// and of the spin or a shift's rotation, CPHI.
+inline double unit_of_spin(const Digits& d) {
+  return d.tang == Tangential::shift ? 1 : per_mm;
+}
+
 /// What is given along an axis.
 using SlipOrForce = std::variant<Slip, ForceRatio>;
 
@@ -103,7 +114,13 @@ inline double number_of(const SlipOrForce& either) {
   return std::visit([](const auto& given) { return given.value; }, either);
 }
 
-/// A case in CONTACT's units: its digits, and the data that hold for it, whether read or kept. One of module 1 has
+/// As a file has it.
+inline double in_file(const SlipOrForce& either, const Digits& d) {
+  const auto* slip = std::get_if<Slip>(&either);
+  return slip ? in_file(slip->value, unit_of_slip(d)) : std::get<ForceRatio>(either).value;
+}
+
+/// A case in SI units: its digits, and the data that hold for it, whether read or kept. One of module 1 has
 /// `wheel_rail`; grid, distance and motion are then those of each of its patches, and not known yet.
 struct Case {
   int number = 0;                        ///< in the file, from 1
@@ -113,10 +130,10 @@ struct Case {
   bool names_element = false;            ///< whether it, or a case before, has an RE other than the first case's
 
   Digits digits = {};
-  NormalLoad load = {};          ///< PEN or FN, in SI
+  NormalLoad load = {};          ///< PEN or FN
   SlipOrForce x = {}, y = {};    ///< CKSI or FX, CETA or FY
-  double phi = 0;                ///< CPHI [rad/mm], for a shift [rad]
-  double spin_x = 0, spin_y = 0; ///< SPINXO, SPINYO [mm]
+  double phi = 0;                ///< CPHI [rad/m], for a shift [rad]
+  double spin_x = 0, spin_y = 0; ///< SPINXO, SPINYO [m]
   SolverData solver = {};
   FrictionData friction = {};
   std::optional<RollingData> rolling = {};
@@ -125,7 +142,7 @@ struct Case {
   std::optional<PotentialContact> potential = {};
   NormalLoad formed = {}; ///< PEN or FN when the potential contact was formed
   Geometry geometry = {};
-  std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9)
+  std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9) [-], in a shift [m]
   ExtraSlip extra = ExtraSlip::none;   ///< never keep
   std::optional<HeatData> heat = {};   ///< of H = 3 now or before
   SubsFile subs_file = SubsFile::none; ///< of S = 2 or 3 now or before

@@ -58,8 +58,6 @@ int element_state(const Outcome& outcome, std::size_t element) {
 
 namespace {
 
-constexpr double mm_per_m = 1e3;
-
 /// With all of what elements do to each other, where the problem was solved with less of it: as CONTACT counts it.
 double half_space_energy(const ContactStep& step, const ContactStepSolution& s) {
   const ElementGrid& grid = step.grid;
@@ -93,7 +91,7 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   const PrintedTotals& totals = outcome.totals = printed_totals(c, outcome.step, outcome.solution);
   const Vec3<double> force{totals.fx, totals.fy, totals.fn};
   forces_.begin(c.digits.pvtime);
-  outcome.damping = damping_force(c, outcome.step.motion.step * mm_per_m, force, forces_.before());
+  outcome.damping = damping_force(c, outcome.step.motion.step, force, forces_.before());
   forces_.end(force);
   if (outcome.step.response.patches.count > 1)
     outcome.totals.elastic_energy = half_space_energy(outcome.step, outcome.solution);

@@ -6,9 +6,9 @@ namespace microslip::contact_program {
 namespace {
 
 /// [s]
-double time_step(const Case& c, double step_in_mm) {
-  constexpr double least_speed = 1e-10; // mm/s
-  return c.digits.rolls() ? step_in_mm / std::max(least_speed, c.rolling->veloc) : 1;
+double time_step(const Case& c, double step) {
+  constexpr double least_speed = 1e-13; // [m/s]
+  return c.digits.rolls() ? step / std::max(least_speed, c.rolling->veloc) : 1;
 }
 
 } // namespace
@@ -23,12 +23,12 @@ std::optional<Vec3<double>> carried_force(Continuation from, const std::optional
   return last;
 }
 
-std::optional<Vec3<double>> damping_force(const Case& c, double step_in_mm, const Vec3<double>& force,
+std::optional<Vec3<double>> damping_force(const Case& c, double step, const Vec3<double>& force,
                                           const std::optional<Vec3<double>>& before) {
   if (!c.damping) return {};
   if (!before) return Vec3<double>{};
   const auto& [normal, tangential, normal_limit, tangential_limit] = *c.damping;
-  const Vec3<double> rate = (1 / time_step(c, step_in_mm)) * (force - *before);
+  const Vec3<double> rate = (1 / time_step(c, step)) * (force - *before);
   const auto limited = [](double value, double limit) { return std::clamp(value, -limit, limit); };
   return Vec3<double>{tangential * limited(rate.x, tangential_limit), tangential * limited(rate.y, tangential_limit),
                       normal * limited(rate.z, normal_limit)};

@@ -25,9 +25,10 @@ private:
 /// The force of the time before that counts for digit P, of what a contact bore then: of the pressure alone with P = 1.
 std::optional<Vec3<double>> carried_force(Continuation from, const std::optional<Vec3<double>>& last);
 
-/// Damping forces of a case with M2 > 0, C dF/dt [N]: from the change of the force in its time step, DQ/VELOC in
-/// rolling and 1 s otherwise, whose rate is limited to DFTMAX in x and y and to DFNMAX. Zero without a force before.
-std::optional<Vec3<double>> damping_force(const Case& c, double step_in_mm, const Vec3<double>& force,
+/// Damping forces of a case with M2 > 0, C dF/dt [N]: from the change of the force in its time step, `step` [m] over
+/// VELOC in rolling and 1 s otherwise, whose rate is limited to DFTMAX in x and y and to DFNMAX. Zero without a force
+/// before.
+std::optional<Vec3<double>> damping_force(const Case& c, double step, const Vec3<double>& force,
                                           const std::optional<Vec3<double>>& before);
 
 } // namespace microslip::contact_program

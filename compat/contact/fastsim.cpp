@@ -13,8 +13,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3, mm3_per_newton = 1e-9;
-
 /// mu of each law at a slip velocity [m/s].
 std::vector<double> friction_at(const ContactStep& step, double velocity) {
   std::vector<double> mu;
@@ -61,7 +59,7 @@ public:
       : case_(c), step_(step), normal_force_(normal_force), solver_(step.grid, pressure),
         before_(at_origin(step, origin_of(c, carried))) {
     const TangentialInput& m = step.motion;
-    rolling_.spin_centre = {c.spin_x * mm, c.spin_y * mm};
+    rolling_.spin_centre = {c.spin_x, c.spin_y};
     rolling_.spin_in_x = c.extra != ExtraSlip::without_spin_x;
     rolling_.spin_in_y = c.extra != ExtraSlip::without_spin_y;
     if (c.digits.has_history()) rolling_.before = &before_;
@@ -84,8 +82,7 @@ public:
   TangentialSolution solve() const {
     const Digits& d = case_.digits;
     const bool shifts = d.tang == Tangential::shift;
-    const double unit = shifts ? mm : 1, turn = shifts ? 1 : 1 / mm;
-    const Creepage creepage = {unit * slip_of(case_.x), unit * slip_of(case_.y), turn * case_.phi};
+    const Creepage creepage = {slip_of(case_.x), slip_of(case_.y), case_.phi};
     if (d.force == Prescribed::creepages) return solution(solve(creepage), creepage);
     PrescribedForces prescribed;
     if (step_.force_x) prescribed.x = *step_.force_x * normal_force_;
@@ -177,7 +174,8 @@ private:
 
   Flexibilities full_flexibilities(const Creepage& creepage) const {
     if (case_.digits.mater == Bulk::fastsim_one) {
-      const double given = require_positive("FLX", case_.material->model_data[0], "mm3/N") * mm3_per_newton;
+      const double given =
+          require_positive("FLX", case_.material->model_data[0] / mm3_per_newton, "mm3/N") * mm3_per_newton;
       return {given, given, given};
     }
     const bool by_force = case_.digits.force != Prescribed::creepages;
@@ -189,7 +187,7 @@ private:
     TangentialSolution s;
     // The frame's origin is not the centre of spin.
     const double phi = creepage.spin;
-    s.creepage = {creepage.longitudinal + phi * case_.spin_y * mm, creepage.lateral - phi * case_.spin_x * mm, phi};
+    s.creepage = {creepage.longitudinal + phi * case_.spin_y, creepage.lateral - phi * case_.spin_x, phi};
     s.slip_direction.assign(g.sx.size(), 0);
     for (std::size_t k = 0; k < g.sx.size(); ++k)
       if (g.sx[k] != 0 || g.sy[k] != 0) s.slip_direction[k] = std::atan2(g.sy[k], g.sx[k]);
@@ -231,7 +229,7 @@ PrintedSprings printed_springs(const Case& c, const ContactStep& step, const Con
   // About the centre of spin, as the case was solved.
   const Creepage& found = solution.tangential.creepage;
   const double phi = found.spin;
-  return simplified.springs({found.longitudinal - phi * c.spin_y * mm, found.lateral + phi * c.spin_x * mm, phi});
+  return simplified.springs({found.longitudinal - phi * c.spin_y, found.lateral + phi * c.spin_x, phi});
 }
 
 ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, ContactSequence& steps,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 namespace microslip::contact_program {
 namespace {
@@ -25,7 +26,8 @@ constexpr Names grid_names[] = {{{"XL", "YL", "DX", "DY"}},
 
 void read_hertzian(Words& words, PotentialContact& p) {
   const Names& names = hertzian_names[-number(p.kind) - 1];
-  for (std::size_t k = 0; k < 4 && names.of[k]; ++k) p.values[k] = words.positive(names.of[k]);
+  for (std::size_t k = 0; k < 4 && names.of[k]; ++k)
+    p.values[k] = words.positive(names.of[k], unit_of_hertz(p.kind, k).value());
   p.scale = words.positive("SCALE");
 }
 
@@ -35,25 +37,30 @@ void read_rectangle(Words& words, PotentialContact& p) {
   const bool has_sizes = p.kind == Potential::corner_and_size || p.kind == Potential::centre_and_size;
   for (std::size_t k = 0; k < 4; ++k) {
     const char* name = names.of[k];
-    p.values[k] = has_sizes && k >= 2 ? words.positive(name) : words.real(name);
+    p.values[k] = has_sizes && k >= 2 ? words.positive(name, mm) : words.real(name, mm);
     if (has_sizes || k < 2) continue;
     const int elements = k == 2 ? p.mx : p.my;
     if (p.kind == Potential::centres && elements == 1)
-      words.fail(name, p.values[k], "gives no size to a single element; take IPOTCN = 3");
+      words.fail(name, p.values[k] * per_m, "gives no size to a single element; take IPOTCN = 3");
     if (!(p.values[k] > p.values[k - 2]))
-      words.fail(name, p.values[k], std::string("must be above ") + names.of[k - 2]);
+      words.fail(name, p.values[k] * per_m, std::string("must be above ") + names.of[k - 2]);
   }
+}
+
+/// B1 x2 + B2 x y + B3 y2 + B4 x + B5 y + B6, or the same of a planform.
+std::vector<double> read_quadratic(Words& words, const char* field) {
+  return in_si(words.reals(field, 6), units_of_quadratic);
 }
 
 /// The circle along x and the heights along y.
 std::vector<double> read_circle(Words& words) {
   const int count = words.integer("NN", 1, most_heights);
-  const double xm = words.real("XM"), rm = words.real("RM");
+  const double xm = words.real("XM", mm), rm = words.real("RM", mm);
   if (rm == 0) words.fail("RM", 0, "must not be 0");
-  const double y1 = words.real("Y1"), dy1 = count > 1 ? words.positive("DY1") : words.real("DY1");
+  const double y1 = words.real("Y1", mm), dy1 = count > 1 ? words.positive("DY1", mm) : words.real("DY1", mm);
   words.end_record();
   std::vector<double> values = {xm, rm, y1, dy1};
-  const auto heights = words.reals("Z", static_cast<std::size_t>(count));
+  const auto heights = words.reals("Z", static_cast<std::size_t>(count), mm);
   values.insert(values.end(), heights.begin(), heights.end());
   return values;
 }
@@ -62,15 +69,15 @@ std::vector<double> read_waves(Words& words) {
   const auto values = words.reals("B", 8);
   for (const std::size_t k : {6u, 7u})
     if (values[k] == 0) words.fail("B(" + std::to_string(k + 1) + ")", 0, "must not be 0");
-  return values;
+  return in_si(values, units_of_waves);
 }
 
 /// XL XH YL YH of two rectangles.
 std::vector<double> read_rectangles(Words& words) {
-  const auto values = words.reals("PL", 8);
+  const auto values = words.reals("PL", 8, mm);
   for (std::size_t k = 1; k < values.size(); k += 2)
     if (!(values[k] > values[k - 1]))
-      words.fail("PL(" + std::to_string(k + 1) + ")", values[k], "must be above PL(" + std::to_string(k) + ")");
+      words.fail("PL(" + std::to_string(k + 1) + ")", values[k] * per_m, "must be above PL(" + std::to_string(k) + ")");
   return values;
 }
 
@@ -80,13 +87,15 @@ std::vector<double> read_sub_patches(Words& words) {
   words.end_record();
   const auto patches = static_cast<std::size_t>(count);
   std::vector<double> values = {static_cast<double>(count)};
-  for (const auto& [field, number] : {std::pair{"YSEP", patches - 1}, {"FAC", patches * (patches - 1) / 2}}) {
+  for (const auto& [field, number, unit] :
+       {std::tuple{"YSEP", patches - 1, mm}, {"FAC", patches * (patches - 1) / 2, 1.0}}) {
     if (number == 0) continue;
-    const auto part = words.reals(field, number);
+    const auto part = words.reals(field, number, unit);
     const bool separates = values.size() == 1;
     for (std::size_t k = 1; separates && k < part.size(); ++k)
       if (!(part[k] > part[k - 1]))
-        words.fail("YSEP(" + std::to_string(k + 1) + ")", part[k], "must be above YSEP(" + std::to_string(k) + ")");
+        words.fail("YSEP(" + std::to_string(k + 1) + ")", part[k] * per_m,
+                   "must be above YSEP(" + std::to_string(k) + ")");
     values.insert(values.end(), part.begin(), part.end());
   }
   return values;
@@ -106,7 +115,7 @@ PointBlock read_block(Words& words) {
   words.end_record();
   const auto count = [&](const char* field) { return words.integer(field, 1, most_points); };
   const auto coordinates = [&](const char* field, int number) {
-    return words.reals(field, static_cast<std::size_t>(number));
+    return words.reals(field, static_cast<std::size_t>(number), mm);
   };
   switch (points.kind) {
   case Points::end:
@@ -142,7 +151,7 @@ PointBlock read_block(Words& words) {
   }
   const int nz = count("NZ");
   if (points.has_equal_depths()) {
-    const double zl = words.real("ZL"), dz = words.real("DZ");
+    const double zl = words.real("ZL", mm), dz = words.real("DZ", mm);
     points.z = {static_cast<double>(nz), zl, dz};
     words.end_record();
   } else {
@@ -153,6 +162,12 @@ PointBlock read_block(Words& words) {
 }
 
 } // namespace
+
+Unit unit_of_hertz(Potential kind, std::size_t k) {
+  if (kind == Potential::curvatures || (kind == Potential::line_curvature && k == 0)) return -1;
+  if (kind == Potential::curvature_and_ratio) return k == 0 ? -1 : 0;
+  return 1;
+}
 
 PotentialContact read_potential_contact(Words& words) {
   PotentialContact p;
@@ -173,11 +188,11 @@ Geometry read_geometry(Words& words, const PotentialContact& potential) {
   g.base = read_choice<Base>(words);
   g.planform = read_choice<Planform>(words);
   words.end_record();
-  if (g.base == Base::quadratic) g.values = words.reals("B", 6);
+  if (g.base == Base::quadratic) g.values = read_quadratic(words, "B");
   if (g.base == Base::circle) g.values = read_circle(words);
   if (g.base == Base::waves) g.values = read_waves(words);
-  if (g.base == Base::by_element) g.values = words.reals("H", potential.elements());
-  if (g.planform == Planform::quadratic) g.plan_values = words.reals("PL", 6);
+  if (g.base == Base::by_element) g.values = words.reals("H", potential.elements(), mm);
+  if (g.planform == Planform::quadratic) g.plan_values = read_quadratic(words, "PL");
   if (g.planform == Planform::rectangles) g.plan_values = read_rectangles(words);
   if (g.planform == Planform::sub_patches) g.plan_values = read_sub_patches(words);
   return g;

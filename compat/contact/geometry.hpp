@@ -1,13 +1,14 @@
 #pragma once
 
 #include "compat/contact/digits.hpp"
+#include "compat/contact/units.hpp"
 
 #include <array>
 #include <vector>
 
 namespace microslip::contact_program {
 
-/// The potential contact as a CONTACT file gives it [mm], [1/mm], [-].
+/// The potential contact as a CONTACT file gives it [m], [1/m], [-].
 struct PotentialContact {
   Potential kind = Potential::corner_and_size;
   int mx = 0, my = 0;
@@ -21,7 +22,7 @@ struct PotentialContact {
   std::size_t elements() const { return static_cast<std::size_t>(mx) * static_cast<std::size_t>(my); }
 };
 
-/// The undeformed distance [mm] and the region in which contact is possible.
+/// The undeformed distance and the region in which contact is possible [m].
 struct Geometry {
   Base base = Base::quadratic;
   std::vector<double> values = {}; ///< 1: B1 to B6; 2: XM RM Y1 DY1, heights; 3: B1 to B8; 9: each element's
@@ -29,7 +30,7 @@ struct Geometry {
   std::vector<double> plan_values = {}; ///< 2: six; 3: XL XH YL YH twice; 4: NPATCH, YSEP, FAC
 };
 
-/// Points of the interior field: one of CONTACT's blocks. Indices count from 1, lengths are in mm.
+/// Points of the interior field: one of CONTACT's blocks. Indices count from 1, lengths are in m.
 struct PointBlock {
   Points kind = Points::end;
   std::vector<int> range = {};                ///< of a range: IXL INC IXH IYL INC IYH
@@ -37,6 +38,12 @@ struct PointBlock {
 
   bool has_equal_depths() const { return kind == Points::all || kind == Points::range || kind == Points::listed; }
 };
+
+/// Unit of a number of Hertz's geometry, from k = 0 on.
+Unit unit_of_hertz(Potential kind, std::size_t k);
+/// Units of a quadratic form, and of waves.
+inline const UnitList units_of_quadratic = {-1, -1, -1, 0, 0, 1};
+inline const UnitList units_of_waves = {1, -1, 1, 1, -1, 1, 1, 1};
 
 /// Each reads the records at which `words` stands. Errors as those of Words.
 PotentialContact read_potential_contact(Words& words);

@@ -1,5 +1,6 @@
 #include "compat/contact/influence_file.hpp"
 
+#include "compat/contact/units.hpp"
 #include "compat/contact/words.hpp"
 #include "microslip/contact/limits.hpp"
 
@@ -7,8 +8,6 @@
 
 namespace microslip::contact_program {
 namespace {
-
-constexpr double mm = 1e-3;
 
 /// The coefficients in the file's order.
 constexpr std::pair<const char*, double FullInfluence::*> columns[] = {

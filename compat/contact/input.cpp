@@ -13,7 +13,6 @@ namespace microslip::contact_program {
 namespace {
 
 constexpr int most_angles = 10000;
-constexpr double mm = 1e-3;
 
 } // namespace
 
@@ -85,12 +84,14 @@ void InputReader::check_kept(const Case& c) {
 void InputReader::read_kinematics(Case& c) {
   const Digits& d = c.digits;
   c.load = d.norm == Normal::force ? NormalLoad{NormalLoad::Given::force, words_.positive("FN")}
-                                   : NormalLoad{NormalLoad::Given::approach, words_.real("PEN") * mm};
-  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{words_.real("CKSI")}) : ForceRatio{words_.real("FX")};
-  c.y = d.force != Prescribed::force_x_and_y ? SlipOrForce(Slip{words_.real("CETA")}) : ForceRatio{words_.real("FY")};
-  c.phi = words_.real("CPHI");
-  c.spin_x = words_.optional_real("SPINXO", 0);
-  c.spin_y = words_.optional_real("SPINYO", 0);
+                                   : NormalLoad{NormalLoad::Given::approach, words_.real("PEN", mm)};
+  const double unit = unit_of_slip(d), turn = unit_of_spin(d);
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{words_.real("CKSI", unit)}) : ForceRatio{words_.real("FX")};
+  c.y = d.force != Prescribed::force_x_and_y ? SlipOrForce(Slip{words_.real("CETA", unit)})
+                                             : ForceRatio{words_.real("FY")};
+  c.phi = words_.real("CPHI", turn);
+  c.spin_x = words_.optional_real("SPINXO", 0, mm);
+  c.spin_y = words_.optional_real("SPINYO", 0, mm);
   words_.end_record();
 }
 
@@ -107,8 +108,8 @@ void InputReader::read_rolling(Case& c) {
   if (!c.digits.rolls()) return;
   RollingData rolling;
   rolling.chi = words_.angle("CHI");
-  rolling.dq = words_.positive("DQ");
-  rolling.veloc = words_.positive("VELOC");
+  rolling.dq = words_.positive("DQ", mm);
+  rolling.veloc = words_.positive("VELOC", mm);
   rolling.facphi = words_.optional_real("FACPHI", rolling.facphi);
   if (!(rolling.facphi >= 0 && rolling.facphi <= 1)) words_.fail("FACPHI", rolling.facphi, "must be in [0, 1]");
   words_.end_record();
@@ -125,8 +126,8 @@ void InputReader::read_material(Case& c) {
     words_.end_record();
     auto& angles = m.correction.angles;
     for (int k = 0; k < count; ++k) {
-      const double y = words_.real("Y");
-      if (k > 0 && !(y > angles.back().first)) words_.fail("Y", y, "must be above the one before");
+      const double y = words_.real("Y", mm);
+      if (k > 0 && !(y > angles.back().first)) words_.fail("Y", y * per_m, "must be above the one before");
       angles.emplace_back(y, words_.angle("ALPHA"));
     }
     words_.end_record();
@@ -145,9 +146,7 @@ void InputReader::read_material(Case& c) {
 
 /// Read once for all cases; nothing if there is no such file.
 std::shared_ptr<const InfluenceTable> InputReader::coefficients_from(const std::string& file, const MaterialData& m) {
-  constexpr double newton_per_mm2 = 1e6;
-  const double shear_modulus =
-      combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2}).shear_modulus;
+  const double shear_modulus = combine({m.shear1, m.poisson1}, {m.shear2, m.poisson2}).shear_modulus;
   auto& table = tables_[{file, shear_modulus}];
   if (table) return table;
   const std::string path = io::file_beside(folder_, file).string();
@@ -187,7 +186,8 @@ void InputReader::read_friction_by_rows(Case& c) {
 void InputReader::read_extra_slip(Case& c) {
   const Digits& d = c.digits;
   if (d.exrhs != ExtraSlip::keep) c.extra = d.exrhs;
-  if (d.exrhs == ExtraSlip::by_element) c.extra_slip = words_.reals("EXRHS", 2 * c.potential->elements());
+  if (d.exrhs == ExtraSlip::by_element)
+    c.extra_slip = words_.reals("EXRHS", 2 * c.potential->elements(), unit_of_slip(d));
   if (c.extra != ExtraSlip::by_element) c.extra_slip.clear();
 }
 

@@ -1,11 +1,14 @@
 #include "compat/contact/input_text.hpp"
 
+#include "compat/contact/records.hpp"
+#include "compat/contact/wheel_rail/record_numbers.hpp"
 #include "microslip/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <limits>
+#include <iterator>
 #include <span>
 
 #include <fmt/format.h>
@@ -13,30 +16,20 @@
 namespace microslip::contact_program {
 namespace {
 
-/// The number of millimetres that is read as this length [m] again.
-double millimetres(double length) {
-  constexpr double per_m = 1e3, mm = 1e-3;
-  const double near = length * per_m, infinity = std::numeric_limits<double>::infinity();
-  for (const double one : {near, std::nextafter(near, -infinity), std::nextafter(near, infinity)})
-    if (one * mm == length) return one;
-  return near;
-}
-
 double number_of(const Vertical& vertical) {
   const auto* force = std::get_if<VerticalForce>(&vertical);
-  return force ? force->fz : std::get<VerticalPosition>(vertical).z;
+  return force ? force->fz : in_file(std::get<VerticalPosition>(vertical).z, mm);
 }
 
 double number_of(const PitchDrive& drive) {
   if (const auto* force = std::get_if<LongitudinalForce>(&drive)) return force->fx;
-  if (const auto* moment = std::get_if<PitchMoment>(&drive)) return moment->my;
+  if (const auto* moment = std::get_if<PitchMoment>(&drive)) return in_file(moment->my, mm);
   return std::get<PitchVelocity>(drive).rate;
 }
 
 bool is_used(const WheelDeflection& d) {
-  for (const double value : {d.dx, d.dy, d.dz, d.droll, d.dyaw, d.dpitch, d.vx, d.vy, d.vz, d.vroll, d.vyaw, d.vpitch})
-    if (value != 0) return true;
-  return false;
+  return std::any_of(std::begin(wheel_deflection_numbers), std::end(wheel_deflection_numbers),
+                     [&](const auto& number) { return d.*number.member != 0; });
 }
 
 /// Writes the records of a case in their order.
@@ -67,13 +60,13 @@ private:
     add_third_control();
     add_solver();
     const bool of_force = d.norm == Normal::force;
-    add({of_force ? case_.load.value : millimetres(case_.load.value), contact_program::number_of(case_.x),
-         contact_program::number_of(case_.y), case_.phi, case_.spin_x, case_.spin_y},
+    add({of_force ? case_.load.value : in_file(case_.load.value, mm), in_file(case_.x, d), in_file(case_.y, d),
+         in_file(case_.phi, unit_of_spin(d)), in_file(case_.spin_x, mm), in_file(case_.spin_y, mm)},
         of_force ? "FN, KSI, ETA, PHI, SPINXO, SPINYO" : "PEN, KSI, ETA, PHI, SPINXO, SPINYO");
     if (!case_.friction.by_row) add_friction_set(case_.friction.sets.at(0));
     if (d.rolls()) {
       const RollingData& r = *case_.rolling;
-      add({r.chi, r.dq, r.veloc, r.facphi}, "CHI, DQ, VELOC, FACPHI");
+      add({r.chi, in_file(r.dq, mm), in_file(r.veloc, mm), r.facphi}, "CHI, DQ, VELOC, FACPHI");
     }
     add_correction();
     add_material();
@@ -81,7 +74,7 @@ private:
     if (!case_.potential->is_hertzian()) add_geometry();
     if (case_.friction.by_row)
       for (const auto& set : case_.friction.sets) add_friction_set(set);
-    if (case_.extra == ExtraSlip::by_element) add_list(case_.extra_slip);
+    if (case_.extra == ExtraSlip::by_element) add_list(case_.extra_slip, unit_of_slip(d));
     add_points();
   }
 
@@ -102,7 +95,9 @@ private:
     add_correction();
     add_material();
     const PatchRules& g = w.grid;
-    add({g.dx, g.ds, g.dqrel, g.a_sep, g.d_sep, g.d_comb, g.d_turn, g.g_miss},
+    const auto length = [](double value) { return in_file(value, mm); };
+    add({length(g.dx), length(g.ds), g.dqrel, g.a_sep, length(g.d_sep), length(g.d_comb), length(g.d_turn),
+         length(g.g_miss)},
         "DX, DS, DQREL, A_SEP, D_SEP, D_COMB, D_TURN, G_MISS");
     add_track(w);
     add_wheelset(w, bends);
@@ -113,12 +108,16 @@ private:
     for (const double value : values) add_number(value);
     text_ += fmt::format("  % {}\n", names);
   }
+  /// The numbers of a record that has a table.
+  template <class Table, class Record> void add_numbers(const Table& numbers, const Record& record) {
+    for (const auto& number : numbers) add_number(in_file(record.*number.member, number.unit.value()));
+  }
   /// Many numbers on several lines.
-  void add_list(std::span<const double> values) {
+  void add_list(std::span<const double> values, double unit = 1) {
     constexpr std::size_t on_a_line = 8;
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (k > 0 && k % on_a_line == 0) text_ += "\n";
-      add_number(values[k]);
+      add_number(in_file(values[k], unit));
     }
     text_ += "\n";
   }
@@ -180,7 +179,8 @@ private:
   void add_memory(const std::vector<double>& set) {
     if (case_.friction.law != Law::coulomb) add_list(std::span(set).last(2));
   }
-  void add_friction_set(const std::vector<double>& set) {
+  void add_friction_set(std::vector<double> set) {
+    set = in_file(std::move(set), units_of_friction(case_.friction.law));
     add_list(without_memory(set));
     add_memory(set);
   }
@@ -192,11 +192,13 @@ private:
       return;
     }
     add_integers({static_cast<int>(f.sets.size())}, "NVF");
+    std::vector<double> set;
     for (std::size_t k = 0; k < f.sets.size(); ++k) {
-      add_number(f.stations[k]);
-      add_list(without_memory(f.sets[k]));
+      add_number(in_file(f.stations[k], friction_stations() == FrictionStations::along_track ? mm : 1));
+      set = in_file(f.sets[k], units_of_friction(f.law));
+      add_list(without_memory(set));
     }
-    add_memory(f.sets.at(0));
+    add_memory(set);
   }
 
   /// C = 4; module 1 knows the angles from its profiles.
@@ -206,21 +208,23 @@ private:
     const AngleCorrection& a = m.correction;
     if (case_.wheel_rail) return add_integers({a.method, a.variant}, "IF_METH, VARIANT");
     add_integers({a.method, a.variant, static_cast<int>(a.angles.size())}, "IF_METH, VARIANT, NN");
-    for (const auto& [y, angle] : a.angles) add({y, angle}, "Y, ALPHA");
+    for (const auto& [y, alpha] : a.angles) add({in_file(y, mm), alpha}, "Y, ALPHA");
   }
 
   /// Elasticity, what B and M add to it, damping and heat.
   void add_material() {
     const MaterialData& m = *case_.material;
-    add({m.poisson1, m.poisson2, m.shear1, m.shear2}, "POISS 1, 2, GG 1, 2");
-    if (case_.digits.bound == PressureModel::thin_sheet) add({m.sheet_flexibility}, "FLXZ");
-    if (case_.digits.mater != Bulk::elastic && !m.model_data.empty()) add_list(m.model_data);
+    add({m.poisson1, m.poisson2, in_file(m.shear1, newton_per_mm2), in_file(m.shear2, newton_per_mm2)},
+        "POISS 1, 2, GG 1, 2");
+    if (case_.digits.bound == PressureModel::thin_sheet) add({in_file(m.sheet_flexibility, mm3_per_newton)}, "FLXZ");
+    if (case_.digits.mater != Bulk::elastic && !m.model_data.empty())
+      add_list(in_file(m.model_data, units_of_model(case_.digits.mater)));
     if (const auto& d = case_.damping)
       add({d->normal, d->tangential, d->normal_limit, d->tangential_limit}, "CDAMPN, CDAMPT, DFNMAX, DFTMAX");
     if (case_.digits.heat != Heat::none) add_heat(*case_.heat);
   }
   void add_heat(const HeatData& h) {
-    for (const auto& body : {h.body1, h.body2}) add_list(body);
+    for (const auto& body : {h.body1, h.body2}) add_list(in_file({body.begin(), body.end()}, units_of_heat));
     if (case_.digits.mater == Bulk::layer) add({h.plastic_share}, "BETAPL");
   }
 
@@ -231,7 +235,8 @@ private:
     add_integers({number(p.kind)}, "IPOTCN");
     text_ += fmt::format(" {} {}", p.mx, p.my);
     const std::size_t count = !p.is_hertzian() ? 4 : p.kind == Potential::half_ellipses ? 3 : 2;
-    for (std::size_t k = 0; k < count; ++k) add_number(p.values[k]);
+    for (std::size_t k = 0; k < count; ++k)
+      add_number(in_file(p.values[k], p.is_hertzian() ? unit_of_hertz(p.kind, k).value() : mm));
     if (p.is_hertzian()) add_number(p.scale);
     text_ += "  % MX, MY, ...\n";
   }
@@ -243,16 +248,22 @@ private:
     if (g.base == Base::circle) {
       constexpr std::size_t of_circle = 4;
       text_ += fmt::format(" {}", values.size() - of_circle);
-      add_list(values.first(of_circle));
-      add_list(values.subspan(of_circle));
+      add_list(values.first(of_circle), mm);
+      add_list(values.subspan(of_circle), mm);
+    } else if (g.base == Base::by_element) {
+      add_list(values, mm);
     } else {
-      add_list(values);
+      add_list(in_file(g.values, g.base == Base::waves ? units_of_waves : units_of_quadratic));
     }
-    if (g.planform == Planform::all) return;
+    if (g.planform == Planform::quadratic) add_list(in_file(g.plan_values, units_of_quadratic));
+    if (g.planform == Planform::rectangles) add_list(g.plan_values, mm);
+    if (g.planform != Planform::sub_patches) return;
     const std::span<const double> plan = g.plan_values;
-    if (g.planform != Planform::sub_patches) return add_list(plan);
+    const auto separators = static_cast<std::size_t>(plan[0]) - 1;
     add_list(plan.first(1));
-    if (plan.size() > 1) add_list(plan.subspan(1));
+    if (separators == 0) return;
+    add_list(plan.subspan(1, separators), mm);
+    add_list(plan.subspan(1 + separators));
   }
 
   void add_profile(const ProfileRecord& p) {
@@ -269,38 +280,43 @@ private:
 
   void add_track(const WheelRailData& w) {
     const TrackDimensions& t = w.track;
-    add_number(t.gauge_height);
-    add_number(t.by_gauge() ? 0 : t.rail_y0);
-    add_number(t.by_gauge() ? t.gauge_width : t.rail_z0);
+    for (const double length : {t.gauge_height, t.by_gauge() ? 0 : t.rail_y0, t.by_gauge() ? t.gauge_width : t.rail_z0})
+      add_number(in_file(length, mm));
     if (w.digits.is_roller())
-      add({t.roller_radius}, "GAUGHT, ..., NOMRADR");
+      add({in_file(t.roller_radius, mm)}, "GAUGHT, ..., NOMRADR");
     else
-      add({t.cant, t.curvature}, "GAUGHT, ..., CANT, CURV");
+      add({t.cant, in_file(t.curvature, per_mm)}, "GAUGHT, ..., CANT, CURV");
     add_profile(w.rail);
-    const RailPosition& p = w.rail_position;
-    add({p.dy, p.dz, p.roll, p.vy, p.vz, p.vroll}, "DYRAIL, DZRAIL, DROLLR, VYRAIL, VZRAIL, VROLLR");
-    const RailSupport& s = w.support;
-    if (w.digits.force == TotalForce::rail_deflection)
-      add({s.ky, s.fy, s.kz, s.fz, s.first_step}, "KYRAIL, FYRAIL, KZRAIL, FZRAIL, DYSTEP0");
+    add_numbers(rail_position_numbers, w.rail_position);
+    add({}, "DYRAIL, DZRAIL, DROLLR, VYRAIL, VZRAIL, VROLLR");
+    if (w.digits.force != TotalForce::rail_deflection) return;
+    add_numbers(rail_support_numbers, w.support);
+    add({in_file(w.support.first_step, mm)}, "KYRAIL, FYRAIL, KZRAIL, FZRAIL, DYSTEP0");
   }
 
   void add_wheelset(const WheelRailData& w, bool bends) {
     const WheelsetDimensions& s = w.wheelset;
-    add({s.flange_back_distance, s.flange_back_position, s.nominal_radius, s.tape_circle},
-        "FBDIST, FBPOS, NOMRADW, YTAPE");
+    for (const double length : {s.flange_back_distance, s.flange_back_position, s.nominal_radius, s.tape_circle})
+      add_number(in_file(length, mm));
+    add({}, "FBDIST, FBPOS, NOMRADW, YTAPE");
     add_profile(w.wheel);
-    const WheelsetPosition& p = w.position;
-    add({p.s, p.y, number_of(p.vertical), p.roll, p.yaw, p.pitch},
-        case_.digits.norm == Normal::force ? "S, Y, FZ, ROLL, YAW, PITCH" : "S, Y, Z, ROLL, YAW, PITCH");
+    const std::span<const RecordNumber<WheelsetPosition>> position(wheelset_position_numbers);
+    add_numbers(position.first(before_vertical), w.position);
+    add_number(number_of(w.position.vertical));
+    add_numbers(position.subspan(before_vertical), w.position);
+    add({}, case_.digits.norm == Normal::force ? "S, Y, FZ, ROLL, YAW, PITCH" : "S, Y, Z, ROLL, YAW, PITCH");
     const WheelsetVelocity& v = w.velocity;
-    add({v.vs, v.vy, v.vz, v.vroll, v.vyaw, number_of(v.pitch)},
-        w.digits.force == TotalForce::force_x    ? "VS, VY, VZ, VROLL, VYAW, FX"
-        : w.digits.force == TotalForce::moment_y ? "VS, VY, VZ, VROLL, VYAW, MY"
-                                                 : "VS, VY, VZ, VROLL, VYAW, VPITCH");
+    add_number(w.digits.is_roller() ? v.vs : in_file(v.vs, mm));
+    add_numbers(wheelset_velocity_numbers, v);
+    add({number_of(v.pitch)}, w.digits.force == TotalForce::force_x    ? "VS, VY, VZ, VROLL, VYAW, FX"
+                              : w.digits.force == TotalForce::moment_y ? "VS, VY, VZ, VROLL, VYAW, MY"
+                                                                       : "VS, VY, VZ, VROLL, VYAW, VPITCH");
     if (!bends) return;
-    const WheelDeflection& d = w.deflection;
-    add({d.dx, d.dy, d.dz, d.droll, d.dyaw, d.dpitch}, "DXWHL, DYWHL, DZWHL, DROLLW, DYAWW, DPITCHW");
-    add({d.vx, d.vy, d.vz, d.vroll, d.vyaw, d.vpitch}, "VXWHL, VYWHL, VZWHL, VROLLW, VYAWW, VPITCHW");
+    const std::span<const RecordNumber<WheelDeflection>> deflection(wheel_deflection_numbers);
+    add_numbers(deflection.first(6), w.deflection);
+    add({}, "DXWHL, DYWHL, DZWHL, DROLLW, DYAWW, DPITCHW");
+    add_numbers(deflection.subspan(6), w.deflection);
+    add({}, "VXWHL, VYWHL, VZWHL, VROLLW, VYAWW, VPITCHW");
   }
 
   void add_points() {
@@ -321,9 +337,12 @@ private:
     else if (!b.x.empty())
       counts({b.x.size(), b.y.size()});
     for (const auto* places : {&b.x, &b.y})
-      if (!places->empty()) add_list(*places);
+      if (!places->empty()) add_list(*places, b.kind == Points::anywhere ? mm : 1);
     if (b.kind != Points::anywhere && !b.has_equal_depths()) counts({b.z.size()});
-    add_list(b.z);
+    if (b.has_equal_depths())
+      add_list(in_file(b.z, {0, 1, 1}));
+    else
+      add_list(b.z, mm);
   }
 
   const Case& case_;

@@ -13,8 +13,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6, newton_per_mm2 = 1e6;
-
 /// The columns, or rows, of elements that a block names, from 0, as far as the grid has them; `part` is 0 for x, 1 for
 /// y.
 std::vector<int> elements_of(const PointBlock& block, std::size_t part, int count) {
@@ -37,7 +35,6 @@ std::vector<int> elements_of(const PointBlock& block, std::size_t part, int coun
 
 std::vector<double> coordinates(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  for (double& value : values) value *= mm;
   return values;
 }
 
@@ -51,7 +48,7 @@ InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
     for (const int j : elements_of(block, 1, grid.my)) points.y.push_back(grid.y(j));
   }
   if (block.has_equal_depths())
-    for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back((block.z[1] + k * block.z[2]) * mm);
+    for (int k = 0; k < static_cast<int>(block.z[0]); ++k) points.z.push_back(block.z[1] + k * block.z[2]);
   else
     points.z = coordinates(block.z);
   if (points.x.size() * points.y.size() > most_interior_points / points.z.size())
@@ -62,7 +59,7 @@ InteriorGrid points_of(const PointBlock& block, const ElementGrid& grid) {
 /// FG and TC of a viscoelastic body: a part of its displacements is retarded.
 InteriorBody body_of(const Case& c, std::size_t body) {
   const MaterialData& m = *c.material;
-  const Material material = {(body == 0 ? m.shear1 : m.shear2) * newton_per_mm2, body == 0 ? m.poisson1 : m.poisson2};
+  const Material material = {body == 0 ? m.shear1 : m.shear2, body == 0 ? m.poisson1 : m.poisson2};
   if (c.digits.mater != Bulk::viscoelastic) return material;
   return {material, retardation_of(creep_of(c, body), rolling_velocity(c))};
 }

@@ -2,6 +2,7 @@
 
 #include "compat/contact/fortran.hpp"
 #include "compat/contact/plastic_deformation.hpp"
+#include "compat/contact/records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
-constexpr int format = 2410;               ///< of the files
+constexpr int format = 2410; ///< of the files
 
 using Numbers = std::vector<double>;
 
@@ -37,7 +37,7 @@ struct Marker {
 };
 
 Marker marker_of(const Frame<double>& frame) {
-  return {frame.origin, roll_of(frame.axes), -std::asin(frame.axes.ey.x)};
+  return {per_m * frame.origin, roll_of(frame.axes), -std::asin(frame.axes.ey.x)};
 }
 
 /// The file's text; all its lines have the same number of columns.
@@ -77,18 +77,19 @@ private:
       const Placement& placed = of_wheel->wheel.placement;
       const Marker r = marker_of(placed.rail), w = marker_of(placed.wheel);
       const bool roller = d.digits.is_roller();
-      const Numbers first = {0,      roller ? 0 : d.position.s,         d.position.pitch, r.origin.y, r.origin.z,
-                             r.roll, roller ? d.track.roller_radius : 0};
+      const Numbers first = {
+          0,      roller ? 0 : d.position.s * per_m,         d.position.pitch, r.origin.y, r.origin.z,
+          r.roll, roller ? d.track.roller_radius * per_m : 0};
       std::copy(first.begin(), first.end(), rail.begin());
-      wheel = {w.origin.x, w.origin.y, w.origin.z, w.roll, w.yaw, d.wheelset.nominal_radius};
+      wheel = {w.origin.x, w.origin.y, w.origin.z, w.roll, w.yaw, d.wheelset.nominal_radius * per_m};
       const PatchLocation& l = of_wheel->wheel.patches[of_wheel->patch].location;
-      contact = {l.rail.x,
-                 l.rail.y,
-                 l.rail.z,
+      contact = {l.rail.x * per_m,
+                 l.rail.y * per_m,
+                 l.rail.z * per_m,
                  l.angle_on_rail,
-                 l.wheel.x,
-                 l.wheel.y,
-                 l.wheel.z,
+                 l.wheel.x * per_m,
+                 l.wheel.y * per_m,
+                 l.wheel.z * per_m,
                  static_cast<double>(of_wheel->wheel.patches.size()),
                  static_cast<double>(of_wheel->patch + 1)};
     } else {
@@ -100,7 +101,7 @@ private:
     line(wheel);
     comment("  X_CP(R)       Y_CP(R)       Z_CP(R)       DELT_CP(R)    X_CP(W)       Y_CP(W)       Z_CP(W)       "
             "NPATCH        IPATCH        SPINXO        SPINYO");
-    line(contact + Numbers{case_.spin_x, case_.spin_y});
+    line(contact + Numbers{case_.spin_x * per_m, case_.spin_y * per_m});
   }
 
   void add_grid(const PatchOfWheel* of_wheel) {
@@ -110,7 +111,7 @@ private:
     if (of_wheel) {
       const WheelRailData& d = *of_wheel->c.wheel_rail;
       config = {double(number(d.digits.config)), double(number(d.search)),
-                std::abs(of_wheel->wheel.placement.wheel_on_axle.origin.y)};
+                std::abs(of_wheel->wheel.placement.wheel_on_axle.origin.y * per_m)};
     }
     comment("   MX    MY     XL            YL            DX            DY            CHI           DQ            C1    "
             "        "
@@ -124,7 +125,7 @@ private:
   void add_material() {
     const MaterialData& m = *case_.material;
     const Numbers digits = {double(number(case_.digits.tang)), double(number(case_.digits.mater))};
-    const Numbers shear = {m.shear1, m.shear2};
+    const Numbers shear = {m.shear1 * mega, m.shear2 * mega};
     if (outcome_.springs) { // without POISS2: there are no more columns
       const auto& [l, slope] = *outcome_.springs;
       Numbers reduction = {1, 1, 1};
@@ -138,15 +139,16 @@ private:
     comment("    T    M      GG1           GG2           POISS1        POISS2        (FG1 FG2 TC1 TC2 | GG3 LAYTHK "
             "TAU_C0 K_TAU)");
     const bool has_model = case_.digits.mater == Bulk::viscoelastic || case_.digits.mater == Bulk::layer;
-    line(digits + shear + Numbers{m.poisson1, m.poisson2} + (has_model ? m.model_data : Numbers()));
+    line(digits + shear + Numbers{m.poisson1, m.poisson2} +
+         (has_model ? in_file(m.model_data, units_of_model(case_.digits.mater)) : Numbers()));
   }
 
   void add_friction() {
     comment("    L    H      VELOC         (FSTAT FKIN | FKIN F1 SABSH1 F2 SABSH2 | FREF TREF DFHEAT DTHEAT) MEMDST "
             "MEM_S0");
     line(Numbers{double(number(case_.friction.law)), double(number(case_.digits.heat)),
-                 case_.digits.rolls() ? case_.rolling->veloc : 1} +
-         case_.friction.sets.at(0));
+                 case_.digits.rolls() ? case_.rolling->veloc * per_m : 1} +
+         in_file(case_.friction.sets.at(0), units_of_friction(case_.friction.law)));
   }
 
   /// The coefficient at rest of a row.

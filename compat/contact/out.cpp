@@ -89,7 +89,6 @@ std::string tangential_problem(const Case& c) {
 std::string hertzian_geometry(const Case& c, const Outcome& o) {
   const auto shape = hertzian_shape(c, o.step);
   if (!shape || c.digits.discns == GridSource::keep) return "";
-  constexpr double per_m = 1e3;
   const PotentialContact& p = *c.potential;
   const bool halves = p.kind == Potential::half_ellipses;
   const double a = shape->a * per_m, b = shape->b * per_m, a1 = shape->gap.x / per_m, b1 = shape->gap.y / per_m;
@@ -102,7 +101,8 @@ std::string hertzian_geometry(const Case& c, const Outcome& o) {
     name.resize(43, ' ');
     text += name + general(values, 12, 4) + "\n";
   };
-  const auto& v = p.values;
+  auto v = p.values;
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] /= unit_of_hertz(p.kind, k).value();
   switch (p.kind) {
   case Potential::curvatures:
     line(" CURVATURE PRESCRIBED, A1,B1: ", {v[0], v[1]});
@@ -133,11 +133,11 @@ std::string material(const Case& c, const Outcome& o) {
   if (!c.digits.reads_material()) return "";
   const MaterialData& m = *c.material;
   const CombinedMaterial combined = combined_material(c);
-  constexpr double mega = 1e-6;
   std::string text =
       "\n MATERIAL CONSTANTS\n     NU          G           AK          EPS\n" +
       columns({combined.poisson_ratio, combined.shear_modulus * mega, combined.dissimilarity, c.solver.eps}) +
-      "\n    POISS(1)    POISS(2)     GG(1)       GG(2)\n" + columns({m.poisson1, m.poisson2, m.shear1, m.shear2});
+      "\n    POISS(1)    POISS(2)     GG(1)       GG(2)\n" +
+      columns({m.poisson1, m.poisson2, m.shear1 * mega, m.shear2 * mega});
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };
@@ -146,7 +146,7 @@ std::string material(const Case& c, const Outcome& o) {
   add(out_viscoelastic(c, "12"));
   const auto& v = m.model_data;
   if (c.digits.mater == Bulk::fastsim_one)
-    add(" SIMPLIFIED THEORY MATERIAL CONSTANTS\n     FLX\n" + columns({v[0]}));
+    add(" SIMPLIFIED THEORY MATERIAL CONSTANTS\n     FLX\n" + columns({v[0] / mm3_per_newton}));
   else
     add(out_flexibilities(o));
   if (o.springs && v.size() >= 3)
@@ -167,11 +167,11 @@ std::string kinematics(const Case& c, const Outcome& o) {
   text += x_given ? " FX" + unit : "   CKSI     ";
   text += y_given ? " FY" + unit : "   CETA     ";
   text += "   CPHI\n  ";
-  constexpr double per_m = 1e3;
-  text += rolls ? general({c.rolling->chi, o.step.motion.step * per_m}, 12, 4) + significant(c.rolling->veloc)
+  text += rolls ? general({c.rolling->chi, o.step.motion.step * per_m}, 12, 4) + significant(c.rolling->veloc * per_m)
                 : decimal(1, 8, 3) + "    " + significant(1);
-  text += significant({number_of(c.x), number_of(c.y), c.phi}) + "\n\n";
-  if (c.spin_x != 0 || c.spin_y != 0) text += "     SPINXO      SPINYO\n" + columns({c.spin_x, c.spin_y}) + "\n";
+  text += significant({in_file(c.x, d), in_file(c.y, d), c.phi / unit_of_spin(d)}) + "\n\n";
+  if (c.spin_x != 0 || c.spin_y != 0)
+    text += "     SPINXO      SPINYO\n" + columns({c.spin_x * per_m, c.spin_y * per_m}) + "\n";
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "compat/contact/out_sections.hpp"
 
+#include "compat/contact/records.hpp"
 #include "compat/contact/set_up.hpp"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 
 namespace microslip::contact_program {
 namespace {
-
-constexpr double per_m = 1e3, mega = 1e-6; ///< to mm, to N/mm2
 
 /// Names of a law's numbers; those of its memory are not printed.
 std::string names_of(Law law) {
@@ -36,7 +35,8 @@ std::string names_of(Law law) {
 std::string numbers_of(Law law, const std::vector<double>& set) {
   const std::size_t count = law == Law::coulomb ? 2 : law == Law::thermal ? 4 : 5;
   std::string text;
-  for (std::size_t k = 0; k < count; ++k) text += general(set[k], 12, 4);
+  const UnitList units = units_of_friction(law);
+  for (std::size_t k = 0; k < count; ++k) text += general(set[k] / units[k].value(), 12, 4);
   return text + "\n";
 }
 
@@ -186,7 +186,10 @@ std::string out_damping(const Case& c) {
 std::string out_heat(const Case& c) {
   if (c.digits.heat == Heat::none) return "";
   std::string text = "     BKTEMP      HEATCP      LAMBDA      DENSITY\n";
-  for (const auto& body : {c.heat->body1, c.heat->body2}) text += columns({body[0], body[1], body[2], body[3]});
+  for (const auto& body : {c.heat->body1, c.heat->body2}) {
+    const auto b = in_file({body.begin(), body.end()}, units_of_heat);
+    text += columns({b[0], b[1], b[2], b[3]});
+  }
   return text;
 }
 
@@ -195,7 +198,7 @@ std::string out_viscoelastic(const Case& c, const char* bodies) {
   const MaterialData& m = *c.material;
   const auto& v = m.model_data; // FG1, FG2, TC1, TC2
   const CombinedMaterial relaxed = combine({m.shear1 / (1 + v[0]), m.poisson1}, {m.shear2 / (1 + v[1]), m.poisson2});
-  const double speed = c.rolling ? c.rolling->veloc : 0;
+  const double speed = c.rolling ? c.rolling->veloc * per_m : 0;
   // Without time to creep bodies are relaxed from the start; else CONTACT prints what they begin with.
   const CombinedMaterial quick = combine({m.shear1, m.poisson1}, {m.shear2, m.poisson2});
   const CombinedMaterial& shown = v[2] == 0 && v[3] == 0 ? relaxed : quick;
@@ -203,14 +206,14 @@ std::string out_viscoelastic(const Case& c, const char* bodies) {
     return fmt::format("   {0}({1})       {0}({2})    ", name, bodies[0], bodies[1]);
   };
   return " VISCOELASTIC MATERIAL CONSTANTS\n     NUV         GV          AKV\n" +
-         columns({shown.poisson_ratio, shown.shear_modulus, shown.dissimilarity}) + "\n  " + heading("FG") +
+         columns({shown.poisson_ratio, shown.shear_modulus * mega, shown.dissimilarity}) + "\n  " + heading("FG") +
          heading("TC") + heading("VT") + "\n  " + general({v[0], v[1]}, 12, 4) +
          significant({v[2], v[3], speed * v[2], speed * v[3]}) + "\n";
 }
 
 std::string out_layer(const Case& c) {
   if (c.digits.mater != Bulk::layer) return "";
-  const auto& v = c.material->model_data; // GG3, LAYTHK, TAU_C0, K_TAU
+  const auto v = in_file(c.material->model_data, units_of_model(Bulk::layer)); // GG3, LAYTHK, TAU_C0, K_TAU
   return " INTERFACIAL LAYER PARAMETERS\n     GG3         LAYTHK      TAU_C0      K_TAU\n" +
          columns({v[0], v[1], v[2], v[3]});
 }
@@ -221,12 +224,14 @@ std::string out_friction(const Case& c, const char* station) {
   if (!f.by_row && f.stations.empty()) return text + names_of(f.law) + "  " + numbers_of(f.law, f.sets[0]);
   text += (f.by_row ? "    IY      " : fmt::format("   {:<9}", station)) + names_of(f.law);
   constexpr int all_rows = 4;
+  const bool along = c.wheel_rail && c.wheel_rail->digits.varfrc == FrictionStations::along_track;
+  const double unit_of_station = along ? mm : 1;
   const std::size_t count = f.sets.size();
   for (std::size_t k = 0; k < count; ++k) {
     const bool is_inside = f.by_row && !prints(c, all_rows) && k > 1 && k + 2 < count;
     if (is_inside && k == 2) text += "                      ...\n";
     if (is_inside) continue;
-    text += f.by_row ? fmt::format("  {:8}    ", k + 1) : "  " + general(f.stations[k], 12, 4);
+    text += f.by_row ? fmt::format("  {:8}    ", k + 1) : "  " + general(f.stations[k] / unit_of_station, 12, 4);
     text += numbers_of(f.law, f.sets[k]);
   }
   return text;
@@ -253,7 +258,7 @@ std::string out_totals(const Case& c, const Outcome& o, bool is_patch) {
                                        across, is_patch ? "N" : "Z", is_patch || c.digits.rolls() ? "POWER" : "WORK");
   const double least_moment = is_patch ? 0 : noise * limit;
   constexpr double rounding = 1e-12; // where nothing slides, of what would be lost if all did
-  const double speed = c.digits.rolls() ? c.rolling->veloc / per_m : 0;
+  const double speed = c.digits.rolls() ? c.rolling->veloc : 0;
   const double least_power = rounding * (limit * speed + std::abs(t.elastic_energy));
   text += "  " +
           significant({t.fn, without_noise(t.fx, noise * limit), without_noise(t.fy, noise * limit),

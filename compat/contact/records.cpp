@@ -3,30 +3,13 @@
 #include "compat/contact/rules.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace microslip::contact_program {
 namespace {
 
 constexpr double largest_friction = 10;
 constexpr int most_stations = 10;
-
-/// How many numbers M adds to the material's.
-std::size_t numbers_of(Bulk model) {
-  switch (model) {
-  case Bulk::viscoelastic:
-  case Bulk::fastsim_one:
-  case Bulk::layer:
-    return 4;
-  case Bulk::fastsim:
-  case Bulk::fastrip:
-    return 3;
-  case Bulk::elastic:
-  case Bulk::fastrip_first:
-  case Bulk::fastrip_first_bounded:
-    break;
-  }
-  return 0;
-}
 
 double read_coefficient(Words& words, const char* field) {
   return words.between(field, 0, largest_friction);
@@ -61,6 +44,31 @@ std::vector<double> read_memory(Words& words, Law law) {
 }
 
 } // namespace
+
+UnitList units_of_friction(Law law) {
+  if (law == Law::coulomb) return {0, 0};
+  if (law == Law::thermal) return {0, 0, 0, 0, 1, 1};
+  return {0, 0, 1, 0, 1, 1, 1};
+}
+
+UnitList units_of_model(Bulk model) {
+  switch (model) {
+  case Bulk::viscoelastic:
+    return {0, 0, 0, 0};
+  case Bulk::fastsim_one:
+    return {3, 0, 0, 0};
+  case Bulk::layer:
+    return {-2, 1, -2, -3};
+  case Bulk::fastsim:
+  case Bulk::fastrip:
+    return {0, 0, 0};
+  case Bulk::elastic:
+  case Bulk::fastrip_first:
+  case Bulk::fastrip_first_bounded:
+    break;
+  }
+  return {};
+}
 
 void CaseSequence::need(const Words& words, bool keeps, bool has, const std::string& digit, const char* what) const {
   if (keeps && !has)
@@ -113,7 +121,7 @@ std::vector<double> read_friction_set(Words& words, Law law) {
   auto set = read_friction_values(words, law);
   const auto memory = read_memory(words, law);
   set.insert(set.end(), memory.begin(), memory.end());
-  return set;
+  return in_si(std::move(set), units_of_friction(law));
 }
 
 FrictionData read_friction_stations(Words& words, Law law, FrictionStations by) {
@@ -122,14 +130,18 @@ FrictionData read_friction_stations(Words& words, Law law, FrictionStations by) 
   const int count = words.integer("NVF", 1, most_stations);
   words.end_record();
   for (int k = 0; k < count; ++k) {
-    const double station = by == FrictionStations::by_inclination ? words.angle("ALPHA") : words.real("S");
+    const bool inclined = by == FrictionStations::by_inclination;
+    const double station = inclined ? words.angle("ALPHA") : words.real("S", mm);
     if (k > 0 && !(station > friction.stations.back()))
-      words.fail(by == FrictionStations::by_inclination ? "ALPHA" : "S", station, "must be above the one before");
+      words.fail(inclined ? "ALPHA" : "S", inclined ? station : station * per_m, "must be above the one before");
     friction.stations.push_back(station);
     friction.sets.push_back(read_friction_values(words, law));
   }
   const auto memory = read_memory(words, law);
-  for (auto& set : friction.sets) set.insert(set.end(), memory.begin(), memory.end());
+  for (auto& set : friction.sets) {
+    set.insert(set.end(), memory.begin(), memory.end());
+    set = in_si(std::move(set), units_of_friction(law));
+  }
   return friction;
 }
 
@@ -141,18 +153,19 @@ void read_correction(Words& words, AngleCorrection& correction) {
 void read_elasticity(Words& words, MaterialData& m) {
   m.poisson1 = words.between("POISS1", 0, 0.5);
   m.poisson2 = words.between("POISS2", 0, 0.5);
-  m.shear1 = words.positive("GG1");
-  m.shear2 = words.positive("GG2");
+  m.shear1 = words.positive("GG1", newton_per_mm2);
+  m.shear2 = words.positive("GG2", newton_per_mm2);
   words.end_record();
 }
 
 void read_model(Words& words, const Digits& digits, MaterialData& m) {
   if (digits.bound == PressureModel::thin_sheet) {
-    m.sheet_flexibility = words.positive("FLXZ");
+    m.sheet_flexibility = words.positive("FLXZ", mm3_per_newton);
     words.end_record();
   }
   m.model = digits.mater;
-  if (const auto count = numbers_of(digits.mater)) m.model_data = words.reals("material", count);
+  const UnitList units = units_of_model(digits.mater);
+  if (!units.empty()) m.model_data = in_si(words.reals("material", units.size()), units);
 }
 
 void read_damping(Words& words, Case& c) {
@@ -171,7 +184,7 @@ HeatData read_heat(Words& words, Bulk model) {
   for (auto* body : {&heat.body1, &heat.body2}) {
     for (std::size_t k = 0; k < 4; ++k) {
       constexpr const char* fields[] = {"BKTEMP", "HEATCP", "LAMBDA", "DENS"};
-      (*body)[k] = words.real(fields[k]);
+      (*body)[k] = words.real(fields[k], units_of_heat[k].value());
     }
     words.end_record();
   }

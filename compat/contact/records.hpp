@@ -22,6 +22,11 @@ struct CaseSequence {
   void check_digits(const Words& words);
 };
 
+// Units of numbers that stand in lists: a set of friction data, what M adds to the material, heat parameters of a body.
+UnitList units_of_friction(Law law);
+UnitList units_of_model(Bulk model);
+inline const UnitList units_of_heat = {0, 0, -1, -3};
+
 void read_solver(Words& words, SolverChoice method, SolverData& solver);
 /// A set of friction data, by the law, and MEMDST, MEM_S0 behind it where the law has them.
 std::vector<double> read_friction_set(Words& words, Law law);

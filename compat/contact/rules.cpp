@@ -22,7 +22,6 @@ std::optional<BrokenRule> rule_of_contact(const Case& c) {
   if (d.takes_ellipse() && !p.is_hertzian())
     return digit(Subject::discretisation, d.bound, "go with Hertz's geometry, IPOTCN < 0");
   if (p.is_hertzian() && d.discns != GridSource::keep && !(c.load.value > 0)) {
-    constexpr double per_m = 1e3;
     const bool by_force = c.load.given == NormalLoad::Given::force;
     return number(Subject::discretisation, by_force ? "FN" : "PEN", by_force ? c.load.value : c.load.value * per_m,
                   "be > 0 with Hertz's geometry, IPOTCN < 0");

@@ -12,8 +12,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* status_codes =
     "0 ok, 1 invalid input, 2 not converged, 3 no contact, 4 the force given is beyond friction";
 
-constexpr double mm = 1e-3;
-
 /// A number of a solved case, of a point inside the bodies, of a wheel, or of the position of a patch.
 template <class Of> struct Column {
   const char *name, *unit, *description;
@@ -89,42 +87,40 @@ constexpr Column<InteriorState> interior_columns[] = {
 };
 
 constexpr Column<WheelOutcome> wheel_columns[] = {
-    {"z", "m", "Z_WS, depth of the wheelset below its nominal position",
-     [](const WheelOutcome& w) { return mm * w.z; }},
+    {"z", "m", "Z_WS, depth of the wheelset below its nominal position", [](const WheelOutcome& w) { return w.z; }},
     {"fx_track", "N", "force on the rail, in the track's axes: forward",
      [](const WheelOutcome& w) { return w.track.force.x; }},
     {"fy_track", "N", "to the right", [](const WheelOutcome& w) { return w.track.force.y; }},
     {"fz_track", "N", "down", [](const WheelOutcome& w) { return w.track.force.z; }},
-    {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.x; }},
-    {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.y; }},
-    {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return mm * w.track.moment.z; }},
+    {"mx_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return w.track.moment.x; }},
+    {"my_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return w.track.moment.y; }},
+    {"mz_track", "N m", "moment about the rail's marker", [](const WheelOutcome& w) { return w.track.moment.z; }},
     {"fx_wheelset", "N", "the same force in the wheelset's axes",
      [](const WheelOutcome& w) { return w.wheelset.force.x; }},
     {"fy_wheelset", "N", "to the right", [](const WheelOutcome& w) { return w.wheelset.force.y; }},
     {"fz_wheelset", "N", "down", [](const WheelOutcome& w) { return w.wheelset.force.z; }},
     {"mx_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.x; }},
+     [](const WheelOutcome& w) { return w.wheelset.moment.x; }},
     {"my_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.y; }},
+     [](const WheelOutcome& w) { return w.wheelset.moment.y; }},
     {"mz_wheelset", "N m", "moment about the wheel's marker",
-     [](const WheelOutcome& w) { return mm * w.wheelset.moment.z; }},
+     [](const WheelOutcome& w) { return w.wheelset.moment.z; }},
     {"pitch_velocity", "rad/s", "VPITCH_WS", [](const WheelOutcome& w) { return w.vpitch; }},
-    {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return mm * w.dy_rail; }},
-    {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return mm * w.dz_rail; }},
+    {"rail_deflection_lateral", "m", "to the right, with F = 3", [](const WheelOutcome& w) { return w.dy_rail; }},
+    {"rail_deflection_vertical", "m", "down, with F = 3", [](const WheelOutcome& w) { return w.dz_rail; }},
 };
 
 constexpr Column<PatchLocation> place_columns[] = {
     {"x_track", "m", "XCP(TR), reference of a patch in the track's axes",
-     [](const PatchLocation& l) { return mm * l.track.x; }},
-    {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return mm * l.track.y; }},
-    {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return mm * l.track.z; }},
+     [](const PatchLocation& l) { return l.track.x; }},
+    {"y_track", "m", "YCP(TR)", [](const PatchLocation& l) { return l.track.y; }},
+    {"z_track", "m", "ZCP(TR)", [](const PatchLocation& l) { return l.track.z; }},
     {"contact_angle", "rad", "DELTCP(TR)", [](const PatchLocation& l) { return l.angle; }},
-    {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return mm * l.rail.y; }},
-    {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return mm * l.rail.z; }},
-    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile",
-     [](const PatchLocation& l) { return mm * l.wheel.x; }},
-    {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return mm * l.wheel.y; }},
-    {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return mm * l.wheel.z; }},
+    {"y_rail", "m", "YCP(R), in the axes of the rail's profile", [](const PatchLocation& l) { return l.rail.y; }},
+    {"z_rail", "m", "ZCP(R)", [](const PatchLocation& l) { return l.rail.z; }},
+    {"x_wheel", "m", "XCP(W), in the axes of the wheel's profile", [](const PatchLocation& l) { return l.wheel.x; }},
+    {"y_wheel", "m", "YCP(W)", [](const PatchLocation& l) { return l.wheel.y; }},
+    {"z_wheel", "m", "ZCP(W)", [](const PatchLocation& l) { return l.wheel.z; }},
 };
 
 /// The elements to be stored: all, or those in contact.

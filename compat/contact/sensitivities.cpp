@@ -9,14 +9,11 @@ namespace {
 
 using Outputs = std::array<double, 4>;
 
-constexpr double mm = 1e-3, per_m = 1e3;
-
 /// The case with the creepages that were found, so that none of its inputs is a tangential force.
 Case with_creepages(Case c, const Outcome& outcome) {
-  const double unit = c.digits.tang == Tangential::shift ? per_m : 1;
   const Creepage& found = outcome.solution.tangential.creepage;
-  if (std::holds_alternative<ForceRatio>(c.x)) c.x = Slip{unit * found.longitudinal - c.phi * c.spin_y};
-  if (std::holds_alternative<ForceRatio>(c.y)) c.y = Slip{unit * found.lateral + c.phi * c.spin_x};
+  if (std::holds_alternative<ForceRatio>(c.x)) c.x = Slip{found.longitudinal - c.phi * c.spin_y};
+  if (std::holds_alternative<ForceRatio>(c.y)) c.y = Slip{found.lateral + c.phi * c.spin_x};
   c.digits.force = Prescribed::creepages;
   c.digits.stress = InteriorPoints::none;
   c.damping.reset();
@@ -27,9 +24,9 @@ Case with_creepages(Case c, const Outcome& outcome) {
 /// Gives an input of a case, all of which are distances or creepages, another value.
 using Input = void (*)(Case& c, double value);
 
-void set_approach(Case& c, double millimetres) {
+void set_approach(Case& c, double value) {
   c.digits.norm = Normal::approach;
-  c.load = {NormalLoad::Given::approach, millimetres * mm};
+  c.load = {NormalLoad::Given::approach, value};
 }
 void set_slip_x(Case& c, double value) {
   c.x = Slip{value};
@@ -46,8 +43,8 @@ class Differences {
 public:
   explicit Differences(const CarriedTractions& start) : start_(start) {}
 
-  /// Central about the input's value; zeros where the case cannot be solved.
-  Outputs by(Case c, Input set, double middle, double step) {
+  /// Central about the input's value, for each `unit` of it; zeros where the case cannot be solved.
+  Outputs by(Case c, Input set, double middle, double step, double unit) {
     Outputs slope{};
     if (!(step > 0)) return slope;
     set(c, middle + step);
@@ -55,7 +52,7 @@ public:
     set(c, middle - step);
     const auto below = outputs(c);
     for (std::size_t k = 0; above && below && k < slope.size(); ++k)
-      slope[k] = ((*above)[k] - (*below)[k]) / (2 * step);
+      slope[k] = ((*above)[k] - (*below)[k]) / (2 * step) * unit;
     return slope;
   }
 
@@ -77,15 +74,16 @@ private:
 /// Along which creepages are moved.
 struct CreepageSteps {
   double relative; ///< EPSSENS
-  double sliding;  ///< the creepage, or the shift [mm], that makes the contact slide: mu Fn/(G A), by its length
-  double length;   ///< of the contact [mm]
+  double sliding;  ///< the creepage, or the shift [m], that makes the contact slide: mu Fn/(G A), by its length
+  double length;   ///< of the contact [m]
 
   double of(double value, double least) const { return relative * std::max(std::abs(value), least); }
 };
 
 CreepageSteps steps_of(const Case& c, const Outcome& outcome, double relative) {
-  const double area = outcome.solution.contact_elements * outcome.step.grid.element_area() * per_m * per_m;
-  const double length = std::sqrt(area), creepage = c.friction.sets[0][0] * outcome.totals.fn_over_g / area;
+  const double area = outcome.solution.contact_elements * outcome.step.grid.element_area();
+  const double fn_over_g = outcome.totals.fn / outcome.step.bodies.material.shear_modulus;
+  const double length = std::sqrt(area), creepage = c.friction.sets[0][0] * fn_over_g / area;
   return {relative, c.digits.tang == Tangential::shift ? creepage * length : creepage, length};
 }
 
@@ -99,16 +97,20 @@ Sensitivities find_sensitivities(const Case& c, const Outcome& outcome, const Se
   };
   if (choice.of < 2 || outcome.solution.contact_elements == 0) return table;
   const Case by_creepages = with_creepages(c, outcome);
-  const double approach = outcome.totals.approach;
+  const double approach = outcome.solution.normal.approach;
   const bool of_both = choice.of > 2 && c.digits.has_friction();
   Differences differences(start);
-  set_column(0, differences.by(by_creepages, set_approach, approach, choice.relative_step * approach), of_both ? 4 : 1);
+  set_column(0, differences.by(by_creepages, set_approach, approach, choice.relative_step * approach, mm),
+             of_both ? 4 : 1);
   if (!of_both) return table;
   const CreepageSteps steps = steps_of(c, outcome, choice.relative_step);
   const double x = slip_of(by_creepages.x), y = slip_of(by_creepages.y), spin = by_creepages.phi;
-  set_column(1, differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding)), 4);
-  set_column(2, differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding)), 4);
-  set_column(3, differences.by(by_creepages, set_spin, spin, steps.of(spin, steps.sliding / steps.length)), 4);
+  set_column(1, differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding), unit_of_slip(c.digits)), 4);
+  set_column(2, differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding), unit_of_slip(c.digits)), 4);
+  set_column(3,
+             differences.by(by_creepages, set_spin, spin, steps.of(spin, steps.sliding / steps.length),
+                            unit_of_spin(c.digits)),
+             4);
   return table;
 }
 
@@ -120,9 +122,9 @@ Sensitivities printed_sensitivities(const Case& c, const Outcome& outcome, const
   const double x = slip_of(by_creepages.x), y = slip_of(by_creepages.y);
   Differences differences(start);
   if (c.digits.force != Prescribed::creepages)
-    table[1][1] = differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding))[1];
+    table[1][1] = differences.by(by_creepages, set_slip_x, x, steps.of(x, steps.sliding), unit_of_slip(c.digits))[1];
   if (c.digits.force == Prescribed::force_x_and_y)
-    table[2][2] = differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding))[2];
+    table[2][2] = differences.by(by_creepages, set_slip_y, y, steps.of(y, steps.sliding), unit_of_slip(c.digits))[2];
   return table;
 }
 

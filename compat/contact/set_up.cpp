@@ -16,8 +16,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6;
-
 HertzContact hertz_with(const GapCurvatures& gap, const CombinedMaterial& material, const NormalLoad& load) {
   return load.given == NormalLoad::Given::force ? hertz_from_load(gap, material, load.value)
                                                 : hertz_from_approach(gap, material, load.value);
@@ -32,26 +30,26 @@ GapCurvatures gap_of_ellipse(double a, double b, const CombinedMaterial& materia
 
 /// IPOTCN = -6.
 HalfEllipses half_ellipses(const PotentialContact& p, double normal_force) {
-  return {p.values[0] * mm, p.values[1] * mm, p.values[2] * mm, normal_force};
+  return {p.values[0], p.values[1], p.values[2], normal_force};
 }
 
 GapCurvatures gap_of(const PotentialContact& p, const CombinedMaterial& material, const NormalLoad& load) {
   const auto [first, second, third, fourth] = p.values;
   switch (p.kind) {
   case Potential::curvatures:
-    return {first * per_mm, second * per_mm};
+    return {first, second};
   case Potential::curvature_and_ratio: {
     const GapCurvatures of_ratio = hertz_from_ellipse(second, 1, material, 1).gap;
-    return {first * per_mm, first * per_mm * of_ratio.y / of_ratio.x};
+    return {first, first * of_ratio.y / of_ratio.x};
   }
   case Potential::semi_axes:
-    return gap_of_ellipse(first * mm, second * mm, material, load);
+    return gap_of_ellipse(first, second, material, load);
   case Potential::line_curvature:
-    return {first * per_mm, 0};
+    return {first, 0};
   case Potential::half_ellipses: // given by its contact alone
     return {0, 0};
   default: { // line_half_width: p0 = 2 fn/(pi a) = E* A a
-    const double a = first * mm, force_per_length = load.value / (2 * second * mm);
+    const double a = first, force_per_length = load.value / (2 * second);
     return {2 * force_per_length / (std::numbers::pi * a * a * material.contact_modulus()), 0};
   }
   }
@@ -65,7 +63,7 @@ HertzianShape shape_of(const PotentialContact& p, const CombinedMaterial& materi
     return {contact.a, contact.half_width(), gap, 0, load.value};
   }
   if (p.is_line()) {
-    const double length = 2 * p.values[1] * mm;
+    const double length = 2 * p.values[1];
     const LineContact line = line_contact_from_load(gap.x, material, load.value / length);
     return {line.half_width, length / 2, gap, 0, load.value};
   }
@@ -92,14 +90,14 @@ ElementGrid hertzian_grid(const PotentialContact& p, const HertzianShape& shape)
 
 ElementGrid given_grid(const PotentialContact& p) {
   const auto [x, y, second_x, second_y] = p.values;
-  ElementGrid grid{p.mx, p.my, x * mm, y * mm, second_x * mm, second_y * mm};
+  ElementGrid grid{p.mx, p.my, x, y, second_x, second_y};
   if (p.kind == Potential::corners) {
-    grid.dx = (second_x - x) * mm / p.mx;
-    grid.dy = (second_y - y) * mm / p.my;
+    grid.dx = (second_x - x) / p.mx;
+    grid.dy = (second_y - y) / p.my;
   }
   if (p.kind == Potential::centres) { // of the first and the last element
-    grid.dx = (second_x - x) * mm / (p.mx - 1);
-    grid.dy = (second_y - y) * mm / (p.my - 1);
+    grid.dx = (second_x - x) / (p.mx - 1);
+    grid.dy = (second_y - y) / (p.my - 1);
   }
   if (p.kind == Potential::corner_and_size || p.kind == Potential::corners) {
     grid.x0 += grid.dx / 2;
@@ -121,7 +119,7 @@ double interpolated(const double* heights, std::size_t count, double y1, double 
   return (1 - share) * heights[k] + share * heights[k + 1];
 }
 
-/// The undeformed distance [mm] at a point [mm]. A circle is the parabola of its curvature, as in CONTACT.
+/// The undeformed distance at a point. A circle is the parabola of its curvature, as in CONTACT.
 double distance(const Geometry& g, double x, double y) {
   const double* v = g.values.data();
   if (g.base == Base::quadratic) return quadratic_form(v, x, y);
@@ -150,22 +148,22 @@ void set_given_geometry(const Geometry& g, ContactStep& step) {
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
-      const double x = grid.x(i) / mm, y = grid.y(j) / mm;
-      step.gap[k] = mm * (g.base == Base::by_element ? g.values[k] : distance(g, x, y));
+      const double x = grid.x(i), y = grid.y(j);
+      step.gap[k] = g.base == Base::by_element ? g.values[k] : distance(g, x, y);
       if (excludes(g)) step.excluded[k] = is_excluded(g, x, y);
     }
   const bool none_left = std::all_of(step.excluded.begin(), step.excluded.end(), [](char out) { return out; });
   if (none_left && excludes(g)) throw Error(written(g.planform) + ": leaves no element");
 }
 
-/// IPLAN = 4: NPATCH, YSEP between them, FAC of each pair: 1 and 2, 1 and 3, ..., 2 and 3, ... [mm], [-].
+/// IPLAN = 4: NPATCH, YSEP between them, FAC of each pair: 1 and 2, 1 and 3, ..., 2 and 3, ...
 WeightedPatches weighted_patches(const Geometry& g, const ElementGrid& grid) {
   WeightedPatches patches;
   patches.count = static_cast<int>(g.plan_values[0]);
   if (patches.count == 1) return patches;
   const auto separators = std::span(g.plan_values).subspan(1, static_cast<std::size_t>(patches.count) - 1);
   for (int j = 0; j < grid.my; ++j) {
-    const auto above = std::upper_bound(separators.begin(), separators.end(), grid.y(j) / mm);
+    const auto above = std::upper_bound(separators.begin(), separators.end(), grid.y(j));
     patches.patch_of_row.push_back(static_cast<int>(above - separators.begin()));
   }
   const auto count = static_cast<std::size_t>(patches.count);
@@ -216,8 +214,7 @@ GivenPressure approximate_pressure(const Case& c, const ContactStep& step) {
 
 /// B = 1.
 GivenPressure sheet_pressure(const Case& c, const ContactStep& step) {
-  const double flexibility = c.material->sheet_flexibility * mm / newton_per_mm2;
-  NormalSolution s = solve_thin_sheet(flexibility, step.grid, step.gap, step.load, step.excluded);
+  NormalSolution s = solve_thin_sheet(c.material->sheet_flexibility, step.grid, step.gap, step.load, step.excluded);
   return {std::move(s.pressure), s.approach, s.normal_force, std::move(s.displacement)};
 }
 
@@ -253,26 +250,22 @@ void set_hertzian_geometry(const Case& c, ContactStep& step) {
     }
 }
 
-/// The law in force, with a set of its numbers as they stand in the file.
+/// The law in force, with a set of its numbers.
 FrictionLaw friction_law(Law law, const std::vector<double>& set) {
   if (set.empty()) return FrictionLaw();
   if (law == Law::coulomb || law == Law::thermal) return FrictionLaw::coulomb(set[0]);
-  constexpr double least_velocity = 1e-4; // [mm/s], where a file says 0
+  constexpr double least_velocity = 1e-7; // [m/s], where a file says 0
   const auto term = [&](std::size_t k) {
-    return FrictionTerm{.drop = set[k], .half_velocity = std::max(set[k + 1], least_velocity) * mm};
+    return FrictionTerm{.drop = set[k], .half_velocity = std::max(set[k + 1], least_velocity)};
   };
   if (law == Law::linear) return FrictionLaw::linear(set[0], term(1), term(3));
   if (law == Law::rational) return FrictionLaw::rational(set[0], term(1), term(3));
   return FrictionLaw::exponential(set[0], term(1), term(3));
 }
 
-/// BKTEMP, HEATCP, LAMBDA and DENS in SI.
+/// BKTEMP, HEATCP, LAMBDA and DENS.
 ThermalBody thermal_body(const std::array<double, 4>& data) {
-  constexpr double per_mm3 = 1e9;
-  return {.bulk_temperature = data[0],
-          .conductivity = data[2] * per_mm,
-          .density = data[3] * per_mm3,
-          .heat_capacity = data[1]};
+  return {.bulk_temperature = data[0], .conductivity = data[2], .density = data[3], .heat_capacity = data[1]};
 }
 
 /// H > 0 and L = 6, whose sets are FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0.
@@ -288,7 +281,7 @@ double set_friction(const Case& c, ContactStep& step) {
   for (const auto& set : c.friction.sets) step.friction.push_back(friction_law(c.friction.law, set));
   if (c.friction.law == Law::coulomb) return c.friction.by_row ? 1 : step.friction[0].static_coefficient();
   const auto& set = c.friction.sets[0]; // its last two numbers, MEMDST and MEM_S0, hold for all rows
-  step.friction_memory = {set[set.size() - 2] * mm, set[set.size() - 1] * mm};
+  step.friction_memory = {set[set.size() - 2], set[set.size() - 1]};
   const double begin = c.solver.starts_from_slip() ? c.solver.inislp : 0;
   step.slip_start = begin < 0                                               ? SlipStart::above
                     : begin > 0 || c.digits.iestim == InitialGuess::nothing ? SlipStart::below
@@ -326,9 +319,8 @@ void set_motion(const Case& c, ContactStep& step) {
                   : d.tang == Tangential::transient ? ContactMotion::transient
                                                     : ContactMotion::steady;
   // With the spin about (x0, y0): w = (xi - phi (y - y0), eta + phi (x - x0)).
-  const double unit = shifts ? mm : 1, turn = shifts ? 1 : per_mm;
   const double xi = slip_of(c.x), eta = slip_of(c.y);
-  motion.creepage = {unit * (xi + c.phi * c.spin_y), unit * (eta - c.phi * c.spin_x), turn * c.phi};
+  motion.creepage = {xi + c.phi * c.spin_y, eta - c.phi * c.spin_x, c.phi};
   const double scale = set_friction(c, step);
   if (const auto* force = std::get_if<ForceRatio>(&c.x)) step.force_x = force->value * scale;
   if (const auto* force = std::get_if<ForceRatio>(&c.y)) step.force_y = force->value * scale;
@@ -336,15 +328,15 @@ void set_motion(const Case& c, ContactStep& step) {
   step.start = start_of(d.pvtime);
   step.warm_start = d.iestim != InitialGuess::nothing;
   if (shifts) return;
-  motion.step = takes_element_length(c) ? step.grid.dx : c.rolling->dq * mm;
+  motion.step = takes_element_length(c) ? step.grid.dx : c.rolling->dq;
   motion.spin_offset = c.rolling->facphi;
   if (rolls_along_x(c))
     motion.direction = std::cos(c.rolling->chi) > 0 ? RollingDirection::forward : RollingDirection::backward;
   else
     motion.heading = c.rolling->chi;
   if (corrects_leading_edge(c, step)) motion.leading_edge = LeadingEdge{.theta = 1, .where_possible = true};
-  constexpr double any_velocity = 1; // [mm/s], of a wheel at rest, which has no creepages
-  motion.rolling_speed = (c.rolling->veloc != 0 ? c.rolling->veloc : any_velocity) * mm;
+  constexpr double any_velocity = mm; // [m/s], of a wheel at rest, which has no creepages
+  motion.rolling_speed = c.rolling->veloc != 0 ? c.rolling->veloc : any_velocity;
 }
 
 /// E: slip of each element on top of that of the creepages, or against the spin's part of it.
@@ -352,17 +344,16 @@ void set_extra_slip(const Case& c, ContactStep& step) {
   if (c.extra == ExtraSlip::none) return;
   const ElementGrid& grid = step.grid;
   const bool shifts = c.digits.tang == Tangential::shift;
-  const double unit = shifts ? mm : 1, turn = c.phi * (shifts ? 1 : per_mm);
   const Vec2 ahead = shifts ? Vec2{} : way_of(step.motion, step.motion.spin_offset * signed_step(step.motion, grid));
   step.extra_slip_x.assign(grid.count(), 0);
   step.extra_slip_y.assign(grid.count(), 0);
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (c.extra == ExtraSlip::without_spin_y) step.extra_slip_y[k] = -turn * (grid.x(i) + ahead.x - c.spin_x * mm);
-      if (c.extra == ExtraSlip::without_spin_x) step.extra_slip_x[k] = turn * (grid.y(j) + ahead.y - c.spin_y * mm);
+      if (c.extra == ExtraSlip::without_spin_y) step.extra_slip_y[k] = -c.phi * (grid.x(i) + ahead.x - c.spin_x);
+      if (c.extra == ExtraSlip::without_spin_x) step.extra_slip_x[k] = c.phi * (grid.y(j) + ahead.y - c.spin_y);
       if (c.extra == ExtraSlip::by_element)
-        step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
+        step.extra_slip_x[k] = c.extra_slip[2 * k], step.extra_slip_y[k] = c.extra_slip[2 * k + 1];
     }
 }
 
@@ -370,16 +361,16 @@ void set_extra_slip(const Case& c, ContactStep& step) {
 
 CombinedMaterial combined_material(const Case& c) {
   const MaterialData& m = *c.material;
-  return combine({m.shear1 * newton_per_mm2, m.poisson1}, {m.shear2 * newton_per_mm2, m.poisson2});
+  return combine({m.shear1, m.poisson1}, {m.shear2, m.poisson2});
 }
 
 namespace {
 
 /// GG3, LAYTHK, TAU_C0, K_TAU; no yield stress means that the layer does not yield.
 InterfaceLayer interface_layer(const std::vector<double>& v) {
-  InterfaceLayer layer{.flexibility = v[1] * mm / (v[0] * newton_per_mm2)};
-  if (v[2] > 0) layer.yield_stress = v[2] * newton_per_mm2;
-  layer.hardening = v[3] * newton_per_mm2 / mm;
+  InterfaceLayer layer{.flexibility = v[1] / v[0]};
+  if (v[2] > 0) layer.yield_stress = v[2];
+  layer.hardening = v[3];
   return layer;
 }
 
@@ -387,7 +378,7 @@ InterfaceLayer interface_layer(const std::vector<double>& v) {
 
 Bodies bodies_of(const Case& c) {
   const MaterialData& m = *c.material;
-  const Material body1 = {m.shear1 * newton_per_mm2, m.poisson1}, body2 = {m.shear2 * newton_per_mm2, m.poisson2};
+  const Material body1 = {m.shear1, m.poisson1}, body2 = {m.shear2, m.poisson2};
   Bodies elastic = combine(body1, body2);
   if (c.digits.mater == Bulk::layer) elastic.layer = interface_layer(m.model_data);
   if (c.digits.mater != Bulk::viscoelastic) return elastic;
@@ -405,7 +396,7 @@ std::optional<ThermalBodies> thermal_bodies(const Case& c) {
 }
 
 double rolling_velocity(const Case& c) {
-  return c.rolling->veloc * mm * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
+  return c.rolling->veloc * (std::cos(c.rolling->chi) > 0 ? 1 : -1);
 }
 
 bool takes_element_length(const Case& c) {
@@ -429,7 +420,7 @@ std::optional<GapCurvatures> gap_curvatures(const Case& c) {
   if (g.base != Base::quadratic || g.planform != Planform::all) return {};
   const auto& b = g.values;
   if (b[1] != 0 || b[3] != 0 || b[4] != 0 || b[5] != 0) return {};
-  return GapCurvatures{b[0] * per_mm, b[2] * per_mm};
+  return GapCurvatures{b[0], b[2]};
 }
 
 namespace {
@@ -461,7 +452,7 @@ RowInclination row_inclination(const AngleCorrection& correction, const ElementG
   inclination.traction_share = correction.variant == 3 ? none : correction.variant == 4 ? half : all;
   inclination.plane_along_x = correction.variant == 2;
   for (int j = 0; j < grid.my; ++j) {
-    const double y = grid.y(j) / mm;
+    const double y = grid.y(j);
     inclination.angle.push_back(correction.method == 0 ? on_straight_line(correction.angles, y)
                                                        : between(correction.angles, y));
   }

@@ -119,7 +119,7 @@ std::vector<std::string> left_out(const Case& c, const ContactStep& step) {
   if (d.is_simplified() && d.is_first_fastrip())
     notes.emplace_back(
         "M = 6, 7: made after a description of CONTACT's method; no result of CONTACT's is at hand to compare");
-  const double dx = step.grid.dx * 1e3;
+  const double dx = step.grid.dx;
   if (takes_element_length(c) && std::abs(c.rolling->dq - dx) > 1e-3 * dx)
     notes.emplace_back(c.digits.mater == Bulk::layer ? "M = 4: DQ is DX, as in CONTACT"
                                                      : "T = 3: DQ is DX, as with CONTACT's SteadyGS");

@@ -16,8 +16,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3, newton_per_mm2 = 1e6;
-
 [[noreturn]] void refuse(const std::string& why) {
   throw Error(why);
 }
@@ -85,9 +83,9 @@ std::string quoted_line(const char* key, std::string_view word) {
 std::string layer(const Case& c) {
   if (c.digits.mater != Bulk::layer) return "";
   const auto& v = c.material->model_data; // GG3, LAYTHK, TAU_C0, K_TAU
-  std::string text = "\n[layer]\n" + line("shear_modulus", v[0] * newton_per_mm2) + line("thickness", v[1] * mm);
-  if (v[2] > 0) text += line("yield_stress", v[2] * newton_per_mm2);
-  return text + line("hardening", v[3] * newton_per_mm2 / mm);
+  std::string text = "\n[layer]\n" + line("shear_modulus", v[0]) + line("thickness", v[1]);
+  if (v[2] > 0) text += line("yield_stress", v[2]);
+  return text + line("hardening", v[3]);
 }
 
 /// What body 1 (0) or 2 (1) is for heat.
@@ -103,8 +101,7 @@ std::string thermal(const Case& c, std::size_t body) {
 std::string bodies(const Case& c, const GapCurvatures& gap) {
   const MaterialData& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
-    const std::string text =
-        line("shear_modulus", shear * newton_per_mm2) + line("poisson_ratio", poisson) + thermal(c, body);
+    const std::string text = line("shear_modulus", shear) + line("poisson_ratio", poisson) + thermal(c, body);
     if (c.digits.mater != Bulk::viscoelastic) return text; // else FG1, FG2, TC1, TC2
     return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };
@@ -121,15 +118,14 @@ std::string friction(const Case& c) {
   const auto& set = c.friction.sets[0];
   if (!c.digits.has_friction()) return line("coefficient", 0);
   if (c.friction.law == Law::coulomb) return line("coefficient", set[0]);
-  const std::string memory = c.digits.is_simplified() ? ""
-                                                      : line("memory_distance", set[set.size() - 2] * mm) +
-                                                            line("memory_speed", set.back() * mm);
+  const std::string memory =
+      c.digits.is_simplified() ? "" : line("memory_distance", set[set.size() - 2]) + line("memory_speed", set.back());
   if (c.friction.law == Law::thermal)
     return line("coefficient", set[0]) + line("thermal_change", set[2]) + line("thermal_begin", set[1]) +
            line("thermal_range", set[3]) + memory;
   std::string text = quoted_line("law", law_word(c.friction.law)) + line("kinetic_coefficient", set[0]) +
-                     line("drop", set[1]) + line("half_velocity", set[2] * mm);
-  if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4] * mm);
+                     line("drop", set[1]) + line("half_velocity", set[2]);
+  if (set[3] > 0) text += line("second_drop", set[3]) + line("second_half_velocity", set[4]);
   return text + memory;
 }
 

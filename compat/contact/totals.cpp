@@ -3,8 +3,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double per_m = 1e3; // mm
-
 /// What a force is relative to, over Fn: the coefficient of friction, or 1 if it differs from row to row.
 double force_scale(const Case& c, const ContactStep& step) {
   return c.friction.by_row || step.friction.empty() ? 1 : step.friction[0].static_coefficient();
@@ -30,8 +28,8 @@ PrintedTotals printed_totals(const Case& c, const ContactStep& step, const Conta
   t.x_name = step.force_x ? (shifts ? "SHIFT X" : "CREEP X") : std::string("FX") + denominator;
   t.y_name = step.force_y ? (shifts ? "SHIFT Y" : "CREEP Y") : std::string("FY") + denominator;
   const auto over_limit = [&](double force) { return limit > 0 ? force / limit : 0; };
-  t.x = step.force_x ? unit * found.longitudinal - c.phi * c.spin_y : over_limit(t.fx);
-  t.y = step.force_y ? unit * found.lateral + c.phi * c.spin_x : over_limit(t.fy);
+  t.x = step.force_x ? unit * (found.longitudinal - c.phi * c.spin_y) : over_limit(t.fx);
+  t.y = step.force_y ? unit * (found.lateral + c.phi * c.spin_x) : over_limit(t.fy);
 
   t.approach = solution.normal.approach * per_m;
   t.peak_pressure = solution.normal.peak_pressure * 1e-6;

@@ -154,17 +154,17 @@ int Words::integer(std::string_view field, int low, int high) {
   return *value;
 }
 
-double Words::real(std::string_view field) {
+double Words::real(std::string_view field, double unit) {
   const Word& word = next(field);
   const auto value = word.quoted ? std::nullopt : to_real(word.text);
   if (!value) fail(std::string(field) + " = " + io::printable(word.text) + ": must be a number");
-  return *value;
+  return *value * unit;
 }
 
-double Words::positive(std::string_view field) {
+double Words::positive(std::string_view field, double unit) {
   const double value = real(field);
   if (!(value > 0)) fail(field, value, "must be > 0");
-  return value;
+  return value * unit;
 }
 
 double Words::not_negative(std::string_view field) {
@@ -173,11 +173,11 @@ double Words::not_negative(std::string_view field) {
   return value;
 }
 
-double Words::between(std::string_view field, double low, double high) {
+double Words::between(std::string_view field, double low, double high, double unit) {
   const double value = real(field);
   if (!(value >= low && value <= high))
     fail(field, value, "must be in [" + short_number(low) + ", " + short_number(high) + "]");
-  return value;
+  return value * unit;
 }
 
 double Words::angle(std::string_view field) {
@@ -204,10 +204,10 @@ void Words::skip_lines(int count) {
   words_.clear();
 }
 
-std::vector<double> Words::reals(std::string_view field, std::size_t count) {
+std::vector<double> Words::reals(std::string_view field, std::size_t count, double unit) {
   std::vector<double> values;
   for (std::size_t k = 0; k < count; ++k)
-    values.push_back(real(std::string(field) + "(" + std::to_string(k + 1) + ")"));
+    values.push_back(real(std::string(field) + "(" + std::to_string(k + 1) + ")", unit));
   end_record();
   return values;
 }
@@ -228,12 +228,12 @@ std::vector<int> Words::control(std::string_view field, std::size_t most) {
   return digits;
 }
 
-double Words::optional_real(std::string_view field, double fallback) {
+double Words::optional_real(std::string_view field, double fallback, double unit) {
   if (!has_more() || words_[next_].quoted || !with_plain_exponent(words_[next_].text)) {
     end_record();
     return fallback;
   }
-  return real(field);
+  return real(field, unit);
 }
 
 int Words::optional_integer(std::string_view field, int fallback, int low, int high) {

@@ -29,21 +29,22 @@ public:
 
   int integer(std::string_view field, int low, int high);
   /// A real number as Fortran reads it: `1`, `1.`, `0.5`, `1d-3`, and `0.1-07` without a letter for the exponent.
-  double real(std::string_view field);
-  double positive(std::string_view field);
+  /// This and the others are numbers of a unit; messages and ranges have the file's.
+  double real(std::string_view field, double unit = 1);
+  double positive(std::string_view field, double unit = 1);
   double not_negative(std::string_view field);
-  double between(std::string_view field, double low, double high);
+  double between(std::string_view field, double low, double high, double unit = 1);
   /// [rad]; degrees if it ends in d: `90d`, `180.d`. `90d0` is 90 rad.
   double angle(std::string_view field);
   /// A text between single quotes.
   std::string text(std::string_view field);
   /// `count` real numbers.
-  std::vector<double> reals(std::string_view field, std::size_t count);
+  std::vector<double> reals(std::string_view field, std::size_t count, double unit = 1);
   /// The digits of a control integer from the left, `most` of them; missing ones are leading zeros.
   std::vector<int> control(std::string_view field, std::size_t most);
 
   /// An optional value: the next word of the line if it is a number, else `fallback`.
-  double optional_real(std::string_view field, double fallback);
+  double optional_real(std::string_view field, double fallback, double unit = 1);
   int optional_integer(std::string_view field, int fallback, int low, int high);
 
   /// What is left of the line is a remark.

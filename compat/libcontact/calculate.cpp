@@ -4,10 +4,8 @@
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_calculate(int* ire, int* icp, int* ierror) {
-  const Call call{"cntc_calculate", ire, icp, Module::any, Scope::whole};
+  const Call call = problem_call(__func__, ire, icp);
   const int code = guarded(call, [&](ContactProblem& p) {
     int of_files = 0; // a file that cannot be written is no reason to solve nothing
     const Calculation found =
@@ -23,7 +21,7 @@ int cntc_calculate(int* ire, int* icp, int* ierror) {
 }
 
 int subs_calculate(int* ire, int* icp, int* ierror) {
-  const int code = guarded({"subs_calculate", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
+  const int code = guarded(either_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.find_interior(*icp);
     for (const int patch : p.contacts_of(*icp)) write_interior(p, patch);
   });
@@ -32,21 +30,12 @@ int subs_calculate(int* ire, int* icp, int* ierror) {
 }
 
 int cntc_getcalculationtime(int* ire, int* icp, double* tcpu, double* twall) {
-  return answered({"cntc_getcalculationtime", ire, icp, Module::any, Scope::either}, into(result(tcpu), result(twall)),
-                  [&](ContactProblem& p) {
-                    given("twall", twall) = p.time.wall;
-                    given("tcpu", tcpu) = p.time.cpu;
-                  });
+  return get_numbers<double>(either_call(__func__, ire, icp), {{"tcpu", tcpu}, {"twall", twall}},
+                             [](ContactProblem& p) {
+                               return std::array{p.time.cpu, p.time.wall};
+                             });
 }
 
 int cntc_resetcalculationtime(int* ire, int* icp) {
-  return guarded({"cntc_resetcalculationtime", ire, icp, Module::any, Scope::either},
-                 [&](ContactProblem& p) { p.time = {}; });
+  return guarded(either_call(__func__, ire, icp), [&](ContactProblem& p) { p.time = {}; });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_calculate)
-LIBCONTACT_UNDERSCORED(subs_calculate)
-LIBCONTACT_UNDERSCORED(cntc_getcalculationtime)
-LIBCONTACT_UNDERSCORED(cntc_resetcalculationtime)

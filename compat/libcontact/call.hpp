@@ -6,6 +6,7 @@
 #include "microslip/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <new>
 #include <string>
@@ -31,9 +32,28 @@ struct Call {
   std::string heading() const;
 };
 
+/// icp of functions that have none.
+inline constexpr int whole_wheel = -1;
+
+/// A call for a contact problem, or a whole wheel.
+inline Call problem_call(const char* name, const int* ire, const int* icp) {
+  return {name, ire, icp, Module::any, Scope::whole};
+}
+/// A call for a contact problem, a whole wheel or a patch.
+inline Call either_call(const char* name, const int* ire, const int* icp) {
+  return {name, ire, icp, Module::any, Scope::either};
+}
 /// A call for a patch of either module.
 inline Call patch_call(const char* name, const int* ire, const int* icp) {
   return {name, ire, icp, Module::any, Scope::patch};
+}
+/// A call for a contact problem of module 3.
+inline Call contact_call(const char* name, const int* ire, const int* icp) {
+  return {name, ire, icp, Module::contact, Scope::patch};
+}
+/// A call for a whole wheel.
+inline Call wheel_call(const char* name, const int* ire) {
+  return {name, ire, &whole_wheel, Module::wheel, Scope::whole};
 }
 
 /// Prefix of a message about a call in the log.
@@ -143,10 +163,32 @@ int answered(const Call& call, const std::tuple<Results<Values>...>& found, Body
   return code;
 }
 
-/// icp of functions that have none.
-inline constexpr int whole_wheel = -1;
+/// A place for a number: its name in messages, and what the place has if the call is refused.
+template <class Value> struct Place {
+  const char* name;
+  Value* to;
+  Value none = 0;
+};
+
+/// A call that gets numbers: `find(problem)` has them in the order of their places.
+template <class Value, std::size_t count, class Find>
+int get_numbers(const Call& call, const Place<Value> (&places)[count], Find find) noexcept {
+  const int code = guarded(call, [&](ContactProblem& p) {
+    for (const auto& place : places) given(place.name, place.to);
+    const std::array<Value, count> found = find(p);
+    for (std::size_t k = 0; k < count; ++k) *places[k].to = found[k];
+  });
+  for (const auto& place : places)
+    if (code != 0 && place.to) *place.to = place.none;
+  return code;
+}
+
+/// A call that gets an array, `most` numbers of which the function has; of `find(problem)` as many as fit.
+template <class Find>
+int get_array(const Call& call, const int* length, double* values, Find find,
+              int most = std::numeric_limits<int>::max()) noexcept {
+  return answered(call, into(results(length, values, most)),
+                  [&](ContactProblem& p) { fill(room("values", length, values), std::vector<double>(find(p))); });
+}
 
 } // namespace microslip::libcontact
-
-/// The name with an underscore behind it.
-#define LIBCONTACT_UNDERSCORED(name) extern "C" __attribute__((alias(#name))) decltype(name) name##_;

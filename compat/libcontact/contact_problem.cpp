@@ -172,11 +172,11 @@ bool is_missing(const ProfileRecord& profile) {
 
 /// Refuses elements so small that the search over the profiles would need more memory than a host has to spare.
 void check_sizes(const WheelRailData& w) {
-  constexpr double most_on_line = 1e6, most_on_surface = 2e7, other_width = 200; // points, mm
+  constexpr double most_on_line = 1e6, most_on_surface = 2e7, other_width = 0.2; // points, [m]
   constexpr double part_of_ds = 0.3, part_of_radius = 0.5;                       // at the most
   const double width = w.rail.curve ? w.rail.curve->greatest_y() - w.rail.curve->least_y() : other_width;
   const double across = width / (part_of_ds * w.grid.ds);
-  const double along = part_of_radius * std::max(w.wheelset.nominal_radius, 1.0) / w.grid.dx;
+  const double along = part_of_radius * std::max(w.wheelset.nominal_radius, mm) / w.grid.dx;
   const bool on_surface = w.search == ContactSearch::brute_force || w.search == ContactSearch::steep ||
                           is_variable(w.rail) || is_variable(w.wheel);
   if (across > most_on_line || (on_surface && across * along > most_on_surface))
@@ -229,7 +229,6 @@ Case ContactProblem::completed() const {
     c.digits.iestim = InitialGuess::nothing;
   }
   c.digits.exrhs = c.extra;
-  constexpr double mm = 1e-3;
   const bool by_force = d.norm == Normal::force;
   if (is_wheel()) {
     WheelRailData& w = *c.wheel_rail;
@@ -240,8 +239,8 @@ Case ContactProblem::completed() const {
     if (w.digits.is_roller()) w.track.cant = 0; // as CONTACT does
     return c;
   }
-  c.load = by_force ? NormalLoad{NormalLoad::Given::force, normal_force}
-                    : NormalLoad{NormalLoad::Given::approach, approach * mm};
+  c.load =
+      by_force ? NormalLoad{NormalLoad::Given::force, normal_force} : NormalLoad{NormalLoad::Given::approach, approach};
   c.formed = c.load;
   c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{creep_x}) : ForceRatio{ratio_x};
   c.y = d.force == Prescribed::force_x_and_y ? SlipOrForce(ForceRatio{ratio_y}) : Slip{creep_y};
@@ -327,7 +326,7 @@ void ContactProblem::keep_what_was_found() {
     return;
   }
   if (solved_.digits.norm == Normal::force)
-    approach = outcome_->totals.approach;
+    approach = outcome_->solution.normal.approach;
   else
     normal_force = outcome_->totals.fn;
 }

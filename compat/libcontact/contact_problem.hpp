@@ -46,7 +46,7 @@ struct GivenProfile {
   std::filesystem::path file = {}; ///< that has them; empty until they are written
 };
 
-/// One contact problem of module 3, or a wheel on its rail: what has been set so far, in CONTACT's units, and what was
+/// One contact problem of module 3, or a wheel on its rail: what has been set so far, in SI, and what was
 /// found last. Its users hold its mutex.
 class ContactProblem {
 public:
@@ -94,9 +94,9 @@ public:
   Case data;
   SensitivityChoice sensitivity{default_choice<int>("S2"), default_of("EPSSENS")};
   CalculationTime time;
-  double z = 0, vertical_force = 0;      ///< of a wheel: Z_WS [mm] and FZ [N], of which N takes one,
+  double z = 0, vertical_force = 0;      ///< of a wheel: Z_WS [m] and FZ [N], of which N takes one,
   double vpitch = 0, force_x = 0;        ///< and VPITCH_WS [rad/s] and FX_WS [N], of which F takes one
-  double approach = 0, normal_force = 0; ///< of module 3: PEN [mm] and FN [N], of which N takes one,
+  double approach = 0, normal_force = 0; ///< of module 3: PEN [m] and FN [N], of which N takes one,
   double creep_x = 0, creep_y = 0;       ///< and CKSI and CETA,
   double ratio_x = 0, ratio_y = 0;       ///< or FX and FY over FSTAT FN, of which F takes some
   double time_step = default_of("DT");   ///< [s]

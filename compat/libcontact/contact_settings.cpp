@@ -17,27 +17,18 @@ void set_hertzian(ContactProblem& p, int method, std::span<const double> v) {
     throw Refusal(CNTC_err_discr, "IPOTCN = " + std::to_string(method) + " does not exist");
   const std::size_t lengths = method == -6 ? 3 : 2;
   require_count("rparam", v.size(), 3 + lengths, 3 + lengths);
-  const double l = p.units.length;
   PotentialContact potential;
   potential.kind = static_cast<Potential>(method);
   potential.mx = as_integer("MX", v[0], 1, most_cells);
   potential.my = as_integer("MY", v[1], 1, most_cells);
   potential.scale = v[2 + lengths];
   for (std::size_t k = 0; k < lengths; ++k) {
-    const bool is_curvature = (k == 0 && (method == -1 || method == -2 || method == -4)) || (k == 1 && method == -1);
-    const bool is_ratio = k == 1 && method == -2;
-    potential.values[k] = is_curvature ? v[2 + k] / l : is_ratio ? v[2 + k] : v[2 + k] * l;
+    potential.values[k] = v[2 + k] * p.units.of(unit_of_hertz(potential.kind, k));
     if (!(potential.values[k] > 0)) throw Refusal(CNTC_err_discr, "curvatures and semi-axes must be > 0");
   }
   if (!(potential.scale > 0)) throw Refusal(CNTC_err_discr, "SCALE must be > 0");
   p.data.potential = potential;
   if (potential.is_line()) p.data.digits.bound = PressureModel::elliptic; // as CONTACT does
-}
-
-/// B1 to B6 of the quadratic form.
-std::vector<double> quadratic(const Units& u, std::span<const double> v) {
-  const double l = u.length;
-  return {v[0] / l, v[1] / l, v[2] / l, v[3], v[4], v[5] * l};
 }
 
 /// NN, XM, RM, Y1, DY1 and NN heights; all but the first are kept.
@@ -46,20 +37,9 @@ std::vector<double> circle(const Units& u, std::span<const double> v) {
   const int heights = as_integer("NN", v[0], 1, most_cells);
   const auto count = static_cast<std::size_t>(5 + heights);
   require_count("prmudf", v.size(), count, count);
-  std::vector<double> values(v.begin() + 1, v.end());
-  for (double& value : values) value *= u.length;
+  const auto values = u.in_si(v.subspan(1), UnitList(count - 1, 1));
   if (values[1] == 0) throw Refusal(CNTC_err_discr, "RM must not be 0");
   if (heights > 1 && !(values[3] > 0)) throw Refusal(CNTC_err_discr, "DY1 must be > 0");
-  return values;
-}
-
-std::vector<double> waves(const Units& u, std::span<const double> v) {
-  std::vector<double> values(v.begin(), v.end());
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const bool is_wavenumber = k == 1 || k == 4;
-    values[k] = is_wavenumber ? values[k] / u.length : values[k] * u.length;
-  }
-  if (values[6] == 0 || values[7] == 0) throw Refusal(CNTC_err_discr, "B7 and B8 must not be 0");
   return values;
 }
 
@@ -68,28 +48,28 @@ void set_distance(ContactProblem& p, int method, std::span<const double> v) {
   if (method != 1 && method != 2 && method != 3 && method != 9)
     throw Refusal(CNTC_err_discr, "IBASE = " + std::to_string(method) + " does not exist");
   g.base = static_cast<Base>(method);
-  if (g.base == Base::quadratic) {
-    require_count("prmudf", v.size(), 6, 6);
-    g.values = quadratic(p.units, v);
-  } else if (g.base == Base::circle) {
+  if (g.base == Base::by_element && !p.data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
+  if (g.base == Base::circle) {
     g.values = circle(p.units, v);
-  } else if (g.base == Base::waves) {
-    require_count("prmudf", v.size(), 8, 8);
-    g.values = waves(p.units, v);
   } else {
-    if (!p.data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
-    require_count("prmudf", v.size(), p.data.potential->elements(), p.data.potential->elements());
-    for (const double height : v) g.values.push_back(height * p.units.length);
+    const UnitList units = g.base == Base::quadratic ? units_of_quadratic
+                           : g.base == Base::waves   ? units_of_waves
+                                                     : UnitList(p.data.potential->elements(), 1);
+    require_count("prmudf", v.size(), units.size(), units.size());
+    g.values = p.units.in_si(v, units);
   }
+  if (g.base == Base::waves && (g.values[6] == 0 || g.values[7] == 0))
+    throw Refusal(CNTC_err_discr, "B7 and B8 must not be 0");
   p.data.geometry = std::move(g);
 }
 
 void set_extra_slip(ContactProblem& p, std::span<const double> wx, std::span<const double> wy) {
   if (!p.data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
+  const double unit = unit_of_slip(p.data.digits);               // of a shift in mm, whatever the units
   std::vector<double> slip(2 * p.data.potential->elements(), 0); // elements beyond the arrays have none
   for (std::size_t k = 0; k < wx.size() && 2 * k < slip.size(); ++k) {
-    slip[2 * k] = wx[k];
-    slip[2 * k + 1] = wy[k];
+    slip[2 * k] = unit * wx[k];
+    slip[2 * k + 1] = unit * wy[k];
   }
   p.data.extra_slip = std::move(slip);
   p.data.extra = ExtraSlip::by_element;
@@ -98,10 +78,10 @@ void set_extra_slip(ContactProblem& p, std::span<const double> wx, std::span<con
 /// Creepages, or with T = 1 the distances of a shift.
 void set_creepages(ContactProblem& p, double x, double y, double spin) {
   const bool shifts = p.data.digits.tang == Tangential::shift;
-  const double unit = shifts ? p.units.length : 1;
+  const double unit = shifts ? p.units.length() : 1;
   p.creep_x = unit * x;
   p.creep_y = unit * y;
-  p.data.phi = shifts ? spin : spin / p.units.length;
+  p.data.phi = shifts ? spin : spin / p.units.length();
 }
 
 } // namespace
@@ -109,55 +89,41 @@ void set_creepages(ContactProblem& p, double x, double y, double spin) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
-  return guarded({"cntc_setreferencevelocity", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
-    constexpr double least = 1e-9;
-    p.data.rolling->veloc = std::max(least, std::abs(real("veloc", veloc)) * p.units.speed);
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
+    constexpr double least = 1e-12; // [m/s]
+    p.data.rolling->veloc = std::max(least, std::abs(real("veloc", veloc)) * p.units.length());
   });
 }
 
 int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-  return set_by({"cntc_sethertzcontact", ire, icp, Module::contact, Scope::patch}, set_hertzian, "ipotcn", ipotcn,
-                "rparam", nparam, rparam);
+  return set_by(contact_call(__func__, ire, icp), set_hertzian, "ipotcn", ipotcn, "rparam", nparam, rparam);
 }
 
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
-  return guarded({"cntc_setpenetration", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
-    p.approach = real("pen", pen) * p.units.length;
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
+    p.approach = real("pen", pen) * p.units.length();
     p.data.digits.norm = microslip::contact_program::Normal::approach;
   });
 }
 
 int cntc_setnormalforce(int* ire, int* icp, double* fn) {
-  return guarded({"cntc_setnormalforce", ire, icp, Module::contact, Scope::patch}, [&](ContactProblem& p) {
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.normal_force = real("fn", fn);
     p.data.digits.norm = microslip::contact_program::Normal::force;
   });
 }
 
 int cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double* prmudf) {
-  return set_by({"cntc_setundeformeddistc", ire, icp, Module::contact, Scope::patch}, set_distance, "ibase", ibase,
-                "prmudf", nparam, prmudf);
+  return set_by(contact_call(__func__, ire, icp), set_distance, "ibase", ibase, "prmudf", nparam, prmudf);
 }
 
 int cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
-  return guarded({"cntc_setcreepages", ire, icp, Module::contact, Scope::patch},
+  return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_creepages(p, real("vx", vx), real("vy", vy), real("phi", phi)); });
 }
 
 int cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy) {
-  return guarded({"cntc_setextrarigidslip", ire, icp, Module::contact, Scope::patch},
+  return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_extra_slip(p, reals("wx", lenarr, wx), reals("wy", lenarr, wy)); });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setreferencevelocity)
-LIBCONTACT_UNDERSCORED(cntc_sethertzcontact)
-LIBCONTACT_UNDERSCORED(cntc_setpenetration)
-LIBCONTACT_UNDERSCORED(cntc_setnormalforce)
-LIBCONTACT_UNDERSCORED(cntc_setundeformeddistc)
-LIBCONTACT_UNDERSCORED(cntc_setcreepages)
-LIBCONTACT_UNDERSCORED(cntc_setextrarigidslip)

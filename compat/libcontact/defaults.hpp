@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/contact/units.hpp"
 #include "compat/contact/wheel_rail/profile_thresholds.hpp"
 #include "compat/libcontact/include/contact_addon.h"
 
@@ -137,11 +138,26 @@ inline constexpr Default defaults[] = {
     {"KINKWID", DefaultOf::wheel, ProfileThresholds::kink_width, "mm"},
 };
 
-/// The default of a name, for all problems or one module's. A name that the table does not have does not compile.
-consteval double default_of(std::string_view name, DefaultOf of = DefaultOf::both) {
+/// The default of a name, for all problems or one module's, as files have it. A name that the table does not have does
+/// not compile.
+consteval double default_in_file(std::string_view name, DefaultOf of = DefaultOf::both) {
   for (const Default& row : defaults)
     if (row.name == name && (row.of == of || row.of == DefaultOf::both)) return row.value;
   throw "there is no such default";
+}
+
+/// The same in SI.
+consteval double default_of(std::string_view name, DefaultOf of = DefaultOf::both) {
+  using namespace contact_program;
+  const double value = default_in_file(name, of);
+  for (const Default& row : defaults) {
+    if (row.name != name) continue;
+    if (row.unit == "mm" || row.unit == "mm/s") return value * mm;
+    if (row.unit == "1/mm" || row.unit == "N/mm") return value * per_mm;
+    if (row.unit == "N/mm2") return value * newton_per_mm2;
+    if (row.unit == "mm3/N") return value * mm3_per_newton;
+  }
+  return value;
 }
 
 template <class Choice> consteval Choice default_choice(std::string_view name, DefaultOf of = DefaultOf::both) {

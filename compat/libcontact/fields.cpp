@@ -60,9 +60,9 @@ Value field(const ContactProblem& p, const Contact& c, int code) {
   const Outcome& o = c.outcome;
   const auto& n = o.solution.normal;
   const auto& t = o.solution.tangential;
-  const double length = mm_per_m / p.units.length, pressure = newton_per_mm2 / p.units.pressure();
+  const double length = p.units.per_length(), pressure = p.units.per_pressure();
   // Of a shift the slip is a distance in mm, whatever the units.
-  const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? mm_per_m : 1);
+  const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? per_m : 1);
   switch (code) {
   case CNTC_fld_h:
     return [&o, &n, length](std::size_t k) { return length * (o.step.gap[k] - n.approach); };
@@ -136,41 +136,30 @@ template <class... Fields> int fields(const char* call, int* ire, int* icp, int*
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* fld) {
-  return answered(patch_call("cntc_getfielddata", ire, icp), into(results(lenarr, fld)),
+  return answered(patch_call(__func__, ire, icp), into(results(lenarr, fld)),
                   [&](ContactProblem& p) { get_field(p, *icp, integer("ifld", ifld), room("fld", lenarr, fld)); });
 }
 
 int cntc_gettractions(int* ire, int* icp, int* lenarr, double* pn, double* px, double* py) {
-  return fields("cntc_gettractions", ire, icp, lenarr, Wanted{"pn", CNTC_fld_pn, pn}, Wanted{"px", CNTC_fld_px, px},
+  return fields(__func__, ire, icp, lenarr, Wanted{"pn", CNTC_fld_pn, pn}, Wanted{"px", CNTC_fld_px, px},
                 Wanted{"py", CNTC_fld_py, py});
 }
 
 int cntc_getmicroslip(int* ire, int* icp, int* lenarr, double* sx, double* sy) {
-  return fields("cntc_getmicroslip", ire, icp, lenarr, Wanted{"sx", CNTC_fld_sx, sx}, Wanted{"sy", CNTC_fld_sy, sy});
+  return fields(__func__, ire, icp, lenarr, Wanted{"sx", CNTC_fld_sx, sx}, Wanted{"sy", CNTC_fld_sy, sy});
 }
 
 int cntc_getdisplacements(int* ire, int* icp, int* lenarr, double* un, double* ux, double* uy) {
-  return fields("cntc_getdisplacements", ire, icp, lenarr, Wanted{"un", CNTC_fld_un, un}, Wanted{"ux", CNTC_fld_ux, ux},
+  return fields(__func__, ire, icp, lenarr, Wanted{"un", CNTC_fld_un, un}, Wanted{"ux", CNTC_fld_ux, ux},
                 Wanted{"uy", CNTC_fld_uy, uy});
 }
 
 int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {
-  return answered(patch_call("cntc_getelementdivision", ire, icp), into(results(lenarr, eldiv)),
-                  [&](ContactProblem& p) {
-                    const Contact c = p.contact(*icp);
-                    const auto found = room("eldiv", lenarr, eldiv);
-                    for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
-                      found[k] = division_of(c.outcome, k);
-                  });
+  return answered(patch_call(__func__, ire, icp), into(results(lenarr, eldiv)), [&](ContactProblem& p) {
+    const Contact c = p.contact(*icp);
+    const auto found = room("eldiv", lenarr, eldiv);
+    for (std::size_t k = 0; k < found.size() && k < c.outcome.step.grid.count(); ++k)
+      found[k] = division_of(c.outcome, k);
+  });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_getfielddata)
-LIBCONTACT_UNDERSCORED(cntc_gettractions)
-LIBCONTACT_UNDERSCORED(cntc_getmicroslip)
-LIBCONTACT_UNDERSCORED(cntc_getdisplacements)
-LIBCONTACT_UNDERSCORED(cntc_getelementdivision)

@@ -179,47 +179,46 @@ int flag_of(const ContactProblem& p, int code) {
   return found == p.other_flags.end() ? default_flag(code) : found->second;
 }
 
+/// Deals with each flag that it can; the code is that of the first one that it cannot.
+template <class Deal> int each_flag(const Call& call, std::span<const int> codes, Deal deal) {
+  int first = 0;
+  for (std::size_t k = 0; k < codes.size(); ++k) {
+    if (codes[k] == 0) continue;
+    const int code = guarded_body(call, [&] { deal(k); });
+    if (first == 0) first = code;
+  }
+  return first;
+}
+
 } // namespace
 } // namespace microslip::libcontact
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
-/// All flags that can be set are; the code is that of the first one that cannot.
 int cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
-  return guarded({"cntc_setflags", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  const Call call = problem_call(__func__, ire, icp);
+  return guarded(call, [&](ContactProblem& p) {
     const auto codes = integers("params", lenflg, params), settings = integers("values", lenflg, values);
-    int code = 0;
-    for (std::size_t k = 0; k < codes.size(); ++k) {
-      if (codes[k] == 0) continue;
-      const int found = guarded("cntc_setflags", [&] { set_flag(p, codes[k], settings[k]); });
-      if (code == 0) code = found;
-    }
-    return code;
+    return each_flag(call, codes, [&](std::size_t k) { set_flag(p, codes[k], settings[k]); });
   });
 }
 
 int cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
   int of_flags = 0;
-  const int code = answered({"cntc_getflags", ire, icp, Module::any, Scope::either}, into(results(lenflg, values)),
-                            [&](ContactProblem& p) {
-                              const auto codes = integers("params", lenflg, params);
-                              const auto found = room("values", lenflg, values);
-                              for (std::size_t k = 0; k < codes.size(); ++k) {
-                                if (codes[k] == 0) continue;
-                                const int of_this = guarded("cntc_getflags", [&] {
-                                  found[k] = 0;
-                                  found[k] = flag_of(p, codes[k]);
-                                });
-                                if (of_flags == 0) of_flags = of_this;
-                              }
-                            });
+  const Call call = either_call(__func__, ire, icp);
+  const int code = answered(call, into(results(lenflg, values)), [&](ContactProblem& p) {
+    const auto codes = integers("params", lenflg, params);
+    const auto found = room("values", lenflg, values);
+    of_flags = each_flag(call, codes, [&](std::size_t k) {
+      found[k] = 0;
+      found[k] = flag_of(p, codes[k]);
+    });
+  });
   return code != 0 ? code : of_flags;
 }
 
 int cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values) {
-  return guarded({"cntc_setmetadata", ire, icp, Module::any, Scope::whole}, [&](ContactProblem&) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem&) {
     reals("values", lenmta, values);
     constexpr int known[] = {CNTC_mt_tim, CNTC_mt_xr,  CNTC_mt_yr,   CNTC_mt_xw,  CNTC_mt_yw,
                              CNTC_mt_sw,  CNTC_mt_run, CNTC_mt_axle, CNTC_mt_side};
@@ -227,9 +226,3 @@ int cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* value
       if (code != 0 && !has(known, code)) throw Refusal(CNTC_err_other, "there are no data " + std::to_string(code));
   });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setflags)
-LIBCONTACT_UNDERSCORED(cntc_getflags)
-LIBCONTACT_UNDERSCORED(cntc_setmetadata)

@@ -52,7 +52,7 @@ PointBlock block(int isubs, std::span<const double> x, std::span<const double> y
     b.y = is_listed ? indices("yparam", y) : lengths(y, unit);
   }
   if (b.has_equal_depths()) {
-    constexpr double least = 1e-9; // mm
+    constexpr double least = 1e-12; // [m]
     require_count("zparam", z.size(), 3, 3);
     b.z = {static_cast<double>(as_integer("NZ", z[0], 1, most_points)), z[1] * unit, std::max(least, z[2] * unit)};
   } else {
@@ -80,12 +80,11 @@ const InteriorBlock& found_block(const ContactProblem& p, int icp, int number) {
   return blocks[static_cast<std::size_t>(number) - 1];
 }
 
-/// A column of the table; nothing for one that does not exist. `unit` is that of lengths [mm], `pressure` of stresses
-/// [N/mm2].
-std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, double unit, double pressure) {
+/// A column of the table; nothing for one that does not exist. by `length` and `stress` in
+/// the units of the call.
+std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, double length, double stress) {
   const InteriorState& state = b.states[k];
   const auto& s = state.stress;
-  const double length = mm_per_m / unit, stress = newton_per_mm2 / pressure;
   const double places[] = {b.points.x_of(k), b.points.y_of(k), b.points.z_of(k), state.ux, state.uy, state.uz};
   if (column >= 1 && column <= 6) return places[column - 1] * length;
   const auto principal = principal_stresses(s);
@@ -101,60 +100,46 @@ std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, d
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, int* nz, double* xparam, double* yparam,
                   double* zparam) {
-  return guarded({"subs_addblock", ire, icp, Module::any, Scope::either}, [&](ContactProblem& p) {
+  return guarded(either_call(__func__, ire, icp), [&](ContactProblem& p) {
     const int number = integer("iblk", iblk), kind = integer("isubs", isubs);
     if (number == 0) return add_block(p, *icp, 0, nullptr);
     if (!is_kind(kind)) throw Refusal(CNTC_err_other, "isubs = " + std::to_string(kind) + " does not exist");
     const bool has_places = kind != 1 && kind != 5; // else CONTACT's callers may give anything
     const auto x = has_places ? reals("xparam", nx, xparam) : std::span<const double>();
     const auto y = has_places ? reals("yparam", ny, yparam) : std::span<const double>();
-    const PointBlock b = block(kind, x, y, reals("zparam", nz, zparam), p.units.length);
+    const PointBlock b = block(kind, x, y, reals("zparam", nz, zparam), p.units.length());
     add_block(p, *icp, number, &b);
   });
 }
 
 int subs_getblocksize(int* ire, int* icp, int* iblk, int* nx, int* ny, int* nz) {
-  return answered({"subs_getblocksize", ire, icp, Module::any, Scope::either},
-                  into(result(nx, -1), result(ny, -1), result(nz, -1)), [&](ContactProblem& p) {
-                    const int patch =
-                        *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless a patch has others
-                    int &x = given("nx", nx), &y = given("ny", ny), &z = given("nz", nz);
-                    const auto& points = found_block(p, patch, integer("iblk", iblk)).points;
-                    x = static_cast<int>(points.x.size());
-                    y = static_cast<int>(points.y.size());
-                    z = static_cast<int>(points.z.size());
-                  });
+  return get_numbers<int>(
+      either_call(__func__, ire, icp), {{"nx", nx, -1}, {"ny", ny, -1}, {"nz", nz, -1}}, [&](ContactProblem& p) {
+        const int patch = *icp < 0 ? 1 : *icp; // the points of all patches are the same, unless a patch has others
+        const auto& points = found_block(p, patch, integer("iblk", iblk)).points;
+        return std::array{int(points.x.size()), int(points.y.size()), int(points.z.size())};
+      });
 }
 
 int subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* icol, double* values) {
-  return answered({"subs_getresults", ire, icp, Module::any, Scope::patch}, into(results(lenarr, ncol, values)),
-                  [&](ContactProblem& p) {
-                    const InteriorBlock& b = found_block(p, *icp, integer("iblk", iblk));
-                    const auto columns = integers("icol", ncol, icol);
-                    const int rows = integer("lenarr", lenarr);
-                    if (rows < 0 || columns.size() > most_columns)
-                      throw Refusal(CNTC_err_other, "lenarr or ncol is out of range");
-                    if (rows > 0 && !columns.empty()) given("values", values);
-                    const auto length = static_cast<std::size_t>(rows);
-                    constexpr double none = -999;
-                    for (std::size_t c = 0; c < columns.size(); ++c)
-                      for (std::size_t k = 0; k < length; ++k) {
-                        const bool exists = columns[c] >= 1 && columns[c] <= 21;
-                        double& place = values[c * length + k];
-                        if (!exists)
-                          place = none;
-                        else if (k < b.states.size())
-                          place = *value(b, k, columns[c], p.units.length, p.units.pressure());
-                      }
-                  });
+  return answered(patch_call(__func__, ire, icp), into(results(lenarr, ncol, values)), [&](ContactProblem& p) {
+    const InteriorBlock& b = found_block(p, *icp, integer("iblk", iblk));
+    const auto columns = integers("icol", ncol, icol);
+    const int rows = integer("lenarr", lenarr);
+    if (rows < 0 || columns.size() > most_columns) throw Refusal(CNTC_err_other, "lenarr or ncol is out of range");
+    if (rows > 0 && !columns.empty()) given("values", values);
+    const auto length = static_cast<std::size_t>(rows);
+    constexpr double none = -999;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (std::size_t k = 0; k < length; ++k) {
+        const bool exists = columns[c] >= 1 && columns[c] <= 21;
+        double& place = values[c * length + k];
+        if (!exists)
+          place = none;
+        else if (k < b.states.size())
+          place = *value(b, k, columns[c], p.units.per_length(), p.units.per_pressure());
+      }
+  });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(subs_addblock)
-LIBCONTACT_UNDERSCORED(subs_getblocksize)
-LIBCONTACT_UNDERSCORED(subs_getresults)

@@ -1,5 +1,5 @@
 #include "compat/contact/input.hpp"
-#include "compat/contact/wheel_rail/pair_file.hpp"
+#include "compat/contact/wheel_rail/case_reader.hpp"
 #include "compat/contact/wheel_rail/profile_reading.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
@@ -78,11 +78,9 @@ void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_initializefirst(int* ifcver, int* ierror, int*, const char* c_wrkdir, const char* c_outdir,
                          const char* c_expnam, int* len_wrkdir, int* len_outdir, int* len_expnam) {
-  const int code = guarded("cntc_initializefirst", [&] {
+  const int code = guarded(__func__, [&] {
     if (ifcver) *ifcver = version;
     const bool can_log = Registry::instance().start(optional_text("c_wrkdir", c_wrkdir, len_wrkdir),
                                                     optional_text("c_outdir", c_outdir, len_outdir),
@@ -99,7 +97,7 @@ int cntc_initializefirst_new(int* ifcver, int* ierror, int* ioutput, const char*
 }
 
 int cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char* c_outdir, int* len_outdir) {
-  const int code = guarded("cntc_initialize", [&] {
+  const int code = guarded(__func__, [&] {
     if (ifcver) *ifcver = version;
     const int element = integer("ire", ire), module = integer("imodul", imodul);
     Registry::instance().start("", optional_text("c_outdir", c_outdir, len_outdir), "");
@@ -109,11 +107,11 @@ int cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror, const char*
 }
 
 int cntc_setfileunits(int* nunits, int* iunits) {
-  return guarded("cntc_setfileunits", [&] { integers("iunits", nunits, iunits); });
+  return guarded(__func__, [&] { integers("iunits", nunits, iunits); });
 }
 
 int cntc_setglobalflags(int* lenflg, int* params, int* values) {
-  return guarded("cntc_setglobalflags", [&] {
+  return guarded(__func__, [&] {
     const auto codes = integers("params", lenflg, params);
     integers("values", lenflg, values);
     for (const int code : codes)
@@ -124,44 +122,31 @@ int cntc_setglobalflags(int* lenflg, int* params, int* values) {
 }
 
 int cntc_getmaxnumthreads(int* mxthrd) {
-  return guarded("cntc_getmaxnumthreads", [&] {
+  return guarded(__func__, [&] {
     constexpr unsigned most = 999;
     given("mxthrd", mxthrd) = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, most));
   });
 }
 
 int cntc_readinpfile(int* ire, int* inp_type, const char* c_fname, int* len_fname, int* ierror) {
-  const int code =
-      guarded({"cntc_readinpfile", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
-        const int kind = integer("inp_type", inp_type);
-        if (kind != CNTC_inp_modul1 && kind != CNTC_inp_spck)
-          throw Refusal(CNTC_err_input, "inp_type = " + std::to_string(kind) + ": must be " +
-                                            std::to_string(CNTC_inp_modul1) + " or " + std::to_string(CNTC_inp_spck));
-        const auto path = Registry::instance().working_folder() / text("c_fname", c_fname, len_fname);
-        if (kind == CNTC_inp_modul1)
-          read_wheel(p, path);
-        else
-          read_file(p, path, kind);
-      });
+  const int code = guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
+    const int kind = integer("inp_type", inp_type);
+    if (kind != CNTC_inp_modul1 && kind != CNTC_inp_spck)
+      throw Refusal(CNTC_err_input, "inp_type = " + std::to_string(kind) + ": must be " +
+                                        std::to_string(CNTC_inp_modul1) + " or " + std::to_string(CNTC_inp_spck));
+    const auto path = Registry::instance().working_folder() / text("c_fname", c_fname, len_fname);
+    if (kind == CNTC_inp_modul1)
+      read_wheel(p, path);
+    else
+      read_file(p, path, kind);
+  });
   return told(code, ierror);
 }
 
 int cntc_finalize(int* ire) {
-  return guarded("cntc_finalize", [&] { Registry::instance().remove(integer("ire", ire)); });
+  return guarded(__func__, [&] { Registry::instance().remove(integer("ire", ire)); });
 }
 
 int cntc_finalizelast(void) {
-  return guarded("cntc_finalizelast", [&] { Registry::instance().remove_all(); });
+  return guarded(__func__, [&] { Registry::instance().remove_all(); });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_initializefirst)
-LIBCONTACT_UNDERSCORED(cntc_initializefirst_new)
-LIBCONTACT_UNDERSCORED(cntc_initialize)
-LIBCONTACT_UNDERSCORED(cntc_setfileunits)
-LIBCONTACT_UNDERSCORED(cntc_setglobalflags)
-LIBCONTACT_UNDERSCORED(cntc_getmaxnumthreads)
-LIBCONTACT_UNDERSCORED(cntc_readinpfile)
-LIBCONTACT_UNDERSCORED(cntc_finalize)
-LIBCONTACT_UNDERSCORED(cntc_finalizelast)

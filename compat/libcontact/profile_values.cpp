@@ -27,17 +27,18 @@ struct Request {
   std::optional<double> from, to; ///< of what runs along a surface, v from 1 as CONTACT counts it
 };
 
-/// s of the samples [mm], in our order.
+/// s of the samples, in our order.
 std::vector<double> samples(const ProfileCurve& curve, const Request& r) {
-  constexpr double least_step = 1e-4;
+  constexpr double least_step = 1e-7;
   constexpr int most_parts = 100;
   std::vector<double> s;
   const std::size_t points = curve.points().size();
-  if (r.sampling == 1 && r.step >= least_step) {
-    const auto count = static_cast<std::size_t>((curve.end() - curve.start()) / r.step) + 1;
+  const double step = r.step * mm;
+  if (r.sampling == 1 && step >= least_step) {
+    const auto count = static_cast<std::size_t>((curve.end() - curve.start()) / step) + 1;
     for (std::size_t k = 0; k < count; ++k) // from CONTACT's beginning
-      s.push_back(r.of_wheel ? curve.end() - static_cast<double>(k) * r.step
-                             : curve.start() + static_cast<double>(k) * r.step);
+      s.push_back(r.of_wheel ? curve.end() - static_cast<double>(k) * step
+                             : curve.start() + static_cast<double>(k) * step);
     if (r.of_wheel) std::reverse(s.begin(), s.end());
     return s;
   }
@@ -60,8 +61,8 @@ std::vector<CurvePoint> curve_points(const ProfileCurve& curve, const Request& r
 /// All y and then all z.
 std::vector<double> coordinates(const std::vector<CurvePoint>& points) {
   std::vector<double> found;
-  for (const auto& p : points) found.push_back(p.value.y);
-  for (const auto& p : points) found.push_back(p.value.z);
+  for (const auto& p : points) found.push_back(p.value.y / mm);
+  for (const auto& p : points) found.push_back(p.value.z / mm);
   return found;
 }
 
@@ -92,7 +93,7 @@ std::vector<double> gauge(const ContactProblem& p, const ProfileCurve& rail) {
   const TrackDimensions& track = p.wheel().track;
   if (!track.by_gauge()) throw Refusal(CNTC_err_profil, "the rail is not placed by the gauge");
   const GaugePoint found = gauge_of(rail, track);
-  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = 1 / p.units.length;
+  const double sign = p.wheel().digits.is_left() ? -1 : 1, unit = p.units.per_length();
   const double top = -found.top.z, height = top + track.gauge_height;
   const double side = gauge_side_at(rail.moved(-track.cant, 0, 0), height, found.top.y);
   const RailPosition& off = p.wheel().rail_position;
@@ -147,7 +148,7 @@ std::vector<double> surface_values(const ProfileSurface& s, const Request& r, bo
 ProfileCurve curve_of(const ContactProblem& p, const ProfileShape& shape, const Request& r) {
   if (!shape.varies()) return *shape.curve;
   const bool in_track = r.task == 2 && !r.of_wheel;
-  const double u = r.place + (in_track ? p.wheel().position.s : 0);
+  const double u = r.of_wheel ? r.place : r.place * mm + (in_track ? p.wheel().position.s : 0);
   auto section = cross_section(*shape.surface, r.of_wheel ? ProfileRole::wheel : ProfileRole::rail, u);
   if (!section) throw Refusal(CNTC_err_profil, "the profile is interrupted there");
   return std::move(*section);
@@ -160,7 +161,7 @@ std::vector<double> profile_values(ContactProblem& p, const Request& r, bool num
   const ProfileShape shape = p.profile(r.of_wheel);
   if (r.task > 5 && !shape.varies()) throw Refusal(CNTC_err_profil, "the profile does not vary");
   if (r.task == 9) throw Refusal(CNTC_err_other, "files for MATLAB's tools are not written");
-  if (r.task > 5) return surface_values(*shape.surface, r, number_only);
+  if (r.task > 5) return surface_values(shape.surface->in_units(r.of_wheel ? 1 : per_m, per_m, per_m), r, number_only);
   if (r.task == 3 && r.of_wheel) throw Refusal(CNTC_err_profil, "wheels have no gauge point");
   const ProfileCurve curve = curve_of(p, shape, r);
   if (r.task == 3) return gauge(p, curve);
@@ -173,7 +174,7 @@ std::vector<double> profile_values(ContactProblem& p, const Request& r, bool num
   const double sense = r.of_wheel ? -1 : 1;
   std::vector<double> found;
   for (std::size_t k = 0; k < s.size(); ++k)
-    found.push_back(r.task == 4 ? sense * s[k] : std::atan2(sense * points[k].first.z, sense * points[k].first.y));
+    found.push_back(r.task == 4 ? sense * s[k] / mm : std::atan2(sense * points[k].first.z, sense * points[k].first.y));
   return found;
 }
 
@@ -182,37 +183,28 @@ std::vector<double> profile_values(ContactProblem& p, const Request& r, bool num
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                           double* values) {
-  return answered({"cntc_getprofilevalues", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values)), [&](ContactProblem& p) {
-                    const auto choices = integers("iparam", nints, iparam);
-                    const auto numbers = reals("rparam", nreals, rparam);
-                    const auto number = [&](std::size_t k) {
-                      return k < numbers.size() ? std::optional(numbers[k]) : std::optional<double>();
-                    };
-                    const Request request = {.task = integer("itask", itask),
-                                             .of_wheel = !choices.empty() && choices[0] > 0,
-                                             .sampling = choices.size() > 1 ? choices[1] : 0,
-                                             .step = number(0).value_or(1),
-                                             .place = number(1).value_or(0),
-                                             .from = number(2),
-                                             .to = number(3)};
-                    if (request.task < -1 || request.task > 9)
-                      throw Refusal(CNTC_err_other, "itask must be in -1 to 9");
-                    const auto place = room("values", lenarr, values);
-                    fill(place, profile_values(p, request, place.size() == 1));
-                  });
+  return answered(wheel_call(__func__, ire), into(results(lenarr, values)), [&](ContactProblem& p) {
+    const auto choices = integers("iparam", nints, iparam);
+    const auto numbers = reals("rparam", nreals, rparam);
+    const auto number = [&](std::size_t k) {
+      return k < numbers.size() ? std::optional(numbers[k]) : std::optional<double>();
+    };
+    const Request request = {.task = integer("itask", itask),
+                             .of_wheel = !choices.empty() && choices[0] > 0,
+                             .sampling = choices.size() > 1 ? choices[1] : 0,
+                             .step = number(0).value_or(1),
+                             .place = number(1).value_or(0),
+                             .from = number(2),
+                             .to = number(3)};
+    if (request.task < -1 || request.task > 9) throw Refusal(CNTC_err_other, "itask must be in -1 to 9");
+    const auto place = room("values", lenarr, values);
+    fill(place, profile_values(p, request, place.size() == 1));
+  });
 }
 
 int cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                               double* values) {
   return cntc_getprofilevalues(ire, itask, nints, iparam, nreals, rparam, lenarr, values);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_getprofilevalues)
-LIBCONTACT_UNDERSCORED(cntc_getprofilevalues_new)

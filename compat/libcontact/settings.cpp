@@ -15,30 +15,32 @@ namespace {
 
 using namespace contact_program;
 
+constexpr double least = 1e-6; ///< of coefficients of friction and of what M adds to the material
+
 void set_solver(ContactProblem& p, int method, std::span<const int> counts, std::span<const double> numbers) {
   constexpr std::size_t most_counts[] = {4, 0, 5, 5, 5, 5, 1}, most_numbers[] = {1, 0, 4, 4, 2, 8, 1};
   if (method < 0 || method > 6) throw Refusal(CNTC_err_other, "G = " + std::to_string(method) + " does not exist");
   require_count("iparam", counts.size(), most_counts[method], most_counts[method]);
   require_count("rparam", numbers.size(), most_numbers[method], most_numbers[method]);
   SolverData& s = p.data.solver;
-  constexpr double least = 1e-20;
+  constexpr double least_positive = 1e-20;
   if (method == 1) return;
   if (method == 6) {
     p.sensitivity.relative_step = std::clamp(numbers[0], 1e-8, 0.1);
     return;
   }
   s.method = p.data.digits.gausei = static_cast<SolverChoice>(method);
-  s.eps = std::max(least, numbers[0]);
+  s.eps = std::max(least_positive, numbers[0]);
   constexpr int SolverData::*limits[] = {&SolverData::maxgs, &SolverData::maxin, &SolverData::maxnr,
                                          &SolverData::maxout};
   for (std::size_t k = 0; k < std::size(limits); ++k) s.*limits[k] = std::max(1, counts[k]);
   if (s.starts_from_slip()) {
     s.inislp = counts[4];
-    s.omgslp = std::max(least, numbers.back());
+    s.omgslp = std::max(least_positive, numbers.back());
   }
   if (s.method == SolverChoice::convex_gs || s.method == SolverChoice::steady_gs) {
-    s.omegah = std::max(least, numbers[1]);
-    s.omegas = std::max(least, numbers[2]);
+    s.omegah = std::max(least_positive, numbers[1]);
+    s.omegas = std::max(least_positive, numbers[2]);
   }
 }
 
@@ -58,24 +60,15 @@ void set_elasticity(ContactProblem& p, double nu1, double nu2, double g1, double
 
 /// What M adds to them.
 std::vector<double> model_data(const Units& u, Bulk model, std::span<const double> v) {
-  constexpr double least = 1e-6;
-  switch (model) {
-  case Bulk::viscoelastic:
-    return {v[0], v[1], v[2], v[3]};
-  case Bulk::fastsim_one: // a volume over a force
-    return {v[0] * u.length / u.pressure(), std::max(least, v[1]), std::max(least, v[2]), std::max(least, v[3])};
-  case Bulk::fastsim:
-  case Bulk::fastrip:
-    return {std::max(least, v[0]), std::max(least, v[1]), std::max(least, v[2])};
-  case Bulk::layer: {
-    constexpr double endless = 1e10, least_thickness = 1e-9;
-    const double yield = v[2] * u.pressure();
-    return {std::max(least, v[0] * u.pressure()), std::max(least_thickness, v[1] * u.length),
-            yield >= endless ? 0 : yield, v[3] * u.pressure() / u.length};
+  constexpr double endless = 1e16, least_thickness = 1e-12; // [Pa], [m]
+  auto data = u.in_si(v, units_of_model(model));
+  if (model == Bulk::layer) {
+    data = {std::max(newton_per_mm2 * least, data[0]), std::max(least_thickness, data[1]),
+            data[2] >= endless ? 0 : data[2], data[3]};
+  } else if (model != Bulk::viscoelastic) { // K0_MF, ALFAMF, BETAMF, behind FLX with M = 2
+    for (std::size_t k = model == Bulk::fastsim_one; k < data.size(); ++k) data[k] = std::max(least, data[k]);
   }
-  default:
-    return {};
-  }
+  return data;
 }
 
 /// CDAMPN, CDAMPT, DFNMAX, DFTMAX.
@@ -117,11 +110,10 @@ void set_heat(ContactProblem& p, int method, std::span<const double> v) {
   require_count("rparam", v.size(), 8, 9);
   HeatData heat;
   for (std::size_t body = 0; body < 2; ++body) {
-    auto& data = body == 0 ? heat.body1 : heat.body2;
-    const double l = p.units.length, *of_body = &v[4 * body];
-    data = {of_body[0], of_body[1], of_body[2] / l, of_body[3] / (l * l * l)};
-    for (const std::size_t k : {1u, 2u, 3u})
-      if (!(data[k] > 0)) throw Refusal(CNTC_err_other, "HEATCP, LAMBDA and DENS must be > 0");
+    const auto data = p.units.in_si(v.subspan(4 * body, 4), units_of_heat);
+    if (!(data[1] > 0 && data[2] > 0 && data[3] > 0))
+      throw Refusal(CNTC_err_other, "HEATCP, LAMBDA and DENS must be > 0");
+    std::copy(data.begin(), data.end(), (body == 0 ? heat.body1 : heat.body2).begin());
   }
   heat.plastic_share = v.size() > 8 ? v[8] : default_of("BETAPL");
   p.data.heat = heat;
@@ -133,36 +125,28 @@ constexpr std::size_t friction_counts[] = {2, 0, 7, 7, 7, 3, 6}; ///< by L
 
 /// Polach's law mu = mu0 ((1 - A) exp(-B s) + A) as an exponential one, as in CONTACT.
 std::vector<double> polach_set(const Units& u, std::span<const double> v) {
-  const double at_rest = std::max(1e-6, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.speed;
+  const double at_rest = std::max(least, v[0]), share = std::clamp(v[1], 0.0, 1.0), b = v[2] / u.length();
   if (!(b > 0)) throw Refusal(CNTC_err_frclaw, "Polach's B must be > 0");
   return {share * at_rest,      (1 - share) * at_rest, std::numbers::ln2 / b, 0,
           default_of("SABSH2"), default_of("MEMDST"),  default_of("MEM_S0")};
 }
 
 std::vector<double> friction_set(const Units& u, int law, std::span<const double> v) {
-  constexpr double least = 1e-6, least_speed = 1e-4;
-  if (law == 0) {
-    const double coefficient = std::max(least, std::min(v[0], v[1]));
-    return {coefficient, coefficient};
-  }
+  constexpr double least_speed = 1e-7; // [m/s]
   if (law == polach) return polach_set(u, v);
+  auto set = u.in_si(v, units_of_friction(static_cast<Law>(law)));
+  if (law == number(Law::coulomb)) set[0] = set[1] = std::min(set[0], set[1]);
+  set[0] = std::max(least, set[0]);
+  if (law == number(Law::coulomb)) return {set[0], set[0]};
   if (law == number(Law::thermal)) {
-    const double reference = std::max(least, v[0]);
-    if (!(v[3] > 0)) throw Refusal(CNTC_err_frclaw, "DTHEAT must be > 0");
-    return {reference,
-            v[1],
-            std::max(least - reference, v[2]),
-            v[3],
-            std::max(0.0, v[4] * u.length),
-            std::max(0.0, v[5] * u.speed)};
+    if (!(set[3] > 0)) throw Refusal(CNTC_err_frclaw, "DTHEAT must be > 0");
+    set[2] = std::max(least - set[0], set[2]);
+  } else {
+    for (const std::size_t k : {1u, 3u}) set[k] = std::max(0.0, set[k]);
+    for (const std::size_t k : {2u, 4u}) set[k] = std::max(least_speed, set[k]);
   }
-  return {std::max(least, v[0]),
-          std::max(0.0, v[1]),
-          std::max(least_speed, v[2] * u.speed),
-          std::max(0.0, v[3]),
-          std::max(least_speed, v[4] * u.speed),
-          std::max(0.0, v[5] * u.length),
-          std::max(0.0, v[6] * u.speed)};
+  for (double* memory : {&set[set.size() - 2], &set.back()}) *memory = std::max(0.0, *memory);
+  return set;
 }
 
 void set_friction(ContactProblem& p, int method, std::span<const double> v) {
@@ -184,7 +168,7 @@ void set_friction(ContactProblem& p, int method, std::span<const double> v) {
     require_count("params", v.size(), 1 + stations * (1 + count), 1 + stations * (1 + count));
     for (std::size_t k = 0; k < stations; ++k) {
       const auto station = v.subspan(1 + k * (1 + count), 1 + count);
-      const double at = by == 1 ? station[0] : station[0] * p.units.length;
+      const double at = by == 1 ? station[0] : station[0] * p.units.length();
       if (k > 0 && !(at > friction.stations.back())) throw Refusal(CNTC_err_frclaw, "stations must be ascending");
       friction.stations.push_back(at);
       friction.sets.push_back(friction_set(p.units, law, station.subspan(1)));
@@ -200,12 +184,12 @@ void set_patch_rules(ContactProblem& p, int method, std::span<const double> v) {
   if (method != 0 && method != -1)
     throw Refusal(CNTC_err_discr, "method " + std::to_string(method) + " does not exist");
   require_count("rparam", v.size(), method == 0 ? 3 : 5, method == 0 ? 3 : 7);
-  constexpr double least = 1e-8; // mm
+  constexpr double least_size = 1e-11; // [m]
   PatchRules rules = p.wheel().grid;
-  const double l = p.units.length;
+  const double l = p.units.length();
   rules.dx = v[0] * l;
   rules.ds = v[1] * l;
-  if (!(rules.dx >= least && rules.ds >= least)) throw Refusal(CNTC_err_discr, "DX and DS must be > 0");
+  if (!(rules.dx >= least_size && rules.ds >= least_size)) throw Refusal(CNTC_err_discr, "DX and DS must be > 0");
   if (method == -1) {
     rules.a_sep = std::max(0.0, v[2]);
     rules.d_sep = std::max(0.0, v[3] * l);
@@ -224,7 +208,7 @@ void set_rectangle(ContactProblem& p, int method, std::span<const double> v) {
   potential.kind = static_cast<Potential>(method);
   potential.mx = as_integer("MX", v[0], 1, most_cells);
   potential.my = as_integer("MY", v[1], 1, most_cells);
-  for (std::size_t k = 0; k < 4; ++k) potential.values[k] = v[2 + k] * p.units.length;
+  for (std::size_t k = 0; k < 4; ++k) potential.values[k] = v[2 + k] * p.units.length();
   const bool has_sizes = potential.kind == Potential::corner_and_size || potential.kind == Potential::centre_and_size;
   for (std::size_t k = 0; k < 2; ++k) {
     const bool single = potential.kind == Potential::centres && (k == 0 ? potential.mx : potential.my) == 1;
@@ -239,63 +223,58 @@ void set_rectangle(ContactProblem& p, int method, std::span<const double> v) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam) {
-  return guarded({"cntc_setsolverflags", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     set_solver(p, integer("gdigit", gdigit), integers("iparam", nints, iparam), reals("rparam", nreals, rparam));
   });
 }
 
 int cntc_setmaterialparameters(int* ire, int* icp, int* mdigit, int* nparam, double* rparam) {
-  return set_by({"cntc_setmaterialparameters", ire, icp, Module::any, Scope::whole}, set_material, "mdigit", mdigit,
-                "rparam", nparam, rparam);
+  return set_by(problem_call(__func__, ire, icp), set_material, "mdigit", mdigit, "rparam", nparam, rparam);
 }
 
 int cntc_setmaterialproperties(int* ire, int* icp, double* g1, double* nu1, double* g2, double* nu2) {
-  return guarded({"cntc_setmaterialproperties", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     set_elasticity(p, real("nu1", nu1), real("nu2", nu2), real("g1", g1), real("g2", g2));
   });
 }
 
 int cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam) {
-  return set_by({"cntc_settemperaturedata", ire, icp, Module::any, Scope::whole}, set_heat, "imeth", imeth, "rparam",
-                nparam, rparam);
+  return set_by(problem_call(__func__, ire, icp), set_heat, "imeth", imeth, "rparam", nparam, rparam);
 }
 
 int cntc_settimestep(int* ire, int* icp, double* dt) {
-  return guarded({"cntc_settimestep", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (!(real("dt", dt) > 0)) throw Refusal(CNTC_err_other, "dt must be > 0");
     p.time_step = *dt;
   });
 }
 
 int cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
-  return guarded({"cntc_setrollingstepsize", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (!(real("dq", dq) > 0)) throw Refusal(CNTC_err_discr, "dq must be > 0");
     if (p.is_wheel()) {
       p.wheel().grid.dqrel = *dq;
       return;
     }
     p.data.rolling->chi = real("chi", chi);
-    p.data.rolling->dq = *dq * p.units.length;
+    p.data.rolling->dq = *dq * p.units.length();
   });
 }
 
 int cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
-  return set_by({"cntc_setfrictionmethod", ire, icp, Module::any, Scope::whole}, set_friction, "imeth", imeth, "params",
-                nparam, params);
+  return set_by(problem_call(__func__, ire, icp), set_friction, "imeth", imeth, "params", nparam, params);
 }
 
 int cntc_setpotcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* rparam) {
-  return guarded({"cntc_setpotcontact", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     const auto set = p.is_wheel() ? set_patch_rules : set_rectangle;
     set(p, integer("ipotcn", ipotcn), reals("rparam", nparam, rparam));
   });
 }
 
 int cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
-  return guarded({"cntc_settangentialforces", ire, icp, Module::any, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
     if (p.is_wheel()) {
       p.force_x = real("fx", fx);
       return;
@@ -305,15 +284,3 @@ int cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
     p.ratio_y = y / size;
   });
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setsolverflags)
-LIBCONTACT_UNDERSCORED(cntc_setmaterialparameters)
-LIBCONTACT_UNDERSCORED(cntc_setmaterialproperties)
-LIBCONTACT_UNDERSCORED(cntc_settemperaturedata)
-LIBCONTACT_UNDERSCORED(cntc_settimestep)
-LIBCONTACT_UNDERSCORED(cntc_setrollingstepsize)
-LIBCONTACT_UNDERSCORED(cntc_setfrictionmethod)
-LIBCONTACT_UNDERSCORED(cntc_setpotcontact)
-LIBCONTACT_UNDERSCORED(cntc_settangentialforces)

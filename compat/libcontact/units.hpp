@@ -1,28 +1,37 @@
 #pragma once
 
+#include "compat/contact/units.hpp"
 #include "compat/libcontact/include/contact_addon.h"
+
+#include <span>
+#include <vector>
 
 namespace microslip::libcontact {
 
-/// From SI, in which the library computes, to CONTACT's units.
-inline constexpr double mm_per_m = 1e3, newton_per_mm2 = 1e-6;
-
-/// The units that a contact problem's numbers are exchanged in, over CONTACT's mm, N and s; angles are in rad always.
+/// The units that a contact problem's numbers are exchanged in: CONTACT's, or metres instead of millimetres. Forces are
+/// in N, angles in rad always.
 struct Units {
-  double length = 1; ///< [mm]
-  double speed = 1;  ///< [mm/s]
-  double body = 1;   ///< 1: forces and slip are those of body 1, -1: of body 2
+  bool in_metres = false;
+  double body = 1; ///< 1: forces and slip are those of body 1, -1: of body 2
 
-  double area() const { return length * length; }
-  /// Unit of a pressure or a modulus of elasticity [N/mm2].
-  double pressure() const { return 1 / area(); }
+  /// A unit in SI.
+  constexpr double of(contact_program::Unit unit) const { return in_metres ? 1 : unit.value(); }
+  constexpr double length() const { return of(1); }
+  constexpr double per_length() const { return of(-1); }
+  constexpr double pressure() const { return of(-2); }
+  constexpr double per_pressure() const { return of(2); }
+  /// Numbers of such units in SI.
+  std::vector<double> in_si(std::span<const double> values, const contact_program::UnitList& units) const {
+    std::vector<double> found(values.begin(), values.end());
+    for (std::size_t k = 0; k < found.size(); ++k) found[k] *= of(units[k]);
+    return found;
+  }
 };
 
 /// Those of one of CNTC_un_...; imperial units are those of CONTACT.
 inline Units units_of(int code) {
-  if (code == CNTC_un_spck) return {1e3, 1e3, -1};
-  if (code == CNTC_un_si) return {1e3, 1e3, 1};
-  return {};
+  if (code == CNTC_un_spck) return {true, -1};
+  return {code == CNTC_un_si, 1};
 }
 
 } // namespace microslip::libcontact

@@ -29,7 +29,7 @@ std::vector<double> global_forces(const ContactProblem& p, int icp) {
   for (const Wrench* w : {&track, &wheelset, &rail, &on_wheel}) {
     for (const double force : {w->force.x, w->force.y, w->force.z}) found.push_back(p.units.body * force);
     for (const double moment : {w->moment.x, w->moment.y, w->moment.z})
-      found.push_back(p.units.body * moment / p.units.length);
+      found.push_back(p.units.body * moment * p.units.per_length());
   }
   return found;
 }
@@ -54,8 +54,8 @@ Vec pressure_centre(const WheelPatch& patch) {
     for (int i = 0; i < g.mx; ++i) {
       const double pressure = o.solution.normal.pressure[static_cast<std::size_t>(j) * g.mx + i];
       sum += pressure;
-      sum_x += pressure * g.x(i) * mm_per_m;
-      sum_y += pressure * g.y(j) * mm_per_m;
+      sum_x += pressure * g.x(i);
+      sum_y += pressure * g.y(j);
     }
   return patch.grid.outer({sum_x / sum, sum_y / sum, 0});
 }
@@ -66,7 +66,7 @@ std::vector<double> location(const ContactProblem& p, int icp) {
   const WheelPatch& patch = p.patch(icp);
   const PatchLocation& l = patch.location;
   const Placement& placed = wheel.placement;
-  const double unit = 1 / p.units.length;
+  const double unit = p.units.per_length();
   const Vec centre = pressure_centre(patch), in_wheelset = placed.wheelset.inner(patch.reference.origin);
   const Vec wheel_in_track = placed.wheel.origin, wheel_in_wheelset = placed.wheel_on_axle.origin;
   const double on_wheelset = roll_of_normal(placed.wheelset.axes, patch.reference.axes);
@@ -91,9 +91,14 @@ std::vector<double> location(const ContactProblem& p, int icp) {
 }
 
 /// With zeros behind them, as CONTACT gives.
-void fill_all(std::span<double> room, const std::vector<double>& values) {
-  std::fill(room.begin(), room.end(), 0);
-  fill(room, values);
+int get_zero_filled(const Call& call, const int* length, double* values,
+                    std::vector<double> (*find)(const ContactProblem&, int icp)) {
+  return answered(call, into(results(length, values)), [&](ContactProblem& p) {
+    const auto to = room("values", length, values);
+    auto found = find(p, *call.icp);
+    found.resize(std::max(found.size(), to.size()));
+    fill(to, found);
+  });
 }
 
 } // namespace
@@ -101,46 +106,33 @@ void fill_all(std::span<double> room, const std::vector<double>& values) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
-  return answered({"cntc_getwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
-                    const auto& w = p.wheel().position;
-                    const double unit = 1 / p.units.length;
-                    fill(room("values", lenarr, values), {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch});
-                  });
+  const auto find = [](ContactProblem& p) -> std::vector<double> {
+    const auto& w = p.wheel().position;
+    const double unit = p.units.per_length();
+    return {w.s * unit, w.y * unit, p.z * unit, w.roll, w.yaw, w.pitch};
+  };
+  return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);
 }
 
 int cntc_getwheelsetvelocity(int* ire, int* lenarr, double* values) {
-  return answered({"cntc_getwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole},
-                  into(results(lenarr, values, 6)), [&](ContactProblem& p) {
-                    const auto& w = p.wheel().velocity;
-                    const double unit = 1 / p.units.speed;
-                    const double along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
-                    fill(room("values", lenarr, values), {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch});
-                  });
+  const auto find = [](ContactProblem& p) -> std::vector<double> {
+    const auto& w = p.wheel().velocity;
+    const double unit = p.units.per_length(), along = p.wheel().digits.is_roller() ? 0 : w.vs * unit;
+    return {along, w.vy * unit, w.vz * unit, w.vroll, w.vyaw, p.vpitch};
+  };
+  return get_array(wheel_call(__func__, ire), lenarr, values, find, 6);
 }
 
 int cntc_getnumcontactpatches(int* ire, int* npatch) {
-  return answered({"cntc_getnumcontactpatches", ire, &whole_wheel, Module::wheel, Scope::whole}, into(result(npatch)),
-                  [&](ContactProblem& p) { given("npatch", npatch) = p.contacts(); });
+  return get_numbers<int>(wheel_call(__func__, ire), {{"npatch", npatch}},
+                          [](ContactProblem& p) { return std::array{p.contacts()}; });
 }
 
 int cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
-  return answered({"cntc_getcontactlocation", ire, icp, Module::wheel, Scope::patch}, into(results(lenarr, values)),
-                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), location(p, *icp)); });
+  return get_zero_filled({__func__, ire, icp, Module::wheel, Scope::patch}, lenarr, values, location);
 }
 
 int cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values) {
-  return answered({"cntc_getglobalforces", ire, icp, Module::wheel, Scope::either}, into(results(lenarr, values)),
-                  [&](ContactProblem& p) { fill_all(room("values", lenarr, values), global_forces(p, *icp)); });
+  return get_zero_filled({__func__, ire, icp, Module::wheel, Scope::either}, lenarr, values, global_forces);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_getwheelsetposition)
-LIBCONTACT_UNDERSCORED(cntc_getwheelsetvelocity)
-LIBCONTACT_UNDERSCORED(cntc_getnumcontactpatches)
-LIBCONTACT_UNDERSCORED(cntc_getcontactlocation)
-LIBCONTACT_UNDERSCORED(cntc_getglobalforces)

@@ -1,4 +1,5 @@
 #include "compat/contact/wheel_rail/profile_reading.hpp"
+#include "compat/contact/wheel_rail/record_numbers.hpp"
 #include "compat/contact/words.hpp"
 #include "compat/libcontact/arguments.hpp"
 #include "compat/libcontact/call.hpp"
@@ -28,13 +29,13 @@ ProfileRecord profile_record(const Units& u, std::span<const int> choices, std::
   for (const int mirror : {p.mirror_y, p.mirror_z})
     if (mirror < -1 || mirror > 1) throw Refusal(CNTC_err_profil, "mirrory and mirrorz must be -1, 0 or 1");
   if (p.smoothing < 0 || p.smoothing > 2) throw Refusal(CNTC_err_profil, "ismooth must be 0, 1 or 2");
-  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length;
+  p.scale = value(0, 0) > ProfileThresholds::no_scale ? numbers[0] : u.length() / mm;
   p.smooth = std::max(0.0, value(1, default_of("SMOOTH", of)));
   p.most_omitted = value(2, default_of("MAXOMIT", of));
   p.zigzag = std::max(ProfileThresholds::least_zigzag, value(3, default_of("ZIGTHRS", of)));
   p.kink_high = value(4, default_of("KINKHIGH", of));
   p.kink_low = value(5, numbers.size() > 4 ? p.kink_high / ProfileThresholds::kink_ratio : default_of("KINKLOW", of));
-  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length : default_of("KINKWID", of);
+  p.kink_width = numbers.size() > 6 ? numbers[6] * u.length() / mm : default_in_file("KINKWID", of);
   return p;
 }
 
@@ -96,7 +97,7 @@ void set_profile_values(ContactProblem& p, std::span<const double> values, std::
 
 /// GAUGHT, dummy, GAUGWD or GAUGHT, RAILY0, RAILZ0; CANT, NOMRAD and, if it is there, CURV.
 void set_track(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length;
+  const double l = p.units.length();
   TrackDimensions t;
   t.gauge_height = v[0] * l;
   if (t.by_gauge()) {
@@ -111,15 +112,20 @@ void set_track(ContactProblem& p, std::span<const double> v) {
   p.wheel().track = t;
 }
 
+/// The numbers of a record that has a table, from the first one on.
+template <class Table, class Record>
+void set_numbers(const Units& u, const Table& numbers, std::span<const double> values, Record& record) {
+  const auto* value = values.data();
+  for (const auto& number : numbers) record.*number.member = *value++ * u.of(number.unit);
+}
+
 void set_rail_position(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length, s = p.units.speed;
-  p.wheel().rail_position = {v[0] * l, v[1] * l, v[2], v[3] * s, v[4] * s, v[5]};
+  set_numbers(p.units, rail_position_numbers, v, p.wheel().rail_position);
 }
 
 void set_rail_support(ContactProblem& p, std::span<const double> v) {
-  const double l = p.units.length;
-  p.wheel().support = {v[0] / l, v[1], v[2] / l, v[3],
-                       v.size() > 4 ? v[4] * l : default_of("DYSTEP0", DefaultOf::wheel)};
+  set_numbers(p.units, rail_support_numbers, v, p.wheel().support);
+  p.wheel().support.first_step = v.size() > 4 ? v[4] * p.units.length() : default_of("DYSTEP0", DefaultOf::wheel);
 }
 
 void set_track_dimensions(ContactProblem& p, int method, std::span<const double> v) {
@@ -153,29 +159,30 @@ void set_wheelset(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 0);
   if (method != 3 && method != 5) return require_count("rparam", v.size(), 0, 1);
   require_count("rparam", v.size(), 3, 4);
-  const double l = p.units.length;
+  const double l = p.units.length();
   constexpr double least = WheelsetDimensions::least_radius, greatest = WheelsetDimensions::greatest_radius;
   if (!(v[2] * l >= least && v[2] * l <= greatest))
-    throw Refusal(CNTC_err_other, "NOMRAD = " + short_number(v[2] * l) + " mm: must be in [" + short_number(least) +
-                                      ", " + short_number(greatest) + "]");
+    throw Refusal(CNTC_err_other, "NOMRAD = " + short_number(v[2] * l / mm) + " mm: must be in [" +
+                                      short_number(least / mm) + ", " + short_number(greatest / mm) + "]");
   p.wheel().wheelset = {v[0] * l, v[1] * l, v[2] * l, v.size() > 3 ? v[3] * l : default_of("YTAPE", DefaultOf::wheel)};
 }
 
 void set_position(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
-  const double l = p.units.length;
-  p.z = v[2] * l;
-  p.wheel().position = {v[0] * l, v[1] * l, {}, v[3], v[4], v[5]};
+  p.z = v[2] * p.units.length();
+  const std::span<const RecordNumber<WheelsetPosition>> numbers(wheelset_position_numbers);
+  set_numbers(p.units, numbers.first(before_vertical), v, p.wheel().position);
+  set_numbers(p.units, numbers.subspan(before_vertical), v.subspan(before_vertical + 1), p.wheel().position);
 }
 
 void set_velocity(ContactProblem& p, int method, std::span<const double> v) {
   check_method(method, 1);
   require_count("rparam", v.size(), 6, 6);
-  const double s = p.units.speed;
-  const double along = p.wheel().digits.is_roller() ? v[0] : v[0] * s; // of rollers the rate of rotation
+  WheelsetVelocity& velocity = p.wheel().velocity;
+  velocity.vs = v[0] * (p.wheel().digits.is_roller() ? 1 : p.units.length()); // of rollers the rate of rotation
+  set_numbers(p.units, wheelset_velocity_numbers, v.subspan(1), velocity);
   p.vpitch = v[5];
-  p.wheel().velocity = {along, v[1] * s, v[2] * s, v[3], v[4], {}};
 }
 
 void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
@@ -185,9 +192,7 @@ void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
   p.wheel().digits.ewheel = bends ? WheelsetSource::all_flexible : WheelsetSource::all;
   if (!bends) return; // what is given for no deflection does not matter
   require_count("rparam", v.size(), 12, 12);
-  const double l = p.units.length, s = p.units.speed;
-  p.wheel().deflection = {v[0] * l, v[1] * l, v[2] * l, v[3], v[4],  v[5],
-                          v[6] * s, v[7] * s, v[8] * s, v[9], v[10], v[11]};
+  set_numbers(p.units, wheel_deflection_numbers, v, p.wheel().deflection);
 }
 
 } // namespace
@@ -195,10 +200,8 @@ void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
 
 using namespace microslip::libcontact;
 
-extern "C" {
-
 int cntc_setverticalforce(int* ire, double* fz) {
-  return guarded({"cntc_setverticalforce", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
     p.vertical_force = real("fz", fz);
     p.data.digits.norm = microslip::contact_program::Normal::force;
   });
@@ -206,7 +209,7 @@ int cntc_setverticalforce(int* ire, double* fz) {
 
 int cntc_setprofileinputfname(int* ire, const char* c_fname, int* len_fname, int* nints, int* iparam, int* nreals,
                               double* rparam) {
-  return guarded({"cntc_setprofileinputfname", ire, &whole_wheel, Module::wheel, Scope::whole}, [&](ContactProblem& p) {
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
     set_profile_file(p, text("c_fname", c_fname, len_fname), integers("iparam", nints, iparam),
                      reals("rparam", nreals, rparam));
   });
@@ -214,50 +217,32 @@ int cntc_setprofileinputfname(int* ire, const char* c_fname, int* len_fname, int
 
 int cntc_setprofileinputvalues(int* ire, int* npoint, double* values, int* nints, int* iparam, int* nreals,
                                double* rparam) {
-  return guarded({"cntc_setprofileinputvalues", ire, &whole_wheel, Module::wheel, Scope::whole},
-                 [&](ContactProblem& p) {
-                   constexpr int most_points = 1000000;
-                   const int points = integer("npoint", npoint);
-                   if (points < 0 || points > most_points)
-                     throw Refusal(CNTC_err_profil, "npoint must be in 0 to a million");
-                   const int count = 2 * points;
-                   set_profile_values(p, reals("values", &count, values), integers("iparam", nints, iparam),
-                                      reals("rparam", nreals, rparam));
-                 });
+  return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
+    constexpr int most_points = 1000000;
+    const int points = integer("npoint", npoint);
+    if (points < 0 || points > most_points) throw Refusal(CNTC_err_profil, "npoint must be in 0 to a million");
+    const int count = 2 * points;
+    set_profile_values(p, reals("values", &count, values), integers("iparam", nints, iparam),
+                       reals("rparam", nreals, rparam));
+  });
 }
 
 int cntc_settrackdimensions(int* ire, int* ztrack, int* nparam, double* rparam) {
-  return set_by({"cntc_settrackdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_track_dimensions,
-                "ztrack", ztrack, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_track_dimensions, "ztrack", ztrack, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetdimensions", ire, &whole_wheel, Module::wheel, Scope::whole}, set_wheelset, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_wheelset, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetposition(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetposition", ire, &whole_wheel, Module::wheel, Scope::whole}, set_position, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_position, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetvelocity", ire, &whole_wheel, Module::wheel, Scope::whole}, set_velocity, "ewheel",
-                ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_velocity, "ewheel", ewheel, "rparam", nparam, rparam);
 }
 
 int cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam) {
-  return set_by({"cntc_setwheelsetflexibility", ire, &whole_wheel, Module::wheel, Scope::whole}, set_flexibility,
-                "ewheel", ewheel, "rparam", nparam, rparam);
+  return set_by(wheel_call(__func__, ire), set_flexibility, "ewheel", ewheel, "rparam", nparam, rparam);
 }
-
-} // extern "C"
-
-LIBCONTACT_UNDERSCORED(cntc_setverticalforce)
-LIBCONTACT_UNDERSCORED(cntc_setprofileinputfname)
-LIBCONTACT_UNDERSCORED(cntc_setprofileinputvalues)
-LIBCONTACT_UNDERSCORED(cntc_settrackdimensions)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetdimensions)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetposition)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetvelocity)
-LIBCONTACT_UNDERSCORED(cntc_setwheelsetflexibility)

@@ -79,7 +79,7 @@ bool is_solved(const RunCase& self) {
 
 /// A patch of a wheel; it shares its solution with the case.
 struct RunPatch {
-  contact_program::PatchLocation location;
+  contact_program::PatchLocation location; ///< in m; what follows in CONTACT's units
   double velocity = 0, xi = 0, eta = 0, phi = 0;
   std::vector<int> previous;
   std::shared_ptr<const Outcome> solution;
@@ -88,14 +88,18 @@ struct RunPatch {
 std::vector<double> components_of(const Vec3<double>& v) {
   return {v.x, v.y, v.z};
 }
+std::vector<double> in_mm(const Vec3<double>& v) {
+  return components_of(1e3 * v);
+}
 
 std::vector<RunPatch> patches_of(const RunCase& self) {
   std::vector<RunPatch> patches;
   if (self.outcome.wheel)
-    for (const auto& p : self.outcome.wheel->patches)
-      patches.push_back({p.location, p.contact.rolling ? p.contact.rolling->veloc : 0,
-                         contact_program::slip_of(p.contact.x), contact_program::slip_of(p.contact.y), p.contact.phi,
-                         p.previous, p.solution});
+    for (const auto& p : self.outcome.wheel->patches) {
+      const contact_program::Digits& d = p.contact.digits;
+      patches.push_back({p.location, p.contact.rolling ? p.contact.rolling->veloc * 1e3 : 0, in_file(p.contact.x, d),
+                         in_file(p.contact.y, d), p.contact.phi / unit_of_spin(d), p.previous, p.solution});
+    }
   return patches;
 }
 
@@ -111,13 +115,13 @@ void bind_patch(py::module_& module) {
                              "A contact patch of a wheel on a rail (module 1), with CONTACT's signs and units.");
   patch
       .def_property_readonly(
-          "track", [](const RunPatch& self) { return components_of(self.location.track); },
+          "track", [](const RunPatch& self) { return in_mm(self.location.track); },
           "XCP, YCP, ZCP in the track's axes [mm], shape (3,).")
       .def_property_readonly(
-          "rail", [](const RunPatch& self) { return components_of(self.location.rail); },
+          "rail", [](const RunPatch& self) { return in_mm(self.location.rail); },
           "XCP, YCP, ZCP in the axes of the rail's profile [mm], shape (3,).")
       .def_property_readonly(
-          "wheel", [](const RunPatch& self) { return components_of(self.location.wheel); },
+          "wheel", [](const RunPatch& self) { return in_mm(self.location.wheel); },
           "XCP, YCP, ZCP in the axes of the wheel's profile [mm], shape (3,).")
       .def_property_readonly(
           "angle", [](const RunPatch& self) { return self.location.angle; }, "DELTCP in the track's axes [rad].")
@@ -206,13 +210,15 @@ void bind_case(py::module_& module) {
       "force_on_rail", [](const WheelOutcome& w) { return w.track.force; },
       "FX(TR), FY(TR), FZ(TR) of a wheel [N], shape (3,); None for an independent contact.");
   of_wheel(
-      "moment_on_rail", [](const WheelOutcome& w) { return w.track.moment; },
+      "moment_on_rail", [](const WheelOutcome& w) { return 1e3 * w.track.moment; },
       "About the rail's marker in the track's axes [N mm], shape (3,); None for an independent contact.");
   run_case.def_property_readonly("patches", patches_of,
                                  "ContactPatch of each patch of a wheel [-]; empty for an independent contact.");
   run_case.def_property_readonly(
       "wheel_height",
-      [](const RunCase& self) { return self.outcome.wheel ? std::optional(self.outcome.wheel->z) : std::nullopt; },
+      [](const RunCase& self) {
+        return self.outcome.wheel ? std::optional(self.outcome.wheel->z * 1e3) : std::nullopt;
+      },
       "Z_WS of a wheel, as given or found [mm]; None for an independent contact.");
   add_description(run_case, {"number", "line", "outcome", "status", "totals"});
 }

@@ -1,5 +1,8 @@
 #include "compat/contact/wheel_rail/case_reader.hpp"
 
+#include <filesystem>
+#include <limits>
+
 namespace microslip::contact_program {
 namespace {
 
@@ -128,6 +131,17 @@ void WheelRailReader::read_wheelset(WheelRailData& data) {
   if (!own.reads_velocity()) return;
   data.velocity = read_velocity(words_, own);
   if (own.reads_flexibility()) data.deflection = read_deflection(words_);
+}
+
+Case read_pair(std::istream& stream, const std::string& name, const Case& before) {
+  Words words(stream, name);
+  constexpr int pair_module = 11;
+  const int module = words.integer("MODULE", std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+  if (module != 0 && module != pair_module) words.fail("MODULE", module, "must be 11");
+  words.end_record();
+  CaseSequence sequence{before, true, true, true, true};
+  WheelRailReader(words, std::filesystem::path(name).parent_path().string(), sequence).read_pair();
+  return sequence.last;
 }
 
 } // namespace microslip::contact_program

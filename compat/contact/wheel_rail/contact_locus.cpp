@@ -3,18 +3,20 @@
 #include "compat/contact/wheel_rail/search_size.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/space_curve.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
+#include "microslip/numerics/bracketed_root.hpp"
 #include "microslip/railway/profile/profile_kinks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 namespace microslip::contact_program {
 namespace {
 
-constexpr double nowhere = 999, below_nothing = -888;
+constexpr double nowhere = 0.999, below_nothing = -0.888;
 
 /// The points of the wheel's profile without the parts that fold back when seen from above, from the one at the middle
 /// of its width outwards.
@@ -104,7 +106,7 @@ double roller_height(const Placement& p, const ProfileCurve& rail, double x, dou
   const double radius = sign * (p.roller_radius - rail.at(rail.nearest_s_at_y(y)).value.z);
   slope = sign * x / radius;
   const double square = radius * radius - x * x;
-  return square > 0 ? p.roller_radius - sign * std::sqrt(square) : 888;
+  return square > 0 ? p.roller_radius - sign * std::sqrt(square) : 0.888;
 }
 
 /// Three steps of a fixed-point iteration for the points that lie next to a roller.
@@ -188,28 +190,20 @@ private:
     return Place{x, on_wheel, rail->place, normal.x + normal.z * rail->along};
   }
 
-  /// Where the gap is least between two places, if that is not one of them: by straight lines through the ends of the
-  /// bracket, the staying one's slope halved.
-  std::optional<Place> least_between(Place low, Place high) const {
+  /// Where the gap is least between two places, if that is not one of them.
+  std::optional<Place> least_between(const Place& low, const Place& high) const {
     if (!(low.slope < 0 && high.slope > 0)) return {};
-    constexpr double tolerance = 1e-10; // mm
-    std::optional<Place> found;
-    for (int k = 0; k < 80 && high.x - low.x > tolerance; ++k) {
-      const double x = low.x - low.slope * (high.x - low.x) / (high.slope - low.slope);
-      const bool is_near = found && std::abs(x - found->x) < tolerance;
-      found = place(x);
-      if (!found || is_near) return found;
-      if (found->slope < 0)
-        low = *found, high.slope *= 0.5;
-      else
-        high = *found, low.slope *= 0.5;
-    }
-    return found;
+    constexpr double tolerance = 1e-13; // [m]
+    const auto slope = [this](double x) {
+      const auto there = place(x);
+      return there ? there->slope : std::numeric_limits<double>::quiet_NaN();
+    };
+    return place(find_bracketed_root({low.x, low.slope}, {high.x, high.slope}, 0, tolerance, slope).side.at);
   }
 
   /// As far towards `off` as there is rail, less a margin, so that rail lies below what is interpolated, too.
   Place end_of_rail(Place on, double off) const {
-    constexpr double tolerance = 1e-7, margin = 1e-6; // mm
+    constexpr double tolerance = 1e-10, margin = 1e-9; // [m]
     while (std::abs(off - on.x) > tolerance) {
       const double middle = 0.5 * (on.x + off);
       if (const auto there = place(middle))
@@ -239,7 +233,7 @@ struct Trace {
 /// The contact locus over a rail made of slices, circle by circle.
 class LocusOnSlices {
 public:
-  /// Where it jumps from one part of the rail to another it has steps of `step` [mm] over the wheel's profile, and is
+  /// Where it jumps from one part of the rail to another it has steps of `step` [m] over the wheel's profile, and is
   /// straight, so that it stays within the wheel.
   LocusOnSlices(const Placement& p, const PointRange& range, double step) : p_(p), step_(step) {
     for (std::size_t k = range.first; k <= range.last; ++k) {
@@ -266,7 +260,7 @@ private:
   }
 
   void go_on_to(double s, const Point& point) {
-    constexpr double far = 1; // mm
+    constexpr double far = 1e-3; // [m]
     const bool jumps = !s_.empty() && std::abs(point.on_wheel.x - wheel_.points.back().x) > far;
     if (jumps && s - s_.back() > step_) {
       const double middle = 0.5 * (s_.back() + s);
@@ -344,7 +338,7 @@ GapLine GapLine::lowered(double depth) const {
   GapLine line = *this;
   for (std::size_t k = 0; k < size(); ++k) {
     if (line.z_wheel[k] != below_nothing) line.z_wheel[k] += depth;
-    if (line.gap[k] < 777) line.gap[k] -= depth;
+    if (line.gap[k] < 0.777) line.gap[k] -= depth;
   }
   return line;
 }

@@ -34,7 +34,7 @@ std::optional<double> ForceSearch::next() {
       std::find_if(points_.begin(), points_.end(), [this](const Point& p) { return p.force >= target_; });
   if (above == points_.begin()) return {};
   if (above == points_.end()) {
-    constexpr double first_depth = 0.01, deepest = 20, most_at_once = 3; // mm, mm, -
+    constexpr double first_depth = 1e-5, deepest = 0.02, most_at_once = 3; // [m], [m], [-]
     if (depth > deepest) return {};
     if (!(points_.back().force > 0)) return last + std::max(depth, first_depth);
     const double wanted = secant();
@@ -42,7 +42,7 @@ std::optional<double> ForceSearch::next() {
                                  : first + most_at_once * depth;
   }
   const double low = (above - 1)->z, high = above->z, width = high - low;
-  if (!(width > 1e-12 * (1 + std::abs(high)))) return {};
+  if (!(width > 1e-12 * (1e-3 + std::abs(high)))) return {};
   ++slow_;
   if (width < 0.5 * width_) {
     width_ = width;

@@ -9,30 +9,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 777;
-
-/// Indices of local minima in [least, below), the least one first; points of a plateau count once.
-std::vector<std::size_t> local_minima(const std::vector<double>& gap, double least, double below) {
-  std::vector<std::size_t> minima;
-  std::vector<char> on_plateau(gap.size(), 0);
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    bool is_minimum = gap[k] < missing;
-    if (is_minimum && k > 0) {
-      if (on_plateau[k - 1] && std::abs(gap[k - 1] - gap[k]) < SearchThresholds::plateau) {
-        on_plateau[k] = 1;
-        is_minimum = false;
-      } else if (gap[k - 1] <= gap[k]) {
-        is_minimum = false;
-      }
-    }
-    if (is_minimum && k + 1 < gap.size() && gap[k + 1] < gap[k]) is_minimum = false;
-    if (!is_minimum || !(gap[k] >= least && gap[k] < below)) continue;
-    minima.push_back(k);
-    on_plateau[k] = 1;
-  }
-  std::sort(minima.begin(), minima.end(), [&](std::size_t a, std::size_t b) { return gap[a] < gap[b]; });
-  return minima;
-}
+constexpr double missing = 0.777;
 
 /// The interval of overlap around a point, with a point on either side where there is none.
 struct Interval {
@@ -61,13 +38,13 @@ double weight_of(double overlap, double curvature) {
 /// them.
 double crossing(double outside, double inside) {
   const double change = inside - outside;
-  return outside * inside <= -1e-12 && std::abs(change) >= 1e-9 ? -outside / change : 0;
+  return outside * inside <= -1e-18 && std::abs(change) >= 1e-12 ? -outside / change : 0;
 }
 
 GapRegion region_of(const GapLine& g, const Interval& i, double curvature) {
   GapRegion r;
-  r.x0 = 999;
-  r.x1 = -999;
+  r.x0 = 0.999;
+  r.x1 = -0.999;
   for (std::size_t k = i.first; k <= i.last; ++k) {
     if (g.gap[k] > 0) continue;
     const double half = std::sqrt(-g.gap[k] / curvature), weight = weight_of(-g.gap[k], curvature);
@@ -106,18 +83,55 @@ LeastGap least_gap(const GapLine& g) {
   return least;
 }
 
+std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap, int nx, double depth) {
+  const int ny = static_cast<int>(gap.size()) / nx;
+  const auto at = [nx](int i, int j) { return static_cast<std::size_t>(j) * nx + i; };
+  std::vector<std::pair<int, int>> found;
+  std::vector<char> on_plateau(gap.size(), 0);
+  for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < ny; ++j) {
+      const double here = gap[at(i, j)];
+      bool is_minimum = here < depth && here < missing;
+      const auto compare = [&](int other_i, int other_j, bool before) {
+        if (!is_minimum || other_i < 0 || other_i >= nx || other_j < 0 || other_j >= ny) return;
+        const double other = gap[at(other_i, other_j)];
+        if (on_plateau[at(other_i, other_j)] && std::abs(other - here) < SearchThresholds::plateau) {
+          on_plateau[at(i, j)] = 1;
+          is_minimum = false;
+        } else if (before ? other <= here : other < here) {
+          is_minimum = false;
+        }
+      };
+      compare(i, j - 1, true);
+      compare(i, j + 1, false);
+      compare(i - 1, j, true);
+      compare(i + 1, j, false);
+      if (!is_minimum) continue;
+      found.emplace_back(i, j);
+      on_plateau[at(i, j)] = 1;
+    }
+  std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return gap[at(a.first, a.second)] < gap[at(b.first, b.second)];
+  });
+  return found;
+}
+
 std::vector<NearMiss> near_misses(const GapLine& line, double farthest) {
   std::vector<NearMiss> found;
-  for (const std::size_t k : local_minima(line.gap, 0, farthest))
-    if (found.size() < SearchThresholds::most_near_misses) found.push_back({line.x[k], line.y[k], line.gap[k]});
+  for (const auto& [i, j] : deepest_overlaps(line.gap, 1, farthest)) {
+    const auto k = static_cast<std::size_t>(j);
+    if (line.gap[k] >= 0 && found.size() < SearchThresholds::most_near_misses)
+      found.push_back({line.x[k], line.y[k], line.gap[k]});
+  }
   return found;
 }
 
 std::vector<GapRegion> find_regions(const GapLine& line, double curvature) {
   std::vector<Interval> taken;
   std::vector<GapRegion> regions;
-  for (const std::size_t k : local_minima(line.gap, -std::numeric_limits<double>::infinity(), 0)) {
-    if (std::any_of(taken.begin(), taken.end(), [k](const Interval& i) { return i.holds(k); })) continue;
+  for (const auto& [i, j] : deepest_overlaps(line.gap, 1, 0)) {
+    const auto k = static_cast<std::size_t>(j);
+    if (std::any_of(taken.begin(), taken.end(), [k](const Interval& known) { return known.holds(k); })) continue;
     taken.push_back(overlap_around(line.gap, k));
     regions.push_back(region_of(line, taken.back(), curvature));
   }

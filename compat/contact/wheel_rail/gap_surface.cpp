@@ -3,8 +3,7 @@
 #include "compat/contact/wheel_rail/search_size.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
-#include "compat/contact/wheel_rail/varied_wheel.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 999, beyond = 777;
+constexpr double missing = 0.999, beyond = 0.777;
 
 /// Columns of the grid, an odd number.
 double columns_along(const Placement& p, double dx, bool steep) {
@@ -128,38 +127,6 @@ LeastGap GapSurface::least() const {
   return least;
 }
 
-/// Points below their four neighbours with a gap below `depth`, the least one first; those of a plateau count once.
-std::vector<std::pair<int, int>> GapSurface::minima(double depth) const {
-  std::vector<std::pair<int, int>> found;
-  std::vector<char> mask(gap_.size(), 0);
-  for (int i = 0; i < nx_; ++i)
-    for (int j = 0; j < ny_; ++j) {
-      const double here = gap(i, j);
-      bool is_minimum = here < depth && here < beyond;
-      const auto compare = [&](int other_i, int other_j, bool before) {
-        if (!is_minimum || other_i < 0 || other_i >= nx_ || other_j < 0 || other_j >= ny_) return;
-        const double other = gap(other_i, other_j);
-        if (mask[static_cast<std::size_t>(other_j) * nx_ + other_i] &&
-            std::abs(other - here) < SearchThresholds::plateau) {
-          mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
-          is_minimum = false;
-        } else if (before ? other <= here : other < here) {
-          is_minimum = false;
-        }
-      };
-      compare(i, j - 1, true);
-      compare(i, j + 1, false);
-      compare(i - 1, j, true);
-      compare(i + 1, j, false);
-      if (!is_minimum) continue;
-      found.emplace_back(i, j);
-      mask[static_cast<std::size_t>(j) * nx_ + i] = 1;
-    }
-  std::stable_sort(found.begin(), found.end(),
-                   [this](const auto& a, const auto& b) { return gap(a.first, a.second) < gap(b.first, b.second); });
-  return found;
-}
-
 /// Grown as long as there is overlap beside it, corners included; then by a row and a column on each side.
 GapSurface::Box GapSurface::box_around(int i, int j, double depth) const {
   Box box{i, i, j, j};
@@ -199,7 +166,7 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
     for (int i = box.i0; i <= box.i1; ++i) {
       const double overlap = depth - gap(i, j);
       if (!(overlap > 0)) continue;
-      const double weight = dx_ * std::max(overlap * overlap, SearchThresholds::least_weight);
+      const double weight = dx_ * std::max(overlap * overlap, SearchThresholds::least_weight_on_surface);
       r.x += weight * x_[static_cast<std::size_t>(i)];
       r.y += weight * y_[static_cast<std::size_t>(j)];
       r.angle += weight * rail_at(i, j).angle;
@@ -221,7 +188,7 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
 
 std::vector<NearMiss> GapSurface::near_misses(double depth, double farthest) const {
   std::vector<NearMiss> found;
-  for (const auto& [i, j] : minima(depth + farthest))
+  for (const auto& [i, j] : deepest_overlaps(gap_, nx_, depth + farthest))
     if (gap(i, j) >= depth && found.size() < SearchThresholds::most_near_misses)
       found.push_back({x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)], gap(i, j) - depth});
   return found;
@@ -230,7 +197,7 @@ std::vector<NearMiss> GapSurface::near_misses(double depth, double farthest) con
 std::vector<GapRegion> GapSurface::regions(double depth) const {
   std::vector<Box> taken;
   std::vector<GapRegion> found;
-  for (const auto& [i, j] : minima(depth)) {
+  for (const auto& [i, j] : deepest_overlaps(gap_, nx_, depth)) {
     if (std::any_of(taken.begin(), taken.end(), [i = i, j = j](const Box& b) { return b.holds(i, j); })) continue;
     taken.push_back(box_around(i, j, depth));
     found.push_back(region(taken.back(), i, depth));

@@ -16,7 +16,7 @@ public:
 
   bool overlaps() const { return overlaps_; }
   LeastGap least() const;
-  /// With the wheelset lower by `depth` [mm], from the deepest one on.
+  /// With the wheelset lower by `depth` [m], from the deepest one on.
   std::vector<GapRegion> regions(double depth) const;
   /// With the wheelset lower by `depth`: the local minima of the gap in [0, farthest), the two least at most.
   std::vector<NearMiss> near_misses(double depth, double farthest) const;
@@ -29,7 +29,7 @@ private:
 
   double gap(int i, int j) const { return gap_[static_cast<std::size_t>(j) * nx_ + i]; }
   struct RailSample {
-    double z, angle; ///< z beyond 777 where there is no rail
+    double z, angle; ///< z beyond 0.777 where there is no rail
   };
   const RailSample& rail_at(int i, int j) const {
     const auto row = static_cast<std::size_t>(j);
@@ -37,7 +37,6 @@ private:
   }
   void find_roller(const Placement& placement, const ProfileCurve& rail);
   void find_rail(const Placement& placement, const ProfileCurve& rail);
-  std::vector<std::pair<int, int>> minima(double depth) const;
   Box box_around(int i, int j, double depth) const;
   GapRegion region(const Box& box, int middle, double depth) const;
 

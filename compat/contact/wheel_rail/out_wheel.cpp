@@ -13,7 +13,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double least = 1e-10; ///< deviations below it are none, and not printed
+constexpr double least = 1e-13; ///< deviations below it [m], [rad] are none, and not printed
 
 std::string digits_text(const Case& c) {
   const Digits& d = c.digits;
@@ -48,12 +48,11 @@ std::string material(const Case& c) {
   if (!c.digits.reads_material()) return "";
   const MaterialData& m = *c.material;
   const CombinedMaterial combined = combined_material(c);
-  constexpr double mega = 1e-6;
   std::string text = "\n MATERIAL CONSTANTS\n     NU          G           AK          EPS\n  " +
                      general(combined.poisson_ratio, 12, 4) + significant(combined.shear_modulus * mega) +
                      general(combined.dissimilarity, 12, 4) + significant(c.solver.eps) +
                      "\n\n    POISS(R)    POISS(W)     GG(R)       GG(W)\n  " +
-                     general({m.poisson1, m.poisson2}, 12, 4) + significant({m.shear1, m.shear2}) + "\n";
+                     general({m.poisson1, m.poisson2}, 12, 4) + significant({m.shear1 * mega, m.shear2 * mega}) + "\n";
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };
@@ -62,7 +61,8 @@ std::string material(const Case& c) {
   add(out_viscoelastic(c, "RW"));
   if (!c.digits.has_friction()) return text;
   const auto& v = m.model_data;
-  if (c.digits.mater == Bulk::fastsim_one) add(" SIMPLIFIED THEORY MATERIAL CONSTANTS\n     FLX\n" + columns({v[0]}));
+  if (c.digits.mater == Bulk::fastsim_one)
+    add(" SIMPLIFIED THEORY MATERIAL CONSTANTS\n     FLX\n" + columns({v[0] / mm3_per_newton}));
   if (c.digits.is_simplified() && v.size() >= 3)
     add(fmt::format(" MODIFIED {} SLOPE REDUCTION PARAMETERS\n     K0_MF       ALFAMF      BETAMF\n",
                     simplified_name(c.digits.mater)) +
@@ -75,12 +75,12 @@ std::string discretisation(const Case& c) {
   const WheelRailData& d = *c.wheel_rail;
   if (!d.digits.reads_grid()) return "";
   const PatchRules& g = d.grid;
-  const bool turns = std::abs(g.d_turn - (2 * g.d_sep - g.d_comb)) > 1e-6;
+  const bool turns = std::abs(g.d_turn - (2 * g.d_sep - g.d_comb)) > 1e-9;
   std::string text =
       "\n DISCRETISATION PARAMETERS\n     DX          DS          DQREL       A_SEP       D_SEP       D_COMB";
   text += turns ? "      D_TURN\n  " : "\n  ";
-  text += general({g.dx, g.ds, g.dqrel, g.a_sep, g.d_sep, g.d_comb}, 12, 4);
-  return text + (turns ? general(g.d_turn, 12, 4) : "") + "\n";
+  text += general({g.dx / mm, g.ds / mm, g.dqrel, g.a_sep, g.d_sep / mm, g.d_comb / mm}, 12, 4);
+  return text + (turns ? general(g.d_turn / mm, 12, 4) : "") + "\n";
 }
 
 std::string profile(const Case& c, const char* body, const ProfileRecord& p) {
@@ -104,21 +104,23 @@ std::string track(const Case& c, const WheelOutcome& wheel) {
   if (d.digits.reads_dimensions()) {
     text += "\n TRACK DIMENSIONS AND RAIL POSITION\n    GAUGHT      ";
     text += t.by_gauge() ? "GAUGWD        " : "RAILY0      RAILZ0        ";
-    text += "CANT        CURV\n" + decimal(t.gauge_height, 10, 3);
-    text += t.by_gauge() ? decimal(t.gauge_width, 12, 3) : decimal(t.rail_y0, 12, 4) + decimal(t.rail_z0, 12, 4);
-    text += decimal(t.cant, 12, 4) + significant(t.curvature) + "\n"; // of rollers too, where NOMRADR is not printed
+    text += "CANT        CURV\n" + decimal(t.gauge_height / mm, 10, 3);
+    text += t.by_gauge() ? decimal(t.gauge_width / mm, 12, 3)
+                         : decimal(t.rail_y0 / mm, 12, 4) + decimal(t.rail_z0 / mm, 12, 4);
+    text += decimal(t.cant, 12, 4) + significant(t.curvature / per_mm) +
+            "\n"; // of rollers too, where NOMRADR is not printed
   }
   const RailPosition& p = d.rail_position;
   if (any_of({p.dy, p.dz, p.roll, p.vy, p.vz, p.vroll}))
     text += "\n RAIL IRREGULARITY\n     DYRAIL      DZRAIL      DROLLR      VYRAIL      VZRAIL      VROLLR\n  " +
-            decimal(p.dy, 12, 4) + decimal(p.dz, 12, 4) + decimal(p.roll, 12, 4) + significant({p.vy, p.vz, p.vroll}) +
-            "\n";
+            decimal(p.dy / mm, 12, 4) + decimal(p.dz / mm, 12, 4) + decimal(p.roll, 12, 4) +
+            significant({p.vy / mm, p.vz / mm, p.vroll}) + "\n";
   if (d.digits.force != TotalForce::rail_deflection) return text;
   const RailSupport& s = d.support;
   return text +
          "\n MASSLESS RAIL DEFLECTION\n     KY_RAIL     DY_DEFL     FY_RAIL     KZ_RAIL     DZ_DEFL     FZ_RAIL\n  " +
-         decimal(s.ky, 12, 4) + decimal(wheel.dy_rail, 12, 4) + significant(s.fy) + decimal(s.kz, 12, 4) +
-         decimal(wheel.dz_rail, 12, 4) + significant(s.fz) + "\n";
+         decimal(s.ky / per_mm, 12, 4) + decimal(wheel.dy_rail / mm, 12, 4) + significant(s.fy) +
+         decimal(s.kz / per_mm, 12, 4) + decimal(wheel.dz_rail / mm, 12, 4) + significant(s.fz) + "\n";
 }
 
 std::string wheelset(const Case& c, const WheelOutcome& wheel) {
@@ -133,18 +135,19 @@ std::string wheelset(const Case& c, const WheelOutcome& wheel) {
       "\n WHEEL-SET POSITION AND VELOCITY\n     {}_WS        Y_WS        Z_WS        ROLL_WS     YAW_WS      "
       "PITCH_WS\n  ",
       d.digits.is_roller() ? 'X' : 'S');
-  text += significant({p.s, p.y}) + decimal(wheel.z, 12, 4) + significant({p.roll, p.yaw, p.pitch}) + "\n\n  ";
+  text += significant({p.s / mm, p.y / mm}) + decimal(wheel.z / mm, 12, 4) + significant({p.roll, p.yaw, p.pitch}) +
+          "\n\n  ";
   text += d.digits.is_roller() ? "  VPITCH_ROL" : "   VX_WS    ";
   text += "   VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS\n  ";
-  text += d.digits.is_roller() ? decimal(v.vs, 12, 7) : significant(v.vs);
-  text += significant({v.vy, v.vz, v.vroll, v.vyaw}) + decimal(wheel.vpitch, 12, 7) + "\n\n";
+  text += d.digits.is_roller() ? decimal(v.vs, 12, 7) : significant(v.vs / mm);
+  text += significant({v.vy / mm, v.vz / mm, v.vroll, v.vyaw}) + decimal(wheel.vpitch, 12, 7) + "\n\n";
   const WheelDeflection& f = d.deflection;
   if (any_of({f.dx, f.dy, f.dz, f.droll, f.dyaw, f.dpitch, f.vx, f.vy, f.vz, f.vroll, f.vyaw, f.vpitch}))
     text +=
         " FLEXIBLE WHEEL-SET DEVIATIONS\n     DXWHL       DYWHL       DZWHL       DROLLW      DYAWW       DPITCHW\n  " +
-        significant({f.dx, f.dy, f.dz, f.droll, f.dyaw, f.dpitch}) +
+        significant({f.dx / mm, f.dy / mm, f.dz / mm, f.droll, f.dyaw, f.dpitch}) +
         "\n     VXWHL       VYWHL       VZWHL       VROLLW      VYAWW       VPITCHW\n  " +
-        significant({f.vx, f.vy, f.vz, f.vroll, f.vyaw, f.vpitch}) + "\n\n";
+        significant({f.vx / mm, f.vy / mm, f.vz / mm, f.vroll, f.vyaw, f.vpitch}) + "\n\n";
   return text;
 }
 
@@ -161,30 +164,31 @@ std::string total_forces(const Case& c, const WheelOutcome& wheel) {
           row(wheel.track.force, wheel.wheelset.force);
   if (moments)
     text += "\n     MX@R(TR)    MY@R(TR)    MZ@R(TR)    MX@W(WS)    MY@W(WS)    MZ@W(WS)\n" +
-            row(wheel.track.moment, wheel.wheelset.moment);
+            row(per_m * wheel.track.moment, per_m * wheel.wheelset.moment);
   return text;
 }
 
 std::string location(const PatchLocation& l) {
   std::string text =
       "\n CONTACT REFERENCE LOCATION\n     XCP(TR)     YCP(TR)     ZCP(TR)    DELTCP(TR)   YCP(R)      ZCP(R)\n";
-  for (const double value : {l.track.x, l.track.y, l.track.z, l.angle, l.rail.y, l.rail.z})
+  for (const double value : {l.track.x / mm, l.track.y / mm, l.track.z / mm, l.angle, l.rail.y / mm, l.rail.z / mm})
     text += decimal(value, 12, 4);
   text += "\n\n     XCP(W)      YCP(W)      ZCP(W)\n";
-  for (const double value : {l.wheel.x, l.wheel.y, l.wheel.z}) text += decimal(value, 12, 4);
+  for (const double value : {l.wheel.x, l.wheel.y, l.wheel.z}) text += decimal(value / mm, 12, 4);
   return text + "\n\n";
 }
 
 std::string kinematics(const Case& patch, const Outcome& o, bool is_left) {
-  constexpr double per_m = 1e3;
   const bool shifts = patch.digits.tang == Tangential::shift;
   const double dq = shifts ? 1 : o.step.motion.step * per_m;
   std::string text = " KINEMATIC CONSTANTS\n     CHI         DQ          VELOC       CKSI        CETA        CPHI\n  " +
                      general({(is_left ? -1 : 1) * patch.rolling->chi, dq}, 12, 4) +
-                     significant({patch.rolling->veloc, number_of(patch.x), number_of(patch.y), patch.phi}) + "\n\n";
+                     significant({patch.rolling->veloc / mm, in_file(patch.x, patch.digits),
+                                  in_file(patch.y, patch.digits), patch.phi / unit_of_spin(patch.digits)}) +
+                     "\n\n";
   const double spin_y = (is_left ? -1 : 1) * patch.spin_y;
   if (any_of({patch.spin_x, patch.spin_y}))
-    text += "     SPINXO      SPINYO\n" + columns({patch.spin_x, spin_y}) + "\n";
+    text += "     SPINXO      SPINYO\n" + columns({patch.spin_x / mm, spin_y / mm}) + "\n";
   return text;
 }
 

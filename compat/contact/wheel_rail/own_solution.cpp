@@ -13,8 +13,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3, per_m = 1e3, mega = 1e-6;
-
 struct Refusal {
   const char* reason;
   bool (*applies)(const Case& c);
@@ -41,15 +39,15 @@ constexpr Refusal refusals[] = {
      }},
 };
 
-/// A profile in metres, z up, and its surface where it varies.
+/// A profile with z up, and its surface where it varies.
 Profile own_profile(const ProfileShape& shape, ProfileRole role) {
   std::vector<ProfilePoint> points;
-  for (const ProfilePoint& p : shape.curve->points()) points.push_back({mm * p.y, -mm * p.z});
+  for (const ProfilePoint& p : shape.curve->points()) points.push_back({p.y, -p.z});
   return {role, points, shape.curve->kinks()};
 }
-std::shared_ptr<const ProfileSurface> own_surface(const ProfileShape& shape, double unit_of_u) {
+std::shared_ptr<const ProfileSurface> own_surface(const ProfileShape& shape) {
   if (!shape.varies()) return {};
-  return std::make_shared<const ProfileSurface>(shape.surface->in_units(unit_of_u, mm, -mm));
+  return std::make_shared<const ProfileSurface>(shape.surface->in_units(1, 1, -1));
 }
 
 /// CONTACT's inclinations are those of a right wheel's surface against the wheelset, with z down; ours are those of a
@@ -76,21 +74,21 @@ WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
   const WheelRailData& d = *c.wheel_rail;
   Track track;
   track.cant = d.track.cant;
-  if (d.digits.is_roller()) track.roller_radius = mm * d.track.roller_radius;
+  if (d.digits.is_roller()) track.roller_radius = d.track.roller_radius;
   if (d.track.by_gauge()) {
-    track.gauge = mm * d.track.gauge_width;
-    track.gauge_height = mm * d.track.gauge_height;
+    track.gauge = d.track.gauge_width;
+    track.gauge_height = d.track.gauge_height;
   } else {
-    track.rail_origin = ProfilePoint{mm * d.track.rail_y0, -mm * d.track.rail_z0};
+    track.rail_origin = ProfilePoint{d.track.rail_y0, -d.track.rail_z0};
   }
   // FBDIST may have any sign there; only where it puts the wheel matters.
-  const double lateral = mm * (d.wheelset.flange_back_distance / 2 - d.wheelset.flange_back_position);
+  const double lateral = d.wheelset.flange_back_distance / 2 - d.wheelset.flange_back_position;
   Wheelset wheelset{.flange_back_distance = 1,
                     .flange_back_position = 0.5 - lateral,
-                    .nominal_radius = mm * d.wheelset.nominal_radius,
+                    .nominal_radius = d.wheelset.nominal_radius,
                     .tape_circle = {}};
-  constexpr double no_tape_circle = 999;
-  if (std::abs(d.wheelset.tape_circle) < no_tape_circle) wheelset.tape_circle = mm * d.wheelset.tape_circle;
+  constexpr double no_tape_circle = 0.999;
+  if (std::abs(d.wheelset.tape_circle) < no_tape_circle) wheelset.tape_circle = d.wheelset.tape_circle;
   return {.rail = own_profile(placement.rail_profile, ProfileRole::rail),
           .wheel = own_profile(placement.wheel_profile, ProfileRole::wheel),
           .track = track,
@@ -99,8 +97,8 @@ WheelRailBodies own_bodies(const Case& c, const Placement& placement) {
           .material = combined_material(c),
           .friction = own_friction(c),
           .strength = {},
-          .rail_surface = own_surface(placement.rail_profile, mm),
-          .wheel_surface = own_surface(placement.wheel_profile, 1)};
+          .rail_surface = own_surface(placement.rail_profile),
+          .wheel_surface = own_surface(placement.wheel_profile)};
 }
 
 /// Patches as D = 4 has them, with C = 4 at angles to one another.
@@ -110,37 +108,37 @@ PatchShape own_shape(const Case& c) {
 }
 
 /// CONTACT's axes, y to the right and z down, are ours turned by half a turn about x. Its wheels turn on their axle
-/// about the profile's origin, at a distance from the axle [mm], ours about the axle. Without friction nothing moves.
+/// about the profile's origin, at a distance from the axle [m], ours about the axle. Without friction nothing moves.
 WheelState<double> own_state(const Case& c, double distance) {
   const WheelRailData& d = *c.wheel_rail;
   WheelState<double> s;
-  s.lateral = -mm * d.position.y;
+  s.lateral = -d.position.y;
   s.roll = d.position.roll;
   s.yaw = -d.position.yaw;
-  s.longitudinal = mm * d.position.s;
+  s.longitudinal = d.position.s;
   s.pitch = -d.position.pitch;
   const auto& f = d.deflection;
   const RailPosition& r = d.rail_position;
   const double aside = distance * std::sin(f.droll), down = distance * std::cos(f.droll);
-  s.deflection.longitudinal = mm * f.dx;
-  s.deflection.lateral = -mm * (f.dy + aside);
-  s.deflection.vertical = -mm * (f.dz + distance - down);
+  s.deflection.longitudinal = f.dx;
+  s.deflection.lateral = -(f.dy + aside);
+  s.deflection.vertical = -(f.dz + distance - down);
   s.deflection.roll = f.droll, s.deflection.yaw = -f.dyaw;
-  s.rail = {.lateral = -mm * r.dy, .vertical = -mm * r.dz, .roll = r.roll};
+  s.rail = {.lateral = -r.dy, .vertical = -r.dz, .roll = r.roll};
   if (!c.digits.has_friction()) return s;
   const double rate = d.digits.is_roller() ? d.track.roller_radius : 1; // a roller's velocity is that of its rotation
-  s.forward_velocity = mm * rate * d.velocity.vs;
-  s.lateral_velocity = -mm * d.velocity.vy;
-  s.vertical_velocity = -mm * d.velocity.vz;
+  s.forward_velocity = rate * d.velocity.vs;
+  s.lateral_velocity = -d.velocity.vy;
+  s.vertical_velocity = -d.velocity.vz;
   s.roll_velocity = d.velocity.vroll;
   s.pitch_velocity = -d.velocity.pitch_rate();
   s.yaw_velocity = -d.velocity.vyaw;
-  s.curvature = -per_m * d.track.curvature;
-  s.deflection.longitudinal_velocity = mm * (f.vx - down * f.vpitch - aside * f.vyaw);
-  s.deflection.lateral_velocity = -mm * (f.vy + down * f.vroll);
-  s.deflection.vertical_velocity = -mm * (f.vz + aside * f.vroll);
+  s.curvature = -d.track.curvature;
+  s.deflection.longitudinal_velocity = (f.vx - down * f.vpitch - aside * f.vyaw);
+  s.deflection.lateral_velocity = -(f.vy + down * f.vroll);
+  s.deflection.vertical_velocity = -(f.vz + aside * f.vroll);
   s.deflection.roll_velocity = f.vroll, s.deflection.pitch_velocity = -f.vpitch, s.deflection.yaw_velocity = -f.vyaw;
-  s.rail.lateral_velocity = -mm * r.vy, s.rail.vertical_velocity = -mm * r.vz, s.rail.roll_velocity = r.vroll;
+  s.rail.lateral_velocity = -r.vy, s.rail.vertical_velocity = -r.vz, s.rail.roll_velocity = r.vroll;
   return s;
 }
 
@@ -154,8 +152,8 @@ public:
     if (const auto* force = std::get_if<VerticalForce>(&data_.position.vertical))
       vertical_force_ = force->fz;
     else
-      state_.vertical = -mm * std::get<VerticalPosition>(data_.position.vertical).z;
-    state_.rail.vertical -= mm * wheel.dz_rail;
+      state_.vertical = -std::get<VerticalPosition>(data_.position.vertical).z;
+    state_.rail.vertical -= wheel.dz_rail;
     if (data_.digits.force == TotalForce::force_x) find_pitch_velocity();
     if (data_.digits.force == TotalForce::rail_deflection) find_deflection();
     if (data_.digits.force == TotalForce::none) solve();
@@ -188,7 +186,7 @@ private:
   /// F = 1: FX_WS, on the rail along the wheelset's x.
   void find_pitch_velocity() {
     const double wanted = std::get<LongitudinalForce>(data_.velocity.pitch).fx;
-    const double free = state_.forward_velocity / (mm * data_.wheelset.nominal_radius);
+    const double free = state_.forward_velocity / data_.wheelset.nominal_radius;
     state_.pitch_velocity = free;
     const Rotation<double> axes = rotation_about_x(state_.roll) * rotation_about_z(state_.yaw);
     find(state_.pitch_velocity, 1e-4 * free, *vertical_force_, [&] { return -dot(axes.ex, solution_.force) - wanted; });
@@ -198,8 +196,8 @@ private:
   void find_deflection() {
     const RailSupport& support = data_.support;
     const double start = state_.rail.lateral;
-    find(state_.rail.lateral, mm * support.first_step, *vertical_force_, [&] {
-      const double dy = -(state_.rail.lateral - start) * per_m;
+    find(state_.rail.lateral, support.first_step, *vertical_force_, [&] {
+      const double dy = start - state_.rail.lateral;
       return solution_.force.y - support.ky * dy + support.fy;
     });
   }
@@ -221,11 +219,11 @@ void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatc
   const auto add = [&](const char* name, const char* unit, double program, double of_own) {
     numbers.push_back({name, unit, number, program, of_own});
   };
-  add("YCP(R)", "mm", l.rail.y, side * own.rail_y * per_m);
+  add("YCP(R)", "mm", l.rail.y * per_m, side * own.rail_y * per_m);
   add("DELTCP(TR)", "rad", l.angle, own.angle);
   add("CKSI", "-", slip_of(theirs.contact.x), -own.creepage.longitudinal);
   add("CETA", "-", slip_of(theirs.contact.y), own.creepage.lateral);
-  add("CPHI", "rad/mm", theirs.contact.phi, own.creepage.spin * mm);
+  add("CPHI", "rad/mm", theirs.contact.phi * mm, own.creepage.spin * mm);
   add("FN", "N", t.fn, own.normal_force);
   add("FX", "N", t.fx, -own.fx);
   add("FS", "N", t.fy, own.fs);
@@ -253,11 +251,11 @@ OwnComparison compare_with_own(const Case& c, const WheelOutcome& wheel) {
     const auto add = [&](const char* name, const char* unit, double program, double of_own) {
       comparison.numbers.push_back({name, unit, 0, program, of_own});
     };
-    add("Z_WS", "mm", wheel.z, -own.vertical * per_m);
+    add("Z_WS", "mm", wheel.z * per_m, -own.vertical * per_m);
     if (d.digits.force == TotalForce::force_x)
       add("VPITCH_WS", "rad/s", wheel.vpitch, -library_wheel.state().pitch_velocity);
     if (d.digits.force == TotalForce::rail_deflection)
-      add("DY_DEFL", "mm", wheel.dy_rail, -library_wheel.state().rail.lateral * per_m - d.rail_position.dy);
+      add("DY_DEFL", "mm", wheel.dy_rail * per_m, -(library_wheel.state().rail.lateral + d.rail_position.dy) * per_m);
     add("FX(TR)", "N", wheel.track.force.x, -own.force.x);
     add("FY(TR)", "N", wheel.track.force.y, own.force.y);
     add("FZ(TR)", "N", wheel.track.force.z, own.force.z);

@@ -7,8 +7,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double mm = 1e-3;
-
 /// One set of a patch in a plane; rows of a curved one have separate sets where friction varies with the
 /// inclination.
 FrictionData friction_of(const Case& c, const PatchLocation& location, const PatchFrame& frame) {
@@ -83,7 +81,7 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   p.friction = friction_of(c, location, frame);
   for (int j = 0; j < static_cast<int>(frame.rows.size()); ++j)
     p.material->correction.angles.emplace_back(frame.row_s(j), frame.angle + frame.row_turn(j));
-  p.load = {NormalLoad::Given::approach, distance.approach * mm};
+  p.load = {NormalLoad::Given::approach, distance.approach};
   p.x = Slip{motion.xi};
   p.y = Slip{motion.eta};
   p.phi = motion.phi;

@@ -83,8 +83,9 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   }
   constexpr double most_elements = 2e7; // beyond that the bodies lie in one another
   if (!(double(x.count) * s.count < most_elements))
-    throw Error("wheel and rail overlap over " + std::to_string(x_high - x_low) + " x " +
-                std::to_string(s_high - s_low) + " mm, more elements than there may be; is the wheel's height right?");
+    throw Error("wheel and rail overlap over " + std::to_string((x_high - x_low) * per_m) + " x " +
+                std::to_string((s_high - s_low) * per_m) +
+                " mm, more elements than there may be; is the wheel's height right?");
   f.mx = x.count;
   f.my = s.count;
   f.x0 = (x.first - 0.5) * f.dx;

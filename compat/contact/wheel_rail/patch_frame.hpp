@@ -9,11 +9,11 @@ namespace microslip::contact_program {
 
 /// A row of elements on a curved surface, in the track's axes.
 struct SurfaceRow {
-  Vec3<double> point; ///< of its middle, x as of the patch's reference [mm]
+  Vec3<double> point; ///< of its middle, x as of the patch's reference [m]
   double angle = 0;   ///< of its plane [rad]
 };
 
-/// Position and elements of a patch [mm]. The frame's x runs along the track, its y (s) along the rail's
+/// Position and elements of a patch [m]. The frame's x runs along the track, its y (s) along the rail's
 /// surface, its z into the rail.
 struct PatchFrame {
   Frame<double> reference; ///< at the weighted centre on the rail, turned about x by the mean angle
@@ -43,7 +43,7 @@ private:
   const SurfaceRow& row_of(int j) const { return rows[static_cast<std::size_t>(j)]; }
 };
 
-/// A part of a patch's plane, in the coordinates of its elements [mm].
+/// A part of a patch's plane, in the coordinates of its elements [m].
 struct PatchBox {
   double x0 = 0, x1 = 0, s0 = 0, s1 = 0;
 };

@@ -49,7 +49,7 @@ void find_factors(PatchRegion& patch, const PatchRules& rules) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const double left = std::max(0.0, rules.d_sep - distance(patch.parts[i], patch.parts[j]));
-      const double share = std::min(1.0, left / std::max(1e-12, rules.d_sep - rules.d_comb));
+      const double share = std::min(1.0, left / std::max(1e-15, rules.d_sep - rules.d_comb));
       patch.factors[i * n + j] = patch.factors[j * n + i] = std::pow(share, SearchThresholds::blending);
     }
 }

@@ -17,10 +17,10 @@ Profile upright(const ProfileCurve& curve) {
 
 /// z of the wheel's profile where its radius is the nominal one.
 double tape_height(const WheelsetDimensions& wheelset, const ProfileCurve& wheel) {
-  constexpr double none = 999;
+  constexpr double none = 0.999;
   if (std::abs(wheelset.tape_circle) >= none) return 0;
   const auto s = wheel.s_at_y(wheelset.tape_circle);
-  if (!s) throw Error("YTAPE", wheelset.tape_circle, "mm", "within the wheel's profile");
+  if (!s) throw Error("YTAPE", wheelset.tape_circle * per_m, "mm", "within the wheel's profile");
   return wheel.at(*s).value.z;
 }
 

@@ -11,7 +11,7 @@
 
 namespace microslip::contact_program {
 
-/// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [mm].
+/// Gauge point of a canted rail: in the axes of its profile, turned by the cant, but with z up [m].
 GaugePoint gauge_of(const ProfileCurve& rail, const TrackDimensions& track);
 
 /// Angle about x by which axes are turned.
@@ -19,12 +19,12 @@ inline double roll_of(const Rotation<double>& axes) {
   return std::atan2(axes.ey.z, axes.ey.y);
 }
 
-/// Displacement of a rail on springs from its position [mm], towards the field side and down.
+/// Displacement of a rail on springs from its position [m], towards the field side and down.
 struct RailDeflection {
   double dy = 0, dz = 0;
 };
 
-/// The profile of a rail in the axes of the track [mm].
+/// The profile of a rail in the axes of the track [m].
 struct PlacedRail {
   Frame<double> frame;                          ///< of the profile's axes
   std::shared_ptr<const ProfileCurve> in_track; ///< of slices the first one
@@ -48,7 +48,7 @@ private:
   std::optional<PlacedRail> placed_;
 };
 
-/// A wheel on its rail [mm], in the axes of the track: x forward, y to the right, z down.
+/// A wheel on its rail [m], in the axes of the track: x forward, y to the right, z down.
 struct Placement {
   ProfileShape rail_profile, wheel_profile;
   Frame<double> rail;     ///< the rail's profile
@@ -65,11 +65,11 @@ struct Placement {
   Placement lowered(double depth) const;
 };
 
-/// How far ahead of and behind its lowest points a round wheel may touch [mm]: CONTACT's part of it that is looked at
+/// How far ahead of and behind its lowest points a round wheel may touch [m]: CONTACT's part of it that is looked at
 /// by brute force, `steep` for what touches far from there.
 double half_of_lower_side(const Placement& p, bool steep = false);
 
-/// A point of a roller's profile turned about its axle until it lies at `x`, in the axes of the track [mm]; at the
+/// A point of a roller's profile turned about its axle until it lies at `x`, in the axes of the track [m]; at the
 /// axle's height where it does not reach as far.
 Vec3<double> roller_point(const Placement& p, const ProfilePoint& at, double x);
 

@@ -1,5 +1,7 @@
 #include "compat/contact/wheel_rail/profile_curve.hpp"
 
+#include "microslip/numerics/cubic_roots.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,19 +63,8 @@ void ProfileCurve::find_branches() {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const auto& c = pieces[k].c;
     if (k > 0 && c[1].y * last < 0) cuts.push_back(pieces[k].start); // at a kink
-    // the roots of c1 + 2 c2 t + 3 c3 t^2
-    const double qa = 3 * c[3].y, qb = 2 * c[2].y, qc = c[1].y, discriminant = qb * qb - 4 * qa * qc;
-    std::vector<double> roots;
-    if (discriminant > 0) {
-      const double q = -0.5 * (qb + std::copysign(std::sqrt(discriminant), qb));
-      if (qa != 0) roots.push_back(q / qa);
-      if (q != 0) roots.push_back(qc / q);
-    } else if (qa == 0 && qb != 0) {
-      roots.push_back(-qc / qb);
-    }
-    std::sort(roots.begin(), roots.end());
-    for (const double t : roots)
-      if (t > 0 && t < pieces[k].length) cuts.push_back(pieces[k].start + t);
+    for (const double extremum : cubic_roots({c[1].y, 2 * c[2].y, 3 * c[3].y, 0}, 0, pieces[k].length))
+      if (extremum > 0 && extremum < pieces[k].length) cuts.push_back(pieces[k].start + extremum);
     last = pieces[k].at(pieces[k].start + pieces[k].length).first.y;
   }
   cuts.push_back(profile_.length());
@@ -83,7 +74,7 @@ void ProfileCurve::find_branches() {
   }
 }
 
-/// By bisection of the pieces, and Newton's steps kept within the bracket.
+/// By bisection of the pieces; the end that is nearer where rounding leaves no root within the piece.
 double ProfileCurve::s_in(const Branch& branch, double y) const {
   const double sign = branch.y1 > branch.y0 ? 1 : -1;
   const auto pieces = profile_.pieces();
@@ -96,20 +87,12 @@ double ProfileCurve::s_in(const Branch& branch, double y) const {
       high = middle - 1;
   }
   const ProfilePiece& piece = pieces[low];
-  double s0 = std::max(branch.s0, piece.start), s1 = std::min(branch.s1, piece.start + piece.length);
-  double s = 0.5 * (s0 + s1);
-  for (int k = 0; k < 60; ++k) {
-    const CurvePoint p = piece.at(s);
-    const double difference = p.value.y - y;
-    if (difference == 0) break;
-    (sign * difference > 0 ? s1 : s0) = s;
-    double next = s - difference / p.first.y;
-    if (!(next > s0 && next < s1)) next = 0.5 * (s0 + s1);
-    const double step = std::abs(next - s);
-    s = next;
-    if (step < 1e-13 * (1 + std::abs(s))) break;
-  }
-  return s;
+  const auto& c = piece.c;
+  const double from = std::max(branch.s0 - piece.start, 0.0), to = std::min(branch.s1 - piece.start, piece.length);
+  const CubicRoots roots = cubic_roots({c[0].y - y, c[1].y, c[2].y, c[3].y}, from, to);
+  if (roots.count > 0) return piece.start + roots.value[0];
+  const auto off = [&](double t) { return std::abs(piece.at(piece.start + t).value.y - y); };
+  return piece.start + (off(from) < off(to) ? from : to);
 }
 
 std::optional<double> ProfileCurve::s_at_y(double y) const {

@@ -7,7 +7,7 @@
 
 namespace microslip::contact_program {
 
-/// A profile in CONTACT's axes [mm]: y to the field side, z down. Its spline is parametrised by the length s of the
+/// A profile in CONTACT's axes [m]: y to the field side, z down. Its spline is parametrised by the length s of the
 /// polygon through the points, with s = 0 where y = 0, and ascends from the gauge side to the field side for rails and
 /// wheels alike; CONTACT's wheels descend, so that their s is the negative of ours.
 class ProfileCurve {

@@ -144,6 +144,7 @@ private:
       std::reverse(kinks.begin(), kinks.end());
       for (std::size_t& kink : kinks) kink = points_.size() - 1 - kink;
     }
+    for (ProfilePoint& p : points_) p = {mm * p.y, mm * p.z};
     return std::make_shared<ProfileCurve>(role_, points_, kinks);
   }
 
@@ -230,17 +231,20 @@ ProfileShape read_profile_shape(const ProfileRecord& record, ProfileRole role) {
   const io::SlicesFile file = io::read_slices(record.file);
   if (file.role != role) throw Error(record.file + ": holds slices of a " + std::string(to_string(file.role)));
   ProfileShape shape;
+  const double unit = role == ProfileRole::rail ? mm : 1; // of the place along the rail or around the wheel
+  std::vector<ProfileWave> waves = file.waves;
+  for (ProfileWave& wave : waves) wave.amplitude *= mm, wave.wavenumber /= unit;
   std::vector<ProfileSlice> slices;
   for (const io::SliceEntry& entry : file.slices) {
     ProfileRecord own = record;
     own.file = entry.file;
     const auto curve = read_profile_curve(own, role);
     if (!shape.curve) shape.curve = curve;
-    slices.push_back({entry.u, curve->profile(), entry.features});
+    slices.push_back({unit * entry.u, curve->profile(), in_si(entry.features, UnitList(entry.features.size(), 1))});
   }
   try {
     shape.surface = std::make_shared<ProfileSurface>(
-        join_slices(slices, {file.method, file.kinks, file.waves, ProfileThresholds::slice_spacing}));
+        join_slices(slices, {file.method, file.kinks, waves, mm * ProfileThresholds::slice_spacing}));
   } catch (const Error& error) {
     throw Error(record.file + ": " + error.what());
   }

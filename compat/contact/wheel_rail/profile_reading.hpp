@@ -6,8 +6,8 @@
 namespace microslip::contact_program {
 
 /// The profile of a file as CONTACT lays its spline through it: close points and zig-zags out, mirrored and scaled to
-/// mm, cut at kinks, smoothed, by ProfileThresholds. Throws Error, with the file's name, for what cannot be read, for
-/// less than two points, a length outside 5 to 500 mm and a polygon that crosses itself.
+/// mm, cut at kinks, smoothed, by ProfileThresholds; then in m. Throws Error, with the file's name, for what cannot be
+/// read, for less than two points, a length outside 5 to 500 mm and a polygon that crosses itself.
 std::shared_ptr<const ProfileCurve> read_profile_curve(const ProfileRecord& record, ProfileRole role);
 
 /// The same; a file of slices (.slcs, .slcw) names one such profile for each of them, relative to its folder, and the

@@ -8,10 +8,10 @@
 
 namespace microslip::contact_program {
 
-/// A profile as a record names it: one curve, or slices that make it vary along the track or around the wheel [mm].
+/// A profile as a record names it: one curve, or slices that make it vary along the track or around the wheel [m].
 struct ProfileShape {
   std::shared_ptr<const ProfileCurve> curve; ///< the first of the slices, if there are some
-  /// Surface of the slices, u in mm along the track or in rad around the wheel, v from the gauge side on; or none.
+  /// Surface of the slices, u in m along the track or in rad around the wheel, v from the gauge side on; or none.
   std::shared_ptr<const ProfileSurface> surface = {};
 
   bool varies() const { return surface != nullptr; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "compat/contact/units.hpp"
 #include "compat/contact/wheel_rail/digits.hpp"
 #include "compat/contact/wheel_rail/profile_thresholds.hpp"
 
@@ -9,7 +10,7 @@
 
 namespace microslip::contact_program {
 
-// The records of module 1, in CONTACT's units and axes: mm, N, rad, s; the track's x forward, y to the right, z down.
+// The records of module 1, in SI units and CONTACT's axes: the track's x forward, y to the right, z down.
 
 /// The grid of elements, and the rules by which patches are joined: DX DS DQREL A_SEP D_SEP D_COMB D_TURN G_MISS.
 struct PatchRules {
@@ -19,12 +20,12 @@ struct PatchRules {
   double d_sep = 0;      ///< nor are those further apart;
   double d_comb = 0;     ///< up to this distance they are one region,
   double d_turn = 0;     ///< and up to this one their frames are turned towards each other
-  double g_miss = -1;    ///< gaps below it count as near misses; < 0: none
+  double g_miss = -mm;   ///< gaps below it count as near misses; < 0: none
 };
 
 class ProfileCurve;
 
-/// A profile's file and what is to be done with its points.
+/// A profile's file and what is to be done with its points, which are in mm then.
 struct ProfileRecord {
   std::string file;                               ///< with its path
   std::shared_ptr<const ProfileCurve> curve = {}; ///< what has been made of it already; empty: the file is to be read
@@ -62,15 +63,15 @@ struct RailPosition {
 
 /// A rail without mass: KYRAIL FYRAIL KZRAIL FZRAIL DYSTEP0.
 struct RailSupport {
-  double ky = 0, fy = 0, kz = 0, fz = 0, first_step = 1;
+  double ky = 0, fy = 0, kz = 0, fz = 0, first_step = mm;
 };
 
 /// FBDIST FBPOS NOMRADW YTAPE.
 struct WheelsetDimensions {
-  /// Range of NOMRADW [mm]. Ours: with more the wheel is a plane along the track, and overlaps are as long as the grid.
-  static constexpr double least_radius = 1e-3, greatest_radius = 1e6;
+  /// Range of NOMRADW [m]. Ours: with more the wheel is a plane along the track, and overlaps are as long as the grid.
+  static constexpr double least_radius = 1e-6, greatest_radius = 1e3;
   double flange_back_distance = 0, flange_back_position = 0, nominal_radius = 0;
-  double tape_circle = 999; ///< y of the wheel's profile where the radius is the nominal one; from 999 on: z = 0
+  double tape_circle = 0.999; ///< y of the wheel's profile where the radius is the nominal one; from 0.999 on: z = 0
 };
 
 /// N = 0: Z_WS, > 0 below the nominal position.

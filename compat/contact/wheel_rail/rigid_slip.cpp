@@ -11,41 +11,32 @@ namespace {
 
 using Vec = Vec3<double>;
 
-/// Of a body's particle at a point, and the body's rotation.
-struct SurfaceMotion {
-  Vec velocity, rotation;
-};
+/// What the wheelset's rotation about its axle adds to the velocity of its particle at a point.
+Vec by_pitch(const WheelRailData& d, const Placement& p, const Vec& at) {
+  return cross(d.velocity.pitch_rate() * p.wheelset.axes.ey, at - p.wheelset.origin);
+}
 
-/// The wheel at q: the wheelset's motion, and that of the wheel in the wheelset. `by_pitch` is the part of the velocity
-/// that the wheelset's rotation about its axle makes.
-SurfaceMotion wheel_motion(const WheelRailData& d, const Placement& p, const Vec& q, Vec& by_pitch) {
+/// The wheel's profile: it moves with the wheelset, and in it.
+MovingFrame<double> moving_wheel(const WheelRailData& d, const Placement& p) {
   const WheelsetVelocity& v = d.velocity;
   const WheelDeflection& f = d.deflection;
   const Rotation<double>& axes = p.wheelset.axes;
-  const Vec arm = q - p.wheelset.origin, on_axle = p.wheelset.axes.back(arm);
   const Vec forward = {d.digits.is_roller() ? 0 : v.vs, v.vy, v.vz};
   const Vec rotation = axes * Vec{v.vroll, v.pitch_rate(), v.vyaw};
-  const Vec own_rotation{f.vroll, f.vpitch, f.vyaw};
-  const Vec own = Vec{f.vx, f.vy, f.vz} + cross(own_rotation, on_axle - p.wheel_on_axle.origin);
-  by_pitch = cross(v.pitch_rate() * axes.ey, arm);
-  return {forward + cross(rotation, arm) + axes * own, rotation + axes * own_rotation};
+  return {p.wheel, forward + cross(rotation, p.wheel.origin - p.wheelset.origin) + axes * Vec{f.vx, f.vy, f.vz},
+          rotation + axes * Vec{f.vroll, f.vpitch, f.vyaw}};
 }
 
-/// The rail at a point, in the axes that move along a curved track; or the roller.
-SurfaceMotion rail_motion(const WheelRailData& d, const Placement& p, const Vec& at) {
+/// The rail's profile, in the axes that move along a curved track; or the roller's.
+MovingFrame<double> moving_rail(const WheelRailData& d, const Placement& p) {
   const RailPosition& r = d.rail_position;
-  const Vec arm = at - p.rail.origin;
-  Vec rotation{r.vroll, 0, 0};
-  Vec velocity{0, r.vy, r.vz};
   if (p.on_roller()) {
     const Vec axle = {0, 0, p.roller_radius}; // wherever the roller's profile lies
     const Vec spin{0, d.velocity.vs, 0};
-    return {velocity + cross(rotation, arm) + cross(spin, at - axle), rotation + spin};
+    return {p.rail, Vec{0, r.vy, r.vz} + cross(spin, p.rail.origin - axle), Vec{r.vroll, 0, 0} + spin};
   }
   const double turning = -d.velocity.vs * d.track.curvature; // of the rail against the wheelset's axes
-  rotation.z = turning;
-  velocity.x = -turning * p.rail.origin.y;
-  return {velocity + cross(rotation, arm), rotation};
+  return {p.rail, {-turning * p.rail.origin.y, r.vy, r.vz}, {r.vroll, 0, turning}};
 }
 
 /// Velocities of the surfaces' particles at an element, in the axes of its row.
@@ -56,15 +47,15 @@ struct ElementMotion {
 std::vector<ElementMotion> element_motions(const WheelRailData& d, const Placement& p, const PatchFrame& frame,
                                            const UndeformedDistance& distance) {
   std::vector<ElementMotion> motions;
+  const auto rail = moving_rail(d, p), wheel = moving_wheel(d, p);
   for (int j = 0; j < frame.my; ++j) {
     const Rotation<double> axes = rotation_about_x(frame.angle + frame.row_turn(j));
     for (int i = 0; i < frame.mx; ++i) {
       const std::size_t k = motions.size();
       const double x = frame.x0 + (i + 0.5) * frame.dx, s = frame.row_in_plane(j);
       const auto at = [&](double n) { return frame.grid.outer({x, s, n}); };
-      Vec by_pitch;
-      motions.push_back({axes.back(rail_motion(d, p, at(distance.on_rail[k])).velocity),
-                         axes.back(wheel_motion(d, p, at(distance.on_wheel[k]), by_pitch).velocity)});
+      motions.push_back({axes.back(rail.velocity_at(at(distance.on_rail[k]))),
+                         axes.back(wheel.velocity_at(at(distance.on_wheel[k])))});
     }
   }
   return motions;
@@ -79,10 +70,10 @@ std::size_t central_element(const PatchFrame& frame) {
          nearest(frame.x0, frame.dx, frame.mx);
 }
 
-/// V with the sign of forward rolling [mm/s].
+/// V with the sign of forward rolling [m/s].
 double speed_of(const WheelRailData& d, const PatchFrame& frame, const std::vector<ElementMotion>& motions,
                 bool is_shift) {
-  if (is_shift) return 1;
+  if (is_shift) return PatchMotion().velocity;
   if (!d.digits.is_roller()) return d.velocity.vs;
   const ElementMotion& middle = motions[central_element(frame)];
   return -(middle.rail.x + middle.wheel.x) / 2;
@@ -94,7 +85,7 @@ Vec2 slip_along_path(const ElementMotion& motion, double speed, double rail_shar
   const auto in_plane = [&](const Vec& v) { return Vec2{v.x - speed, v.z}; };
   const Vec2 rail = in_plane(motion.rail), wheel = in_plane(motion.wheel);
   const Vec2 mean{rail_share * rail.x + (1 - rail_share) * wheel.x, rail_share * rail.y + (1 - rail_share) * wheel.y};
-  const double length = std::copysign(std::max(std::hypot(mean.x, mean.y), 1e-8), mean.x);
+  const double length = std::copysign(std::max(std::hypot(mean.x, mean.y), 1e-11), mean.x);
   return {((rail.x - wheel.x) * mean.x + (rail.y - wheel.y) * mean.y) / length, motion.rail.y - motion.wheel.y};
 }
 
@@ -116,7 +107,7 @@ void extract_creepages(const PatchFrame& frame, const UndeformedDistance& distan
   }
   for (double* sum : {&x, &y, &square, &wx, &wy, &turn}) *sum /= std::max(count, 1.0);
   const double spread = square - x * x - y * y;
-  if (spread < 1e-12) return;
+  if (spread < 1e-18) return;
   m.phi = (turn + y * wx - x * wy) / spread;
   m.xi = wx + y * m.phi;
   m.eta = wy - x * m.phi;
@@ -136,7 +127,8 @@ PatchMotion surface_motion(const WheelRailData& d, const Placement& p, const Pat
   PatchMotion m;
   m.velocity = std::abs(speed);
   m.backward = speed < 0;
-  const double unit = m.velocity > 1e-6 ? 1 / m.velocity : 1;
+  constexpr double least = 1e-9; // [m/s]
+  const double unit = !is_shift && m.velocity > least ? 1 / m.velocity : 1;
   for (const ElementMotion& motion : motions) {
     const Vec2 slip = slip_along_path(motion, d.digits.is_roller() ? 0 : speed, rail_share);
     m.extra.push_back(unit * slip.x);
@@ -150,20 +142,20 @@ PatchMotion surface_motion(const WheelRailData& d, const Placement& p, const Pat
 PatchMotion patch_motion(const WheelRailData& d, const Placement& p, const PatchFrame& frame, double approach,
                          bool is_shift) {
   const Frame<double>& reference = frame.reference;
-  Vec by_pitch;
-  const SurfaceMotion wheel = wheel_motion(d, p, reference.outer({0, 0, approach}), by_pitch);
-  const SurfaceMotion rail = rail_motion(d, p, reference.origin);
+  const auto rail = moving_rail(d, p), wheel = moving_wheel(d, p);
+  const Vec on_wheel = reference.outer({0, 0, approach}), of_wheel = wheel.velocity_at(on_wheel),
+            of_rail = rail.velocity_at(reference.origin), turning = by_pitch(d, p, on_wheel);
   PatchMotion m;
   if (!is_shift) {
-    const double translation = wheel.velocity.x - rail.velocity.x - by_pitch.x;
-    m.velocity = (std::abs(translation) + std::abs(by_pitch.x)) / 2;
-    m.backward = std::abs(translation) > std::abs(by_pitch.x) ? translation < 0 : by_pitch.x > 0;
+    const double translation = of_wheel.x - of_rail.x - turning.x;
+    m.velocity = (std::abs(translation) + std::abs(turning.x)) / 2;
+    m.backward = std::abs(translation) > std::abs(turning.x) ? translation < 0 : turning.x > 0;
   }
-  const double unit = m.velocity > 0 ? 1 / m.velocity : 0;
-  const Vec slip = reference.axes.back(rail.velocity - wheel.velocity);
+  const double unit = is_shift ? 1 : m.velocity > 0 ? 1 / m.velocity : 0;
+  const Vec slip = reference.axes.back(of_rail - of_wheel);
   m.xi = unit * slip.x;
   m.eta = unit * slip.y;
-  m.phi = unit * reference.axes.back(rail.rotation - wheel.rotation).z;
+  m.phi = unit * reference.axes.back(rail.angular_velocity - wheel.angular_velocity).z;
   return m;
 }
 

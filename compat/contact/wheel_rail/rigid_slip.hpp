@@ -6,11 +6,11 @@
 
 namespace microslip::contact_program {
 
-/// Relative motion of the bodies at a patch: in rolling creepages, in a shift the increments [mm], [rad].
+/// Relative motion of the bodies at a patch: in rolling creepages, in a shift the increments [m], [rad].
 struct PatchMotion {
-  double velocity = 1; ///< V [mm/s], the mean of both surfaces'; 1 in a shift
+  double velocity = mm; ///< V [m/s], the mean of both surfaces'; a mm/s in a shift
   bool backward = false;
-  double xi = 0, eta = 0, phi = 0; ///< CKSI, CETA [-], CPHI [rad/mm]
+  double xi = 0, eta = 0, phi = 0; ///< CKSI, CETA [-], CPHI [rad/m]
   std::vector<double> extra;       ///< what the elements slip besides, x and y in turn; empty: nothing
 };
 

@@ -5,7 +5,7 @@
 namespace microslip::contact_program {
 
 /// Throws Error for a gap with more points than a search for contact may have, over the locus or, `on_grid`, along and
-/// across the track, on which a wheel of this radius [mm] is searched by brute force.
+/// across the track, on which a wheel of this radius [m] is searched by brute force.
 void require_few_points(double on_line, const PatchRules& sizes);
 void require_few_points(double along, double across, const PatchRules& sizes, double radius);
 

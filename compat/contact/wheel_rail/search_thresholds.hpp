@@ -5,28 +5,28 @@
 
 namespace microslip::contact_program {
 
-/// Numbers by which the contact of a wheel is searched and its patches are laid out, in mm and rad unless said
+/// Numbers by which the contact of a wheel is searched and its patches are laid out, in m and rad unless said
 /// otherwise. Where a comment names CONTACT's, they are its: those of m_wr_locatecp.f90 but where another file is
 /// named. docs/contact-differences.md has both beside each other.
 struct SearchThresholds {
   static constexpr double locus_step = 0.3; ///< of the gap over the locus, over DS: fac_dyds
   /// The locus jumps where its polygon turns by this, x being multiplied by the next number, within a window of the
   /// third one, or where it has a longer side than the last one: kink_high, scale_z, kink_wid, ds_thrs.
-  static constexpr double jump_turn = std::numbers::pi / 10, jump_x = 0.1, jump_window = 0.01, jump_length = 100;
+  static constexpr double jump_turn = std::numbers::pi / 10, jump_x = 0.1, jump_window = 1e-5, jump_length = 0.1;
 
   /// Gaps of neighbouring points that differ by less are one plateau with one minimum: thresh.
-  static constexpr double plateau = 1e-6;
+  static constexpr double plateau = 1e-9;
   /// Near misses that count at most.
   static constexpr std::size_t most_near_misses = 2;
-  /// The least weight of a point of overlap in the means of x, y and angle.
-  static constexpr double least_weight = 1e-10;
+  /// The least weight of a point of overlap in the means of x, y and angle: over the locus [m3], over a surface [m2].
+  static constexpr double least_weight = 1e-19, least_weight_on_surface = 1e-16;
 
   /// Steps of the gap's grid of brute force: along the track over DX, that of a wheel that is not round; across it over
   /// DS, that with D = 6.
   static constexpr double step_along = 1.5, step_along_varied = 4, step_across = 0.75, step_across_steep = 0.3;
   /// How far that grid reaches to either side of the axle, over the wheel's radius; with D = 6 and for a radius below
   /// the third number; in rad of a wheel that is not round.
-  static constexpr double reach = 0.125, reach_steep = 0.242, small_radius = 30.5, reach_varied = 0.2;
+  static constexpr double reach = 0.125, reach_steep = 0.242, small_radius = 0.0305, reach_varied = 0.2;
 
   /// Points at most of the gap's line over the locus and of its grid of brute force, which take seconds. Ours.
   static constexpr double most_on_line = 2e6, most_on_grid = 2e7;
@@ -47,8 +47,8 @@ struct SearchThresholds {
 
   /// Height of the wheel at which its depth below the rail is refused, over its radius. Ours.
   static constexpr double deepest = 0.1;
-  /// Curvature of the rail across the track below which it counts as this, for the first height of a search [1/mm].
-  static constexpr double least_curvature = 1e-4;
+  /// Curvature of the rail across the track below which it counts as this, for the first height of a search [1/m].
+  static constexpr double least_curvature = 0.1;
   /// Solutions of a search for a prescribed force at most. Ours: CONTACT's are MAXNR.
   static constexpr int most_solutions = 60;
 };

@@ -1,5 +1,6 @@
 #include "compat/contact/wheel_rail/space_curve.hpp"
 
+#include "microslip/numerics/cubic_roots.hpp"
 #include "microslip/numerics/natural_spline.hpp"
 
 #include <cmath>
@@ -48,17 +49,11 @@ std::optional<Vec3<double>> SpaceCurve::at_y(double y) const {
   for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
     const double before = points_[k].y - y, behind = points_[k + 1].y - y;
     if (before * behind > 0) continue;
-    double low = 0, high = s_[k + 1] - s_[k];
-    double t = before == behind ? 0 : high * before / (before - behind);
-    const bool rises = behind > before;
-    for (int i = 0; i < 50; ++i) { // regula falsi, then bisection
-      const double difference = at(k, t).y - y;
-      if (std::abs(difference) < 1e-13 || high - low < 1e-13) break;
-      ((difference < 0) == rises ? low : high) = t;
-      const double secant = t - difference * (s_[k + 1] - s_[k]) / (behind - before);
-      t = secant > low && secant < high ? secant : 0.5 * (low + high);
-    }
-    const Vec3<double> point = at(k, t);
+    const double h = s_[k + 1] - s_[k], m0 = after_[1][k], m1 = second_[1][k + 1];
+    const std::array<double, 4> cubic = {before, (behind - before) / h - h / 6 * (2 * m0 + m1), m0 / 2,
+                                         (m1 - m0) / (6 * h)};
+    const CubicRoots roots = cubic_roots(cubic, 0, h);
+    const Vec3<double> point = at(k, roots.count > 0 ? roots.value[0] : std::abs(before) < std::abs(behind) ? 0 : h);
     if (!found || point.z > found->z) found = point;
   }
   return found;

@@ -1,8 +1,7 @@
 #include "compat/contact/wheel_rail/undeformed_distance.hpp"
 
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
-#include "compat/contact/wheel_rail/varied_wheel.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 999;
+constexpr double missing = 0.999;
 
 /// Heights of a rail's profile, over s of the frame: where the turned spline passes there.
 class RailHeights {
@@ -30,8 +29,8 @@ public:
       const double slope = frame_.axes.ey.y * p.first.y + frame_.axes.ey.z * p.first.z;
       if (!(slope > 1e-3)) return {};
       const double step = (s - place.y) / slope;
-      t += std::clamp(step, -2.0, 2.0);
-      if (std::abs(step) < 1e-12) {
+      t += std::clamp(step, -2e-3, 2e-3);
+      if (std::abs(step) < 1e-15) {
         if (t < rail_.start() || t > rail_.end()) return {};
         last_ = t;
         at_ = s;

@@ -6,7 +6,7 @@
 
 namespace microslip::contact_program {
 
-/// The distance of the undeformed bodies at the elements' centres [mm].
+/// The distance of the undeformed bodies at the elements' centres [m].
 struct UndeformedDistance {
   std::vector<double> values;            ///< >= 0, zero where they overlap most; large where a body is missing
   std::vector<double> on_rail, on_wheel; ///< the surfaces' heights over the frame's plane; 0 where a body is missing

@@ -2,7 +2,7 @@
 
 #include "compat/contact/wheel_rail/curved_patch.hpp"
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
-#include "compat/contact/wheel_rail/varied_rail.hpp"
+#include "compat/contact/wheel_rail/varied_profile.hpp"
 #include "microslip/error.hpp"
 
 #include <string>
@@ -45,7 +45,7 @@ bool WheelGeometry::overlaps() const {
 std::vector<GapRegion> WheelGeometry::regions(double z) const {
   const double depth = z - least_gap_at_zero().gap;
   if (depth > SearchThresholds::deepest * data_.wheelset.nominal_radius)
-    throw Error("wheel and rail overlap by " + std::to_string(depth) + " mm; is the wheel's height right?");
+    throw Error("wheel and rail overlap by " + std::to_string(depth * per_m) + " mm; is the wheel's height right?");
   if (!brute_force_) return find_regions(line(z), curvature());
   return brute_force_->regions(z);
 }
@@ -60,7 +60,8 @@ std::vector<NearMiss> WheelGeometry::near_misses(double z) const {
 std::shared_ptr<const ProfileCurve> WheelGeometry::rail_at(double x) const {
   if (!placed_at_zero_.rail_profile.varies()) return rail_in_track_;
   auto section = rail_section(placed_at_zero_, x);
-  if (!section) throw Error("the rail is interrupted at x = " + std::to_string(x) + " mm, in the middle of a patch");
+  if (!section)
+    throw Error("the rail is interrupted at x = " + std::to_string(x * per_m) + " mm, in the middle of a patch");
   return std::make_shared<ProfileCurve>(std::move(*section));
 }
 

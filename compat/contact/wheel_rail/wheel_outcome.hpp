@@ -11,12 +11,12 @@ namespace microslip::contact_program {
 
 struct Outcome;
 
-/// A force [N], and a moment [N mm] about the origin of its axes.
+/// A force [N], and a moment [N m] about the origin of its axes.
 struct Wrench {
   Vec3<double> force, moment;
 };
 
-/// Position of a patch [mm], as CONTACT prints it.
+/// Position of a patch [m].
 struct PatchLocation {
   Vec3<double> track, rail, wheel; ///< XCP YCP ZCP in the axes of the track, the rail's and the wheel's profile
   double angle = 0;                ///< DELTCP in the track's axes [rad]
@@ -30,7 +30,7 @@ struct WheelPatch {
   std::shared_ptr<Outcome> solution; ///< and what became of it
   Wrench track, wheelset;            ///< its part of the wheel's
   Frame<double> reference, grid;     ///< PatchFrame's
-  double s_rail = 0, s_wheel = 0;    ///< of the reference along the profiles, the wheel's from the field side [mm]
+  double s_rail = 0, s_wheel = 0;    ///< of the reference along the profiles, the wheel's from the field side [m]
   std::vector<int> previous = {};    ///< numbers, from 1, of the patches of the case before that it goes on from
 };
 
@@ -41,9 +41,9 @@ struct WheelEffort {
 
 /// A wheel on its rail: forces and moments act on the rail.
 struct WheelOutcome {
-  double z = 0;                    ///< Z_WS [mm]
+  double z = 0;                    ///< Z_WS [m]
   double vpitch = 0;               ///< VPITCH_WS [rad/s]
-  double dy_rail = 0, dz_rail = 0; ///< deflection of the rail, with F = 3 [mm]
+  double dy_rail = 0, dz_rail = 0; ///< deflection of the rail, with F = 3 [m]
   Wrench track;                    ///< in the track's axes, moment about the rail's marker
   Wrench wheelset;                 ///< in the wheelset's axes, moment about the wheel's marker
   std::vector<WheelPatch> patches;

@@ -3,6 +3,7 @@
 #include "compat/contact/prescribed_forces.hpp"
 #include "compat/contact/set_up.hpp"
 #include "compat/contact/support.hpp"
+#include "compat/contact/units.hpp"
 #include "compat/contact/wheel_rail/force_search.hpp"
 #include "compat/contact/wheel_rail/left_wheel.hpp"
 #include "compat/contact/wheel_rail/patch_case.hpp"
@@ -39,7 +40,7 @@ void add(Wrench& sum, const Wrench& part) {
   sum.moment = sum.moment + part.moment;
 }
 
-/// What the tractions on a curved patch sum to in the reference's axes, force [N] and moment [N mm] about its origin.
+/// What the tractions on a curved patch sum to in the reference's axes, force [N] and moment [N m] about its origin.
 Wrench aggregate(const Outcome& o, const PatchFrame& frame) {
   const ElementGrid& grid = o.step.grid;
   const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
@@ -62,7 +63,7 @@ Wrench aggregate(const Outcome& o, const PatchFrame& frame) {
 
 /// The totals of a curved patch are those in the reference's axes; the integrals over the surface stay beside them,
 /// that of the pressure and, over it, that of the lateral traction. As CONTACT prints it, MN is about the line x = 0 of
-/// the elements, where the reference lies at `reference_x` [mm]: not 0 with T = 1 and 2.
+/// the elements, where the reference lies at `reference_x` [m]: not 0 with T = 1 and 2.
 void set_totals(Outcome& o, const Wrench& sum, double reference_x) {
   PrintedTotals& t = o.totals;
   const double integral_fs = t.fy;
@@ -70,7 +71,7 @@ void set_totals(Outcome& o, const Wrench& sum, double reference_x) {
   t.fn = sum.force.z;
   t.fx = sum.force.x;
   t.fy = sum.force.y;
-  t.mz = sum.moment.z + reference_x * sum.force.y;
+  t.mz = (sum.moment.z + reference_x * sum.force.y) * per_m;
   const double friction = o.step.friction.size() == 1 ? o.step.friction.front().static_coefficient() : 1;
   const double limit = friction * *t.integral_fn;
   t.x = limit > 0 ? t.fx / limit : 0;
@@ -89,32 +90,29 @@ double row_load(const Outcome& o, int row) {
   return grid.element_area() * std::accumulate(first, first + grid.mx, 0.0);
 }
 
-/// Moments of the pressure about the axes of a patch's plane [N mm].
+/// Moments of the pressure about the axes of a patch's plane [N m].
 Vec moments(const Outcome& o) {
-  constexpr double per_m = 1e3;
-  Vec m{0, 0, o.totals.mz};
+  Vec m{0, 0, o.solution.tangential.forces.mz};
   const ElementGrid& grid = o.step.grid;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const double force = o.solution.normal.pressure[static_cast<std::size_t>(j) * grid.mx + i] * grid.element_area();
-      m.x += force * grid.y(j) * per_m;
-      m.y -= force * grid.x(i) * per_m;
+      m.x += force * grid.y(j);
+      m.y -= force * grid.x(i);
     }
   return m;
 }
 
-/// How deep a wheel sinks in under a force by Hertz's solution [mm].
+/// How deep a wheel sinks in under a force by Hertz's solution [m].
 double hertzian_depth(const Case& c, const LeastGap& gap, double force) {
-  constexpr double per_mm = 1e3;
   const double a = 0.5 / c.wheel_rail->wheelset.nominal_radius;
   const double b = std::max(gap.curvature, SearchThresholds::least_curvature);
-  const double depth = hertz_from_load({a * per_mm, b * per_mm}, combined_material(c), force).approach * per_mm;
+  const double depth = hertz_from_load({a, b}, combined_material(c), force).approach;
   return depth / std::max(0.5, std::cos(gap.angle));
 }
 
-/// Around the elements in contact [mm].
+/// Around the elements in contact [m].
 std::optional<PatchBox> contact_box(const Outcome& o) {
-  constexpr double per_m = 1e3;
   const ElementGrid& g = o.step.grid;
   int i0 = g.mx, i1 = -1, j0 = g.my, j1 = -1;
   for (int j = 0; j < g.my; ++j)
@@ -124,8 +122,7 @@ std::optional<PatchBox> contact_box(const Outcome& o) {
       j0 = std::min(j0, j), j1 = std::max(j1, j);
     }
   if (i1 < 0) return {};
-  return PatchBox{per_m * (g.x(i0) - g.dx / 2), per_m * (g.x(i1) + g.dx / 2), per_m * (g.y(j0) - g.dy / 2),
-                  per_m * (g.y(j1) + g.dy / 2)};
+  return PatchBox{g.x(i0) - g.dx / 2, g.x(i1) + g.dx / 2, g.y(j0) - g.dy / 2, g.y(j1) + g.dy / 2};
 }
 
 PatchMotion motion_of(const Case& right, const Placement& placement, const PatchFrame& frame,
@@ -139,7 +136,7 @@ PatchMotion motion_of(const Case& right, const Placement& placement, const Patch
   return surface_motion(data, placement, frame, distance, rail / (rail + wheel), RollingData().facphi, is_shift);
 }
 
-constexpr double least_step = 1e-12;
+constexpr double least_step = 1e-12; ///< of a rate of rotation, over it; of a deflection over 1 mm
 
 /// Returns whether a search ends: what it looks for is there, or cannot be brought any nearer.
 bool ends(const PrescribedForce& force, int step, std::optional<double> width, double least_width) {
@@ -149,8 +146,8 @@ bool ends(const PrescribedForce& force, int step, std::optional<double> width, d
 std::vector<std::string> notes_of(const std::vector<NearMiss>& misses) {
   std::vector<std::string> notes;
   for (const NearMiss& miss : misses)
-    notes.push_back("G_MISS: near miss at x = " + short_number(miss.x) + ", y = " + short_number(miss.y) + " mm, gap " +
-                    short_number(miss.gap) + " mm; the patches do not reach for it");
+    notes.push_back("G_MISS: near miss at x = " + short_number(miss.x / mm) + ", y = " + short_number(miss.y / mm) +
+                    " mm, gap " + short_number(miss.gap / mm) + " mm; the patches do not reach for it");
   return notes;
 }
 
@@ -237,7 +234,7 @@ Outcome WheelRailSolver::find_deflection(const Case& right, const Progress& prog
                             : find_settlement(right, dy, depth, progress);
     if (!outcome.wheel) return outcome;
     const PrescribedForce on_spring = side_spring(right, *outcome.wheel);
-    if (ends(on_spring, k, search ? search->width() : std::nullopt, least_step)) return outcome;
+    if (ends(on_spring, k, search ? search->width() : std::nullopt, least_step * mm)) return outcome;
     if (!search) search.emplace(std::copysign(support.first_step, on_spring.missing()));
     dy = search->next(dy, on_spring.missing());
   }
@@ -487,9 +484,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     WheelPatch& patch = wheel.patches.back();
     const Wrench sum = frame.rows.empty() ? Wrench{force_of(o), moments(o)} : aggregate(o, frame);
     if (!frame.rows.empty()) set_totals(*patch.solution, sum, patch.contact.spin_x);
-    constexpr double per_m = 1e3;
-    patch.solution->damping =
-        damping_force(patch.contact, o.step.motion.step * per_m, sum.force, tracks_[k].force_before);
+    patch.solution->damping = damping_force(patch.contact, o.step.motion.step, sum.force, tracks_[k].force_before);
     const Vec force = axes * (sum.force + patch.solution->damping.value_or(Vec{})), moment = axes * sum.moment;
     patch.track = wrench({placement.rail.origin, {}}, frame.reference.origin, force, moment);
     patch.wheelset = wrench({placement.wheel.origin, placement.wheelset.axes}, frame.reference.origin, force, moment);

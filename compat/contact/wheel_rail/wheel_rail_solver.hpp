@@ -28,7 +28,7 @@ public:
   ProfileShape profile(const ProfileRecord& record, ProfileRole role);
 
 private:
-  /// Part that a patch takes over of one of the case before: the elements between two lines of s [mm].
+  /// Part that a patch takes over of one of the case before: the elements between two lines of s [m].
   struct Part {
     std::size_t origin = 0; ///< which patch
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -36,14 +36,14 @@ private:
     friend bool operator==(const Part&, const Part&) = default;
   };
 
-  /// A row of elements: where it lies across the track [mm], and its normal force [N].
+  /// A row of elements: where it lies across the track [m], and its normal force [N].
   struct RowLoad {
     double y = 0, load = 0;
   };
 
   /// A patch that is followed from case to case.
   struct TrackedPatch {
-    double y0 = 0, y1 = 0; ///< its extent across the track [mm]
+    double y0 = 0, y1 = 0; ///< its extent across the track [m]
     std::shared_ptr<CaseSolver> solver;
     bool is_new = true;   ///< without a solution of this case
     bool carries = false; ///< whether its solver was given `parts` in this case

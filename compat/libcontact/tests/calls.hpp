@@ -8,13 +8,17 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace microslip::libcontact {
 
 inline constexpr int whole = -1;
+inline const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
 
 inline int size_of(const auto& values) {
   return static_cast<int>(values.size());
@@ -74,6 +78,52 @@ inline int set(WheelSetter setter, int ire, int method, Values values) {
   return setter(&ire, &method, &count, values.data());
 }
 
+/// ire, icp, numbers.
+template <class... Numbers, class... Given>
+int set(int (*setter)(int*, int*, Numbers...), int ire, int icp,
+        Given... numbers) requires(sizeof...(Numbers) == sizeof...(Given) &&
+                                   (std::is_same_v<Numbers, double*> && ...)) {
+  const auto call = [&](auto... values) { return setter(&ire, &icp, &values...); };
+  return call(static_cast<double>(numbers)...);
+}
+inline int set_force(int ire, double force) {
+  return cntc_setverticalforce(&ire, &force);
+}
+
+/// A call as programs make it, of an element and a contact problem, or whole: its numbers, some of which may be others.
+struct Setting {
+  std::function<int(int ire, int icp, Values numbers)> set;
+  Values numbers;
+
+  int operator()(int ire, int icp) const { return set(ire, icp, numbers); }
+};
+inline Setting by(Setter setter, int method, Values numbers) {
+  return {[=](int ire, int icp, Values v) { return set(setter, ire, icp, method, std::move(v)); }, std::move(numbers)};
+}
+inline Setting by(WheelSetter setter, int method, Values numbers) {
+  return {[=](int ire, int, Values v) { return set(setter, ire, method, std::move(v)); }, std::move(numbers)};
+}
+template <class... Numbers> Setting by(int (*setter)(int*, int*, Numbers...), Values numbers) {
+  return {[=](int ire, int icp, Values v) {
+            v.resize(sizeof...(Numbers));
+            return [&]<std::size_t... k>(std::index_sequence<k...>) {
+              return setter(&ire, &icp, &v[k]...);
+            }
+            (std::index_sequence_for<Numbers...>());
+          },
+          std::move(numbers)};
+}
+inline Setting by_flag(int code, int value) {
+  return {[=](int ire, int icp, const Values&) { return set_flag(ire, icp, code, value); }, {}};
+}
+inline Setting by_force(double force) {
+  return {[](int ire, int, Values v) { return set_force(ire, v.empty() ? 0 : v[0]); }, {force}};
+}
+inline int set_profile(int ire, const std::string& file, int type);
+inline Setting by_profile(const std::string& file, int type) {
+  return {[=](int ire, int, const Values&) { return set_profile(ire, file, type); }, {}};
+}
+
 /// Numbers of a function that fills an array.
 inline Values list(int (*getter)(int*, int*, int*, double*), int ire, int icp, int count) {
   Values values(static_cast<std::size_t>(count));
@@ -94,6 +144,16 @@ template <class... Places> Values scalars(int (*getter)(int*, int*, Places...), 
   if (call(std::index_sequence_for<Places...>()) < 0) return {};
   return values;
 }
+inline Values parameters(int ire, int icp, int task, int count) {
+  Values values(static_cast<std::size_t>(count));
+  return cntc_getparameters(&ire, &icp, &task, &count, values.data()) < 0 ? Values() : values;
+}
+/// Four outputs by the four inputs in turn.
+inline Values sensitivities(int ire, int icp) {
+  int four = 4;
+  Values values(16);
+  return cntc_getsensitivities(&ire, &icp, &four, &four, values.data()) < 0 ? Values() : values;
+}
 inline int elements(int ire, int icp) {
   int mx = 0, my = 0;
   return cntc_getnumelements(&ire, &icp, &mx, &my) < 0 ? 0 : mx * my;
@@ -103,8 +163,6 @@ inline int patches(int ire) {
   cntc_getnumcontactpatches(&ire, &count);
   return count;
 }
-
-inline const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
 
 inline int set_profile(int ire, const std::string& file, int type) {
   int length = size_of(file), ints = 3, reals = 2, choices[3] = {type, 0, 0};
@@ -121,7 +179,7 @@ inline int set_up_wheel(int ire, bool is_right, double force = 80e3) {
       set_flag(ire, whole, CNTC_ic_pvtime, 2),
       set(cntc_setmaterialparameters, ire, whole, 0, {0.28, 0.28, 82000, 82000}),
       set(cntc_setfrictionmethod, ire, whole, 0, {0.3, 0.3}),
-      cntc_setverticalforce(&ire, &force),
+      set_force(ire, force),
       set(cntc_setpotcontact, ire, whole, -1, {0.5, 0.5, 1.5707963267948966, 8, 4}),
       set(cntc_settrackdimensions, ire, 3, {14, 0, 1435, 0.05, 0, 0, 0, 0, 0, 0, 0}),
       set_profile(ire, profiles + "60e1.prr", 0),
@@ -141,7 +199,6 @@ inline int set_wheel_state(int ire, double y) {
 
 /// A sphere on a plane of module 3 in steady rolling.
 inline int set_up_sphere(int ire, int icp) {
-  double speed = 1000, chi = 0, step = 0.2, force = 1000, xi = 1e-3, eta = -5e-4, phi = 1e-4;
   const int codes[] = {
       set_flag(ire, icp, CNTC_ic_tang, 3),
       set_flag(ire, icp, CNTC_ic_pvtime, 2),
@@ -149,10 +206,10 @@ inline int set_up_sphere(int ire, int icp) {
       set(cntc_setfrictionmethod, ire, icp, 0, {0.3, 0.3}),
       set(cntc_setpotcontact, ire, icp, 1, {21, 21, -1.05, -1.05, 0.1, 0.1}),
       set(cntc_setundeformeddistc, ire, icp, 1, {0.005, 0, 0.005, 0, 0, 0}),
-      cntc_setreferencevelocity(&ire, &icp, &speed),
-      cntc_setrollingstepsize(&ire, &icp, &chi, &step),
-      cntc_setnormalforce(&ire, &icp, &force),
-      cntc_setcreepages(&ire, &icp, &xi, &eta, &phi),
+      set(cntc_setreferencevelocity, ire, icp, 1000),
+      set(cntc_setrollingstepsize, ire, icp, 0, 0.2),
+      set(cntc_setnormalforce, ire, icp, 1000),
+      set(cntc_setcreepages, ire, icp, 1e-3, -5e-4, 1e-4),
   };
   for (const int code : codes)
     if (code != 0) return code;

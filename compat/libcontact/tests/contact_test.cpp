@@ -135,11 +135,9 @@ TEST_F(ContactProblems, HaveLayersThatYield) {
 }
 
 TEST_F(ContactProblems, AreHertzs) {
-  int ire = 7, icp = 1;
-  double force = 10e3;
   ASSERT_EQ(set(cntc_setmaterialparameters, 7, 1, 0, {0.28, 0.28, 82000, 82000}), 0);
   ASSERT_EQ(set(cntc_sethertzcontact, 7, 1, -1, {30, 30, 0.001, 0.002, 1.2}), 0);
-  ASSERT_EQ(cntc_setnormalforce(&ire, &icp, &force), 0);
+  ASSERT_EQ(set(cntc_setnormalforce, 7, 1, 10e3), 0);
   ASSERT_EQ(calculate(7, 1), 0) << library_.log();
   const Values h = list(cntc_gethertzcontact, 7, 1, 10);
   const HertzContact wanted = hertz_from_load({1, 2}, combine({82e9, 0.28}, {82e9, 0.28}), 10e3);
@@ -162,18 +160,16 @@ TEST_F(ContactProblems, CountElementsAtTheBorder) {
 
 /// As exact as differences of the whole solution can be.
 TEST_F(ContactProblems, HaveSensitivities) {
-  int ire = 7, icp = 1, four = 4;
   ASSERT_EQ(set_up_sphere(7, 1), 0);
   ASSERT_EQ(set_flag(7, 1, CNTC_ic_sens, 3), 0);
   ASSERT_EQ(calculate(7, 1), 0);
-  Values s(16);
-  ASSERT_EQ(cntc_getsensitivities(&ire, &icp, &four, &four, s.data()), 0);
+  const Values s = sensitivities(7, 1);
+  ASSERT_EQ(s.size(), 16u);
   const double approach = scalars(cntc_getpenetration, 7, 1)[0];
   EXPECT_NEAR(s[0] * approach / 1000, 1.5, 0.05) << "Hertz: FN ~ approach^1.5";
-  double xi = 1e-3, eta = -5e-4, phi = 1e-4;
-  const double step = 1e-6;
+  const double xi = 1e-3, step = 1e-6;
   const auto ratio = [&](double x) {
-    EXPECT_EQ(cntc_setcreepages(&ire, &icp, &x, &eta, &phi), 0);
+    EXPECT_EQ(set(cntc_setcreepages, 7, 1, x, -5e-4, 1e-4), 0);
     EXPECT_EQ(calculate(7, 1), 0);
     return scalars(cntc_getcontactforces, 7, 1)[1] / 300;
   };
@@ -185,17 +181,11 @@ TEST_F(ContactProblems, HaveSensitivities) {
 TEST_F(ContactProblems, TellTheirParameters) {
   ASSERT_EQ(set_up_sphere(7, 1), 0);
   ASSERT_EQ(calculate(7, 1), 0);
-  const auto parameters = [](int task, int count) {
-    int ire = 7, icp = 1;
-    Values values(static_cast<std::size_t>(count));
-    EXPECT_EQ(cntc_getparameters(&ire, &icp, &task, &count, values.data()), 0);
-    return values;
-  };
-  EXPECT_EQ(parameters(1, 3), (Values{1000, 0, 0.2}));
-  const Values material = parameters(2, 7);
+  EXPECT_EQ(parameters(7, 1, 1, 3), (Values{1000, 0, 0.2}));
+  const Values material = parameters(7, 1, 2, 7);
   EXPECT_NEAR(material[2], 82000, 1e-9);
   EXPECT_NEAR(material[6], 0, 1e-15) << "K of similar bodies";
-  EXPECT_EQ(parameters(3, 7), (Values{0, 1, 0, 0, 0, 0.3, 0.3}));
+  EXPECT_EQ(parameters(7, 1, 3, 7), (Values{0, 1, 0, 0, 0, 0.3, 0.3}));
   const auto flag = [](int code) {
     int ire = 7, icp = 1, one = 1, value = -1;
     EXPECT_EQ(cntc_getflags(&ire, &icp, &one, &code, &value), 0);

@@ -60,11 +60,11 @@ TEST(Defaults, AreTheNumbersOfNewWheels) {
   int ire = 1, icp = whole, count = 6;
   double dx = 0, ds = 0, force = 80e3;
   ASSERT_EQ(cntc_getgriddiscretization(&ire, &icp, &dx, &ds), 0);
-  EXPECT_EQ(dx, default_of("DX", DefaultOf::wheel));
-  EXPECT_EQ(ds, default_of("DS", DefaultOf::wheel));
+  EXPECT_EQ(dx, default_in_file("DX", DefaultOf::wheel));
+  EXPECT_EQ(ds, default_in_file("DS", DefaultOf::wheel));
   Values velocity(6);
   ASSERT_EQ(cntc_getwheelsetvelocity(&ire, &count, velocity.data()), 0);
-  EXPECT_EQ(velocity, (Values{default_of("VS", DefaultOf::wheel), 0, 0, 0, 0, 0}));
+  EXPECT_EQ(velocity, (Values{default_in_file("VS", DefaultOf::wheel), 0, 0, 0, 0, 0}));
   // Those of the track and the wheelset are the ones of the example, so that profiles alone make a contact.
   const auto forces = [&](int element, bool is_set) {
     if (is_set) {
@@ -91,47 +91,28 @@ TEST(Defaults, AreTheNumbersOfNewWheels) {
 TEST(Defaults, AreTheNumbersOfNewContactProblems) {
   const UninitializedLibrary library;
   ASSERT_EQ(set(cntc_setpotcontact, 3, 1, 1, {5, 5, -.25, -.25, .1, .1}), 0);
-  int ire = 3, icp = 1;
-  double approach = 0.05;
-  ASSERT_EQ(cntc_setpenetration(&ire, &icp, &approach), 0);
+  const double approach = 0.05;
+  ASSERT_EQ(set(cntc_setpenetration, 3, 1, approach), 0);
   ASSERT_GE(calculate(3, 1), 0);
-  const auto parameters = [&](int task, int count) {
-    Values values(static_cast<std::size_t>(count));
-    EXPECT_EQ(cntc_getparameters(&ire, &icp, &task, &count, values.data()), 0);
-    return values;
-  };
-  EXPECT_EQ(parameters(1, 3),
-            (Values{default_of("VELOC", DefaultOf::contact), 0, default_of("DQ", DefaultOf::contact)}));
-  EXPECT_EQ(parameters(2, 18),
-            (Values{default_of("GG1"), default_of("GG2"), 1, default_of("POISS1"), default_of("POISS2"),
-                    default_of("POISS1"), 0, default_of("FLX"), default_of("FLX"), 0, default_of("K0_MF"),
-                    default_of("ALFAMF"), default_of("BETAMF"), 0, default_of("GG3"), 0, 0, 0}));
-  EXPECT_EQ(parameters(3, 7), (Values{default_of("L"), 1, 0, 0, 0, default_of("FSTAT"), default_of("FKIN")}));
+  EXPECT_EQ(parameters(3, 1, 1, 3),
+            (Values{default_in_file("VELOC", DefaultOf::contact), 0, default_in_file("DQ", DefaultOf::contact)}));
+  EXPECT_EQ(
+      parameters(3, 1, 2, 18),
+      (Values{default_in_file("GG1"), default_in_file("GG2"), 1, default_in_file("POISS1"), default_in_file("POISS2"),
+              default_in_file("POISS1"), 0, default_in_file("FLX"), default_in_file("FLX"), 0, default_in_file("K0_MF"),
+              default_in_file("ALFAMF"), default_in_file("BETAMF"), 0, default_in_file("GG3"), 0, 0, 0}));
+  EXPECT_EQ(parameters(3, 1, 3, 7),
+            (Values{default_in_file("L"), 1, 0, 0, 0, default_in_file("FSTAT"), default_in_file("FKIN")}));
   EXPECT_EQ(scalars(cntc_getcreepages, 3, 1), (Values{0, 0, 0}));
   const Values h = field(3, 1, CNTC_fld_h, 25);
   EXPECT_NEAR(h[0], 2 * 0.2 * 0.2 - approach, 1e-15) << "h = x2 + y2";
 }
 
 /// Of a contact that rolls steadily, with all else as it is by default.
-const std::vector<std::function<int(int, int)>> setters_of_a_contact = {
-    [](int ire, int icp) {
-      return set(cntc_setmaterialparameters, ire, icp, 0, {.28, .28, 82000, 82000});
-    },
-    [](int ire, int icp) {
-      return set(cntc_setfrictionmethod, ire, icp, 0, {.3, .3});
-    },
-    [](int ire, int icp) {
-      return set(cntc_sethertzcontact, ire, icp, -3, {21, 21, 4, 4, 21. / 17});
-    },
-    [](int ire, int icp) {
-      double force = 1e4;
-      return cntc_setnormalforce(&ire, &icp, &force);
-    },
-    [](int ire, int icp) {
-      double vx = 0.001, vy = 0, phi = 0;
-      return cntc_setcreepages(&ire, &icp, &vx, &vy, &phi);
-    },
-};
+const std::vector<Setting> setters_of_a_contact = {
+    by(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000}), by(cntc_setfrictionmethod, 0, {.3, .3}),
+    by(cntc_sethertzcontact, -3, {21, 21, 4, 4, 21. / 17}), by(cntc_setnormalforce, {1e4}),
+    by(cntc_setcreepages, {0.001, 0, 0})};
 
 /// The number is CONTACT's, of the same calls.
 TEST(Defaults, AreThoseOfContactsOwnPrograms) {
@@ -168,43 +149,25 @@ TEST(Setters, OfAContactMayComeInAnyOrder) {
 
 TEST(Setters, OfAWheelMayComeInAnyOrder) {
   const UninitializedLibrary library;
-  const std::vector<std::function<int()>> setters = {
-      [] { return set_flag(1, whole, CNTC_ic_config, 0); },
-      [] {
-        return set(cntc_setmaterialparameters, 1, whole, 0, {.28, .28, 82000, 82000});
-      },
-      [] {
-        return set(cntc_setfrictionmethod, 1, whole, 0, {.25, .25});
-      },
-      [] {
-        int ire = 1;
-        double force = 60e3;
-        return cntc_setverticalforce(&ire, &force);
-      },
-      [] {
-        return set(cntc_setpotcontact, 1, whole, -1, {.5, .5, 1.57, 8, 4});
-      },
-      [] {
-        return set(cntc_settrackdimensions, 1, 3, {14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0});
-      },
-      [] { return set_profile(1, profiles + "60e1.prr", 0); },
-      [] {
-        return set(cntc_setwheelsetdimensions, 1, 3, {1360, -70, 460});
-      },
-      [] { return set_profile(1, profiles + "s1002.prw", 1); },
-      [] {
-        return set(cntc_setwheelsetposition, 1, 2, {0, 3, 0, -3e-4, 6e-3, 0});
-      },
-      [] {
-        return set(cntc_setwheelsetvelocity, 1, 2, {30e3, 0, 0, 0, 0, -30e3 / 460.3});
-      },
+  const std::vector<Setting> setters = {
+      by_flag(CNTC_ic_config, 0),
+      by(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000}),
+      by(cntc_setfrictionmethod, 0, {.25, .25}),
+      by_force(60e3),
+      by(cntc_setpotcontact, -1, {.5, .5, 1.57, 8, 4}),
+      by(cntc_settrackdimensions, 3, {14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0}),
+      by_profile(profiles + "60e1.prr", 0),
+      by(cntc_setwheelsetdimensions, 3, {1360, -70, 460}),
+      by_profile(profiles + "s1002.prw", 1),
+      by(cntc_setwheelsetposition, 2, {0, 3, 0, -3e-4, 6e-3, 0}),
+      by(cntc_setwheelsetvelocity, 2, {30e3, 0, 0, 0, 0, -30e3 / 460.3}),
   };
   std::vector<std::size_t> order(setters.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::mt19937 chance(1);
   Values wanted;
   for (int round = 0; round < 12; ++round) {
-    for (const std::size_t k : order) ASSERT_EQ(setters[k](), 0) << k;
+    for (const std::size_t k : order) ASSERT_EQ(setters[k](1, whole), 0) << k;
     ASSERT_GE(calculate(1), 0);
     const Values found = list(cntc_getglobalforces, 1, whole, 24);
     if (wanted.empty()) wanted = found;

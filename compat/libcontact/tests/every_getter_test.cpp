@@ -2,6 +2,7 @@
 // order: in C and in Fortran the same, and those of the same cases as an input file.
 
 #include "compat/contact/plastic_deformation.hpp"
+#include "compat/contact/records.hpp"
 #include "compat/contact/run.hpp"
 #include "compat/contact/sensitivities.hpp"
 #include "compat/contact/set_up.hpp"
@@ -99,13 +100,13 @@ private:
         std::tie(outcome_.solution.tangential.tractions.px, outcome_.solution.tangential.tractions.py);
     double traction = 0;
     for (std::size_t k = 0; k < px.size(); ++k) traction = std::max(traction, std::hypot(px[k], py[k]) * 1e-6);
-    add("cntc_getreferencevelocity", {case_.rolling->veloc});
+    add("cntc_getreferencevelocity", {case_.rolling->veloc * 1e3});
     add("cntc_getgriddiscretization", {dx, dy});
     add("cntc_getpotcontact", {double(g.mx), double(g.my), g.x0 * 1e3, g.y0 * 1e3, dx, dy});
     add("cntc_getnumelements", {double(g.mx), double(g.my)});
     add("cntc_getpenetration", {t.approach});
     add("cntc_getcreepages",
-        {case_.digits.force == Prescribed::creepages ? slip_of(case_.x) : t.x, slip_of(case_.y), case_.phi});
+        {case_.digits.force == Prescribed::creepages ? slip_of(case_.x) : t.x, slip_of(case_.y), case_.phi * 1e-3});
     add("cntc_getcontactforces", {t.fn, t.fx, t.fy, t.mz});
     add("cntc_getcontactpatchareas", {t.contact * element, t.adhesion * element, t.slip * element});
     add("cntc_getmaximumpressure", {t.peak_pressure});
@@ -128,18 +129,27 @@ private:
   void add_parameters() {
     const MaterialData& m = *case_.material;
     const bool has_layer = case_.digits.mater == Bulk::layer;
-    add("cntc_getparameters_1",
-        {case_.rolling->veloc, case_.rolling->chi, case_.rolling->dq, 0, 0, has_layer ? m.model_data[2] : 0});
-    const double flx = has_layer ? m.model_data[1] / m.model_data[0] : 1e-5;
-    Values of_material = {
-        m.shear1, m.shear2, m.shear1, m.poisson1, m.poisson2, m.poisson1, 0, flx, flx, has_layer ? flx : 0, 1, 1, 1,
-        0,        1,        0,        0,          0,          0,          0, 0,   0};
-    if (has_layer) std::copy(m.model_data.begin(), m.model_data.end(), of_material.begin() + 14);
+    add("cntc_getparameters_1", {case_.rolling->veloc * 1e3, case_.rolling->chi, case_.rolling->dq * 1e3, 0, 0,
+                                 has_layer ? m.model_data[2] * 1e-6 : 0});
+    const double flx = has_layer ? m.model_data[1] / m.model_data[0] * 1e9 : 1e-5, shear = m.shear1 * 1e-6;
+    Values of_material = {shear,      m.shear2 * 1e-6,
+                          shear,      m.poisson1,
+                          m.poisson2, m.poisson1,
+                          0,          flx,
+                          flx,        has_layer ? flx : 0,
+                          1,          1,
+                          1,          0,
+                          1,          0,
+                          0,          0,
+                          0,          0,
+                          0,          0};
+    if (has_layer) std::ranges::copy(in_file(m.model_data, units_of_model(Bulk::layer)), of_material.begin() + 14);
     add("cntc_getparameters_2", of_material);
     const auto& set = case_.friction.sets.at(0);
     const bool falls = case_.friction.law == Law::exponential;
-    add("cntc_getparameters_3", {double(number(case_.friction.law)), 1, falls ? set[5] : 0, falls ? set[6] : 0, 0,
-                                 falls ? set[0] + set[1] + set[3] : set[0], falls ? set[0] : set[1]});
+    add("cntc_getparameters_3",
+        {double(number(case_.friction.law)), 1, falls ? set[5] * 1e3 : 0, falls ? set[6] * 1e3 : 0, 0,
+         falls ? set[0] + set[1] + set[3] : set[0], falls ? set[0] : set[1]});
   }
 
   void add_field(int code, Values values) { add("cntc_getfielddata_" + std::to_string(code), std::move(values)); }
@@ -161,7 +171,7 @@ private:
       wy[k] = creepage.lateral + creepage.spin * (x + ahead);
       if (has_layer) {
         const auto& v = case_.material->model_data;
-        yield[k] = v[2] + v[3] * 1e3 * outcome_.solution.slip_friction.deformation.at(k);
+        yield[k] = 1e-6 * (v[2] + v[3] * outcome_.solution.slip_friction.deformation.at(k));
       }
     }
     const Values px = scaled(t.tractions.px, 1e-6, count), py = scaled(t.tractions.py, 1e-6, count),
@@ -229,26 +239,28 @@ Lines wheel_lines(const Case& c, const Outcome& o, int ire) {
   const WheelOutcome& w = *o.wheel;
   const auto& at = c.wheel_rail->position;
   const auto& moves = c.wheel_rail->velocity;
+  constexpr double mm = 1e3; // in a metre
   const auto forces = [](const Wrench& track, const Wrench& wheelset) {
-    return Values{track.force.x,    track.force.y,     track.force.z,     track.moment.x,
-                  track.moment.y,   track.moment.z,    wheelset.force.x,  wheelset.force.y,
-                  wheelset.force.z, wheelset.moment.x, wheelset.moment.y, wheelset.moment.z};
+    Values all;
+    for (const auto& [force, moment] : {track, wheelset})
+      all.insert(all.end(), {force.x, force.y, force.z, mm * moment.x, mm * moment.y, mm * moment.z});
+    return all;
   };
   Lines lines;
   lines[key_of("cntc_getnumcontactpatches", ire, whole)] = {double(w.patches.size())};
-  lines[key_of("cntc_getwheelsetposition", ire, whole)] = {at.s, at.y, w.z, at.roll, at.yaw, at.pitch};
-  lines[key_of("cntc_getwheelsetvelocity", ire, whole)] = {moves.vs,    moves.vy,   moves.vz,
-                                                           moves.vroll, moves.vyaw, w.vpitch};
-  lines[key_of("cntc_getgriddiscretization", ire, whole)] = {c.wheel_rail->grid.dx, c.wheel_rail->grid.ds};
+  lines[key_of("cntc_getwheelsetposition", ire, whole)] = {mm * at.s, mm * at.y, mm * w.z, at.roll, at.yaw, at.pitch};
+  lines[key_of("cntc_getwheelsetvelocity", ire, whole)] = {mm * moves.vs, mm * moves.vy, mm * moves.vz,
+                                                           moves.vroll,   moves.vyaw,    w.vpitch};
+  lines[key_of("cntc_getgriddiscretization", ire, whole)] = {mm * c.wheel_rail->grid.dx, mm * c.wheel_rail->grid.ds};
   lines[key_of("cntc_getglobalforces", ire, whole)] = forces(w.track, w.wheelset);
   for (std::size_t k = 0; k < w.patches.size(); ++k) {
     const WheelPatch& patch = w.patches[k];
     const PatchLocation& l = patch.location;
     const int icp = static_cast<int>(k) + 1;
     lines[key_of("cntc_getglobalforces", ire, icp)] = forces(patch.track, patch.wheelset);
-    lines[key_of("cntc_getcontactlocation", ire, icp)] = {l.track.x,       l.track.y, l.track.z, l.angle,
-                                                          l.rail.x,        l.rail.y,  l.rail.z,  patch.s_rail,
-                                                          l.angle_on_rail, l.wheel.x, l.wheel.y, l.wheel.z};
+    lines[key_of("cntc_getcontactlocation", ire, icp)] = {
+        mm * l.track.x, mm * l.track.y,    mm * l.track.z,  l.angle,        mm * l.rail.x,  mm * l.rail.y,
+        mm * l.rail.z,  mm * patch.s_rail, l.angle_on_rail, mm * l.wheel.x, mm * l.wheel.y, mm * l.wheel.z};
     lines.merge(Expected(patch.contact, *patch.solution, ire, icp).lines());
   }
   return lines;

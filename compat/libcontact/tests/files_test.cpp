@@ -68,8 +68,6 @@ TEST_F(Files, AreNotWrittenUnlessAskedFor) {
 
 /// A sphere that is pressed on and shifted, with another contact in between.
 TEST_F(Files, OfContactsHaveTheNumbersOfThoseOfTheProgram) {
-  int ire = 3, two = 2;
-  double fx = 0.5, fy = -0.1;
   for (const int icp : {1, 2}) {
     ASSERT_EQ(set_up_sphere(3, icp), 0);
     ask_for_all(3, icp);
@@ -82,7 +80,7 @@ TEST_F(Files, OfContactsHaveTheNumbersOfThoseOfTheProgram) {
   ASSERT_EQ(set_flag(3, 2, CNTC_ic_tang, 1), 0);
   ASSERT_EQ(set_flag(3, 2, CNTC_ic_pvtime, 0), 0);
   ASSERT_EQ(set_flag(3, 2, CNTC_ic_force, 2), 0);
-  ASSERT_EQ(cntc_settangentialforces(&ire, &two, &fx, &fy), 0);
+  ASSERT_EQ(set(cntc_settangentialforces, 3, 2, 0.5, -0.1), 0);
   ASSERT_EQ(calculate(3, 2), 0);
   const auto cases = run_written();
   ASSERT_EQ(cases.size(), 3u);
@@ -101,97 +99,71 @@ TEST_F(Files, OfContactsHaveTheNumbersOfThoseOfTheProgram) {
   EXPECT_EQ(folder_.entries().size(), 5u);
 }
 
+/// Of the 21 x 21 elements of set_up_sphere.
+Values distances() {
+  Values h;
+  for (int j = -10; j <= 10; ++j)
+    for (int i = -10; i <= 10; ++i) h.push_back(5e-5 * (i * i + j * j));
+  return h;
+}
+
 /// Setters of module 3 whose data an input file has in places of their own.
-const std::map<std::string, std::function<int(int)>> settings = {
-    {"an ellipse",
-     [](int ire) {
-       return set(cntc_sethertzcontact, ire, 1, -3, {12, 12, 1, .8, 1.2});
-     }},
-    {"two half ellipses",
-     [](int ire) {
-       return set(cntc_sethertzcontact, ire, 1, -6, {12, 12, 1, .8, .6, 1.2}) + set_flag(ire, 1, CNTC_ic_bound, 4);
-     }},
-    {"damping",
-     [](int ire) {
-       return set(cntc_setmaterialparameters, ire, 1, 12, {1e-4, 2e-4, 1e30, 1e30});
-     }},
-    {"creeping bodies",
-     [](int ire) {
-       return set(cntc_setmaterialparameters, ire, 1, 1, {.28, .28, 82000, 82000, 1, 1, .001, .001});
-     }},
+const std::map<std::string, std::vector<Setting>> settings = {
+    {"an ellipse", {by(cntc_sethertzcontact, -3, {12, 12, 1, .8, 1.2})}},
+    {"two half ellipses", {by(cntc_sethertzcontact, -6, {12, 12, 1, .8, .6, 1.2}), by_flag(CNTC_ic_bound, 4)}},
+    {"damping", {by(cntc_setmaterialparameters, 12, {1e-4, 2e-4, 1e30, 1e30})}},
+    {"creeping bodies", {by(cntc_setmaterialparameters, 1, {.28, .28, 82000, 82000, 1, 1, .001, .001})}},
     {"FASTSIM",
-     [](int ire) {
-       return set(cntc_sethertzcontact, ire, 1, -3, {12, 12, 1, .8, 1.2}) + set_flag(ire, 1, CNTC_ic_bound, 3) +
-              set(cntc_setmaterialparameters, ire, 1, 3, {.28, .28, 82000, 82000, 1, 1, 1});
-     }},
+     {by(cntc_sethertzcontact, -3, {12, 12, 1, .8, 1.2}), by_flag(CNTC_ic_bound, 3),
+      by(cntc_setmaterialparameters, 3, {.28, .28, 82000, 82000, 1, 1, 1})}},
     {"a layer that is heated",
-     [](int ire) {
-       return set(cntc_setmaterialparameters, ire, 1, 4, {.28, .28, 82000, 82000, 8200, .02, 60, 500}) +
-              set(cntc_settemperaturedata, ire, 1, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, .7});
-     }},
+     {by(cntc_setmaterialparameters, 4, {.28, .28, 82000, 82000, 8200, .02, 60, 500}),
+      by(cntc_settemperaturedata, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, .7})}},
     {"friction that falls with temperature",
-     [](int ire) {
-       return set(cntc_settemperaturedata, ire, 1, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6}) +
-              set(cntc_setfrictionmethod, ire, 1, 6, {.3, 20, -.1, 800, .001, 10});
-     }},
-    {"an approach, in metres",
-     [](int ire) {
-       int icp = 1;
-       double approach = 3e-6;
-       return set_flag(ire, 1, CNTC_if_units, CNTC_un_spck) + cntc_setpenetration(&ire, &icp, &approach);
-     }},
-    {"distances of the elements",
-     [](int ire) {
-       Values h;
-       for (int j = -10; j <= 10; ++j)
-         for (int i = -10; i <= 10; ++i) h.push_back(5e-5 * (i * i + j * j));
-       return set(cntc_setundeformeddistc, ire, 1, 9, h);
-     }},
-    {"waves",
-     [](int ire) {
-       return set(cntc_setundeformeddistc, ire, 1, 3, {.005, 0, .005, 0, 1e-5, 2, 1, .3});
-     }},
+     {by(cntc_settemperaturedata, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6}),
+      by(cntc_setfrictionmethod, 6, {.3, 20, -.1, 800, .001, 10})}},
+    {"an approach, in metres", {by_flag(CNTC_if_units, CNTC_un_spck), by(cntc_setpenetration, {3e-6})}},
+    {"distances of the elements", {by(cntc_setundeformeddistc, 9, distances())}},
+    {"waves", {by(cntc_setundeformeddistc, 3, {.005, 0, .005, 0, 1e-5, 2, 1, .3})}},
     {"slip of the elements",
-     [](int ire) {
-       int icp = 1, count = 441;
-       Values wx(441, 1e-4), wy(441, -2e-4);
-       return cntc_setextrarigidslip(&ire, &icp, &count, wx.data(), wy.data());
-     }},
+     {{[](int ire, int icp, Values) {
+         int count = 441;
+         Values wx(441, 1e-4), wy(441, -2e-4);
+         return cntc_setextrarigidslip(&ire, &icp, &count, wx.data(), wy.data());
+       },
+       {}}}},
     {"forces, and elements that are bilinear",
-     [](int ire) {
-       int icp = 1;
-       double fx = .4, fy = .1;
-       return set_flag(ire, 1, CNTC_ic_force, 2) + set_flag(ire, 1, CNTC_ic_inflcf, 3) +
-              cntc_settangentialforces(&ire, &icp, &fx, &fy);
-     }},
+     {by_flag(CNTC_ic_force, 2), by_flag(CNTC_ic_inflcf, 3), by(cntc_settangentialforces, {.4, .1})}},
     {"solvers",
-     [](int ire) {
-       int icp = 1, method = 3, ints = 5, reals = 4, counts[5] = {500, 30, 20, 2, -2};
-       double numbers[4] = {1e-6, .9, 1, .4};
-       return cntc_setsolverflags(&ire, &icp, &method, &ints, counts, &reals, numbers);
-     }},
+     {{[](int ire, int icp, Values) {
+         int method = 3, ints = 5, reals = 4, counts[5] = {500, 30, 20, 2, -2};
+         double numbers[4] = {1e-6, .9, 1, .4};
+         return cntc_setsolverflags(&ire, &icp, &method, &ints, counts, &reals, numbers);
+       },
+       {}}}},
 };
 
 TEST_F(Files, HaveAllDataOfContacts) {
   int ire = 0;
-  for (const auto& [name, setting] : settings) {
+  for (const auto& [name, given] : settings) {
     ASSERT_EQ(set_up_sphere(++ire, 1), 0) << name;
     ask_for_all(ire, 1);
-    EXPECT_EQ(setting(ire), 0) << name << library_.log();
+    for (const Setting& setting : given) EXPECT_EQ(setting(ire, 1), 0) << name << library_.log();
     EXPECT_GE(calculate(ire, 1), 0) << name << library_.log();
   }
   const auto cases = run_written();
   ASSERT_EQ(cases.size(), settings.size());
   ire = 0;
-  for (const auto& [name, setting] : settings) {
+  for (const auto& [name, given] : settings) {
     const RunCase& c = cases[static_cast<std::size_t>(ire)];
     char stem[40];
     std::snprintf(stem, sizeof stem, "caddon_re%03d_cp1.0001", ++ire);
     EXPECT_EQ(mat_of(stem), mat_text(c.input, c.outcome)) << name;
     expect_in_out(c);
     const PrintedTotals& t = c.outcome.totals;
-    const double body = name.ends_with("metres") ? -1 : 1, unit = body < 0 ? 1e3 : 1;
-    EXPECT_EQ(scalars(cntc_getcontactforces, ire, 1), (Values{t.fn, body * t.fx, body * t.fy, body * t.mz / unit}))
+    const double body = name.ends_with("metres") ? -1 : 1,
+                 unit = body < 0 ? 1e-3 : 1; // [m] over that of the outcome, [mm]
+    EXPECT_EQ(scalars(cntc_getcontactforces, ire, 1), (Values{t.fn, body * t.fx, body * t.fy, body * t.mz * unit}))
         << name;
   }
 }
@@ -224,7 +196,8 @@ TEST_F(Files, OfWheelsHaveTheNumbersOfThoseOfTheProgram) {
   for (const auto& [ire, k] : {std::pair{1, 0u}, {2, 2u}}) {
     const Wrench& track = cases[k].outcome.wheel->track;
     const Values f = list(cntc_getglobalforces, ire, whole, 6);
-    EXPECT_EQ(f, (Values{track.force.x, track.force.y, track.force.z, track.moment.x, track.moment.y, track.moment.z}));
+    EXPECT_EQ(f, (Values{track.force.x, track.force.y, track.force.z, 1e3 * track.moment.x, 1e3 * track.moment.y,
+                         1e3 * track.moment.z}));
   }
   EXPECT_NE(library_.log().find("\n Case 2 for w/r contact on result element 2\n"), std::string::npos);
 }
@@ -272,7 +245,7 @@ TEST_F(Files, HavePointsInside) {
   Case c = *reader.next();
   c.digits.stress = InteriorPoints::read;
   c.subs_file = SubsFile::components;
-  c.points = {{Points::anywhere, {}, x, y, {-1, .5}}};
+  c.points = {{Points::anywhere, {}, {0, .5 * mm}, {.25 * mm}, {-mm, .5 * mm}}};
   const Outcome o = contact_program::Run().run(c);
   EXPECT_EQ(text("caddon_re003_cp4.0001.subs"), subs_text(c, o.interior));
   EXPECT_NE(library_.log().find(" SUBSURFACE STRESSES BLOCK  1:"), std::string::npos);

@@ -35,10 +35,8 @@ TEST_F(Misuse, OfElementsOfTheOtherModule) {
   EXPECT_EQ(initialize(1, 1), 0) << "once more, as in CONTACT";
   EXPECT_EQ(initialize(1, 3), CNTC_err_icp);
   EXPECT_EQ(set_up_sphere(1, whole), CNTC_err_discr) << "a potential contact of module 3";
-  int wheel = 1, contact = 3, patch = 1;
-  double number = 1;
-  EXPECT_EQ(cntc_setnormalforce(&wheel, &patch, &number), CNTC_err_icp);
-  EXPECT_EQ(cntc_setverticalforce(&contact, &number), CNTC_err_icp);
+  EXPECT_EQ(set(cntc_setnormalforce, 1, 1, 1), CNTC_err_icp);
+  EXPECT_EQ(set_force(3, 1), CNTC_err_icp);
   EXPECT_EQ(set_flag(3, 1, CNTC_ic_config, 1), CNTC_err_other);
   for (const int icp : {0, -1, -2, 10}) EXPECT_EQ(calculate(3, icp), CNTC_err_icp) << icp;
   for (const int icp : {0, 1, -2, 10}) EXPECT_EQ(calculate(1, icp), CNTC_err_icp) << icp;
@@ -133,14 +131,10 @@ TEST_F(Misuse, OfNumbersThatAreNone) {
   ASSERT_EQ(set_up_wheel(1, true), 0);
   for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(set(cntc_setwheelsetposition, 1, 2, {0, wrong, 0, 0, 0, 0}), CNTC_err_other);
-    int one = 1;
-    double force = wrong;
-    EXPECT_EQ(cntc_setverticalforce(&one, &force), CNTC_err_other);
+    EXPECT_EQ(set_force(1, wrong), CNTC_err_other);
   }
   for (const double force : {0.0, -1.0}) {
-    int one = 1;
-    double fz = force;
-    EXPECT_EQ(cntc_setverticalforce(&one, &fz), 0);
+    EXPECT_EQ(set_force(1, force), 0);
     EXPECT_EQ(calculate(1), CNTC_err_ftot);
   }
 }
@@ -149,9 +143,7 @@ TEST_F(Misuse, OfNumbersThatAreNone) {
 TEST_F(Misuse, OfNumbersThatAreTooLarge) {
   ASSERT_EQ(set_up_sphere(3, 1), 0);
   ASSERT_EQ(calculate(3, 1), 0);
-  int ire = 3, icp = 1;
-  double large = 1e300, none = 0;
-  ASSERT_EQ(cntc_setcreepages(&ire, &icp, &large, &none, &none), 0);
+  ASSERT_EQ(set(cntc_setcreepages, 3, 1, 1e300, 0, 0), 0);
   EXPECT_EQ(calculate(3, 1), CNTC_err_other);
   expect_in_log("the forces are no numbers");
   EXPECT_EQ(scalars(cntc_getcontactforces, 3, 1), Values()) << "nor is there a solution";

@@ -29,6 +29,8 @@
 namespace microslip::libcontact {
 namespace {
 
+using Limits = std::numeric_limits<double>;
+
 class Chance {
 public:
   Chance(unsigned seed, unsigned round) {
@@ -38,26 +40,19 @@ public:
 
   std::size_t below(std::size_t count) { return engine_() % count; }
   bool one_in(std::size_t count) { return below(count) == 0; }
-  template <class Value, std::size_t count> Value of(const Value (&values)[count]) { return values[below(count)]; }
+  template <class Value, std::size_t count> const Value& of(const Value (&values)[count]) {
+    return values[below(count)];
+  }
 
   /// For an angle, which is not that of a wheel on its side.
   double extreme_angle() {
-    static constexpr double values[] = {0,
-                                        -0.0,
-                                        1e-300,
-                                        1e-9,
-                                        -1e-3,
-                                        0.1,
-                                        std::numeric_limits<double>::infinity(),
-                                        std::numeric_limits<double>::quiet_NaN()};
+    static constexpr double values[] = {0, -0.0, 1e-300, 1e-9, -1e-3, 0.1, Limits::infinity(), Limits::quiet_NaN()};
     return of(values);
   }
 
   double extreme() {
-    using Limits = std::numeric_limits<double>;
     static constexpr double values[] = {0,
                                         -0.0,
-                                        Limits::denorm_min(),
                                         1e-300,
                                         1e-30,
                                         1e-9,
@@ -68,6 +63,7 @@ public:
                                         1e30,
                                         -1e30,
                                         1e300,
+                                        Limits::denorm_min(),
                                         Limits::max(),
                                         -Limits::max(),
                                         Limits::infinity(),
@@ -136,80 +132,80 @@ template <class... Places> std::function<int(Arguments&)> with_arguments(int (*f
   return [function](Arguments& arguments) { return function(arguments.get(Places{})...); };
 }
 
-#define LIBCONTACT_FUNCTION(name)                                                                                      \
-  { #name, with_arguments(name) }
+/// Those that the header declares, of which CMake makes the list.
 const Function functions[] = {
-    LIBCONTACT_FUNCTION(cntc_initializefirst),
-    LIBCONTACT_FUNCTION(cntc_initializefirst_new),
-    LIBCONTACT_FUNCTION(cntc_initialize),
-    LIBCONTACT_FUNCTION(cntc_setfileunits),
-    LIBCONTACT_FUNCTION(cntc_setglobalflags),
-    LIBCONTACT_FUNCTION(cntc_getmaxnumthreads),
-    LIBCONTACT_FUNCTION(cntc_readinpfile),
-    LIBCONTACT_FUNCTION(cntc_finalize),
-    LIBCONTACT_FUNCTION(cntc_finalizelast),
-    LIBCONTACT_FUNCTION(cntc_setflags),
-    LIBCONTACT_FUNCTION(cntc_getflags),
-    LIBCONTACT_FUNCTION(cntc_setmetadata),
-    LIBCONTACT_FUNCTION(cntc_setsolverflags),
-    LIBCONTACT_FUNCTION(cntc_setmaterialparameters),
-    LIBCONTACT_FUNCTION(cntc_setmaterialproperties),
-    LIBCONTACT_FUNCTION(cntc_settemperaturedata),
-    LIBCONTACT_FUNCTION(cntc_settimestep),
-    LIBCONTACT_FUNCTION(cntc_setrollingstepsize),
-    LIBCONTACT_FUNCTION(cntc_setfrictionmethod),
-    LIBCONTACT_FUNCTION(cntc_setpotcontact),
-    LIBCONTACT_FUNCTION(cntc_settangentialforces),
-    LIBCONTACT_FUNCTION(cntc_setreferencevelocity),
-    LIBCONTACT_FUNCTION(cntc_sethertzcontact),
-    LIBCONTACT_FUNCTION(cntc_setpenetration),
-    LIBCONTACT_FUNCTION(cntc_setnormalforce),
-    LIBCONTACT_FUNCTION(cntc_setundeformeddistc),
-    LIBCONTACT_FUNCTION(cntc_setcreepages),
-    LIBCONTACT_FUNCTION(cntc_setextrarigidslip),
-    LIBCONTACT_FUNCTION(cntc_setverticalforce),
-    LIBCONTACT_FUNCTION(cntc_setprofileinputfname),
-    LIBCONTACT_FUNCTION(cntc_setprofileinputvalues),
-    LIBCONTACT_FUNCTION(cntc_settrackdimensions),
-    LIBCONTACT_FUNCTION(cntc_setwheelsetdimensions),
-    LIBCONTACT_FUNCTION(cntc_setwheelsetposition),
-    LIBCONTACT_FUNCTION(cntc_setwheelsetvelocity),
-    LIBCONTACT_FUNCTION(cntc_setwheelsetflexibility),
-    LIBCONTACT_FUNCTION(cntc_calculate),
-    LIBCONTACT_FUNCTION(cntc_getcalculationtime),
-    LIBCONTACT_FUNCTION(cntc_resetcalculationtime),
-    LIBCONTACT_FUNCTION(cntc_getprofilevalues),
-    LIBCONTACT_FUNCTION(cntc_getprofilevalues_new),
-    LIBCONTACT_FUNCTION(cntc_getwheelsetposition),
-    LIBCONTACT_FUNCTION(cntc_getwheelsetvelocity),
-    LIBCONTACT_FUNCTION(cntc_getnumcontactpatches),
-    LIBCONTACT_FUNCTION(cntc_getcontactlocation),
-    LIBCONTACT_FUNCTION(cntc_getglobalforces),
-    LIBCONTACT_FUNCTION(cntc_getparameters),
-    LIBCONTACT_FUNCTION(cntc_getreferencevelocity),
-    LIBCONTACT_FUNCTION(cntc_gethertzcontact),
-    LIBCONTACT_FUNCTION(cntc_getnumelements),
-    LIBCONTACT_FUNCTION(cntc_getgriddiscretization),
-    LIBCONTACT_FUNCTION(cntc_getpotcontact),
-    LIBCONTACT_FUNCTION(cntc_getpenetration),
-    LIBCONTACT_FUNCTION(cntc_getcreepages),
-    LIBCONTACT_FUNCTION(cntc_getcontactforces),
-    LIBCONTACT_FUNCTION(cntc_getcontactpatchareas),
-    LIBCONTACT_FUNCTION(cntc_getelementdivision),
-    LIBCONTACT_FUNCTION(cntc_getmaximumpressure),
-    LIBCONTACT_FUNCTION(cntc_getmaximumtraction),
-    LIBCONTACT_FUNCTION(cntc_getmaximumtemperature),
-    LIBCONTACT_FUNCTION(cntc_getfielddata),
-    LIBCONTACT_FUNCTION(cntc_gettractions),
-    LIBCONTACT_FUNCTION(cntc_getmicroslip),
-    LIBCONTACT_FUNCTION(cntc_getdisplacements),
-    LIBCONTACT_FUNCTION(cntc_getsensitivities),
-    LIBCONTACT_FUNCTION(subs_addblock),
-    LIBCONTACT_FUNCTION(subs_calculate),
-    LIBCONTACT_FUNCTION(subs_getblocksize),
-    LIBCONTACT_FUNCTION(subs_getresults),
-};
+#define LIBCONTACT_FUNCTION(name) {#name, with_arguments(name)},
+#include "libcontact_functions.inc"
 #undef LIBCONTACT_FUNCTION
+};
+
+/// A call by its name, whose numbers from the first to the last angle are angles.
+struct NamedSetting {
+  const char* name;
+  Setting setting;
+  std::size_t first_angle = 1, last_angle = 0;
+};
+
+const NamedSetting settings_of_both[] = {
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 1, {.28, .28, 82000, 82000, 1, 1, .001, .001})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 2, {.28, .28, 82000, 82000, 1e-5, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 3, {.28, .28, 82000, 82000, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 4, {.28, .28, 82000, 82000, 8200, .02, 0, 0})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 5, {.28, .28, 82000, 82000, 1, 1, 1})},
+    {"cntc_setmaterialparameters", by(cntc_setmaterialparameters, 12, {1e-4, 1e-4, 1e30, 1e30})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 0, {.3, .3})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 1, {})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 2, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 3, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 4, {.2, .1, 5000, 0, 1, .001, 10})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 5, {.3, .4, 1e-4})},
+    {"cntc_setfrictionmethod", by(cntc_setfrictionmethod, 6, {.3, 20, -.1, 800, .001, 10})},
+    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 0, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1})},
+    {"cntc_settemperaturedata", by(cntc_settemperaturedata, 3, {20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1})},
+    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize, {0, .2})},
+    {"cntc_setrollingstepsize", by(cntc_setrollingstepsize, {0, 1})},
+    {"cntc_settangentialforces", by(cntc_settangentialforces, {.3, -.2})},
+    {"subs_addblock",
+     {[](int ire, int icp, Values z) {
+        z.resize(3);
+        Values x = {1, 1, 3}, y = x;
+        int block = 1, kind = z[0] > 2 ? 1 : 2, three = 3;
+        return subs_addblock(&ire, &icp, &block, &kind, &three, &three, &three, x.data(), y.data(), z.data());
+      },
+      {3, 0, .2}}},
+};
+
+const NamedSetting settings_of_wheels[] = {
+    {"cntc_setverticalforce", by_force(80e3)},
+    {"cntc_setpotcontact", by(cntc_setpotcontact, -1, {.5, .5, 1.57, 8, 4})},
+    {"cntc_settrackdimensions", by(cntc_settrackdimensions, 3, {14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0}), 3, 7},
+    {"cntc_setwheelsetdimensions", by(cntc_setwheelsetdimensions, 3, {1360, -70, 460})},
+    {"cntc_setwheelsetposition", by(cntc_setwheelsetposition, 2, {0, 3, .2, -3e-4, 6e-3, 0}), 3, 5},
+    {"cntc_setwheelsetvelocity", by(cntc_setwheelsetvelocity, 2, {30e3, 0, 0, 0, 0, -30e3 / 460.3})},
+    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4, Values(12, 0)), 3, 5},
+    {"cntc_setwheelsetflexibility", by(cntc_setwheelsetflexibility, 4, Values(12, 1e-3)), 3, 5},
+    {"cntc_setprofileinputfname", by_profile(profiles + "60e1.prr", 0)},
+    {"cntc_setprofileinputfname", by_profile(profiles + "s1002.prw", 1)},
+};
+
+const NamedSetting settings_of_contacts[] = {
+    {"cntc_setnormalforce", by(cntc_setnormalforce, {1000})},
+    {"cntc_setpenetration", by(cntc_setpenetration, {.01})},
+    {"cntc_setcreepages", by(cntc_setcreepages, {1e-3, -5e-4, 1e-4})},
+    {"cntc_setpotcontact", by(cntc_setpotcontact, 1, {21, 21, -1.05, -1.05, .1, .1})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -1, {21, 21, .005, .005, 1.2})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -2, {21, 21, .005, 1, 1.2})},
+    {"cntc_sethertzcontact", by(cntc_sethertzcontact, -3, {21, 21, 1, 1, 1.2})},
+    {"cntc_setundeformeddistc", by(cntc_setundeformeddistc, 1, {.005, 0, .005, 0, 0, 0})},
+    {"cntc_setreferencevelocity", by(cntc_setreferencevelocity, {1000})},
+    {"cntc_setextrarigidslip",
+     {[](int ire, int icp, Values v) {
+        int count = size_of(v);
+        return cntc_setextrarigidslip(&ire, &icp, &count, v.data(), v.data());
+      },
+      Values(12, 1e-4)}},
+};
 
 /// What a function may return.
 bool exists(int code, bool may_count) {
@@ -270,11 +266,15 @@ private:
     if (chance_.one_in(100)) return give("cntc_finalize", [&] { return finalize(ire); });
     if (chance_.one_in(50)) return read_a_file();
     if (chance_.one_in(4)) return set_a_flag(ire, icp);
-    if (chance_.one_in(2)) return set_both(ire, icp);
-    if (ire == wheel)
-      set_the_wheel();
-    else
-      set_the_contact(icp);
+    const auto give_one = [&](const auto& settings) { give_setting(chance_.of(settings), ire, icp); };
+    if (chance_.one_in(2)) return give_one(settings_of_both);
+    if (ire == wheel) return give_one(settings_of_wheels);
+    give_one(settings_of_contacts);
+  }
+
+  void give_setting(const NamedSetting& named, int ire, int icp) {
+    const Values numbers = perhaps(named.setting.numbers, named.first_angle, named.last_angle);
+    give(named.name, [&] { return named.setting.set(ire, icp, numbers); });
   }
 
   double perhaps(double number, bool is_angle = false) {
@@ -318,128 +318,6 @@ private:
                                             : static_cast<int>(chance_.below(7)) - 1;
     if (tells_) std::printf("flag %d = %d of %d\n", flag, value, ire);
     give("cntc_setflags", [&] { return set_flag(ire, icp, flag, value); });
-  }
-
-  void set_both(int ire, int icp) {
-    static constexpr int materials[] = {0, 0, 1, 2, 3, 4, 5, 12};
-    static const Values extra[] = {{}, {1, 1, .001, .001}, {1e-5, 1, 1, 1}, {1, 1, 1}, {8200, .02, 0, 0}, {1, 1, 1}};
-    switch (chance_.below(6)) {
-    case 0: {
-      const int method = chance_.of(materials);
-      Values numbers = method == 12 ? Values{1e-4, 1e-4, 1e30, 1e30} : Values{.28, .28, 82000, 82000};
-      if (method < 6) numbers.insert(numbers.end(), extra[method].begin(), extra[method].end());
-      return give("cntc_setmaterialparameters",
-                  [&] { return set(cntc_setmaterialparameters, ire, icp, method, perhaps(numbers)); });
-    }
-    case 1: {
-      static const Values sets[] = {{.3, .3},
-                                    {},
-                                    {.2, .1, 5000, 0, 1, .001, 10},
-                                    {.2, .1, 5000, 0, 1, .001, 10},
-                                    {.2, .1, 5000, 0, 1, .001, 10},
-                                    {.3, .4, 1e-4},
-                                    {.3, 20, -.1, 800, .001, 10}};
-      const std::size_t law = chance_.below(std::size(sets));
-      return give("cntc_setfrictionmethod",
-                  [&] { return set(cntc_setfrictionmethod, ire, icp, static_cast<int>(law), perhaps(sets[law])); });
-    }
-    case 2:
-      return give("cntc_settemperaturedata", [&] {
-        return set(cntc_settemperaturedata, ire, icp, chance_.one_in(3) ? 0 : 3,
-                   perhaps({20, 450, .05, 7.85e-6, 20, 450, .05, 7.85e-6, 1}));
-      });
-    case 3: {
-      double chi = perhaps(0), dq = perhaps(ire == wheel ? 1 : .2);
-      return give("cntc_setrollingstepsize", [&] { return cntc_setrollingstepsize(&ire, &icp, &chi, &dq); });
-    }
-    case 4: {
-      double fx = perhaps(.3), fy = perhaps(-.2);
-      return give("cntc_settangentialforces", [&] { return cntc_settangentialforces(&ire, &icp, &fx, &fy); });
-    }
-    default: {
-      Values x = {1, 1, 3}, y = x, z = perhaps({3, 0, .2});
-      int block = 1, kind = chance_.one_in(2) ? 1 : 2, three = 3;
-      return give("subs_addblock", [&] {
-        return subs_addblock(&ire, &icp, &block, &kind, &three, &three, &three, x.data(), y.data(), z.data());
-      });
-    }
-    }
-  }
-
-  void set_the_wheel() {
-    double force = perhaps(80e3);
-    int one = wheel;
-    switch (chance_.below(8)) {
-    case 0:
-      return give("cntc_setverticalforce", [&] { return cntc_setverticalforce(&one, &force); });
-    case 1:
-      return give("cntc_setpotcontact", [&] {
-        return set(cntc_setpotcontact, wheel, whole, -1, perhaps({.5, .5, 1.57, 8, 4}));
-      });
-    case 2:
-      return give("cntc_settrackdimensions", [&] {
-        return set(cntc_settrackdimensions, wheel, 3, perhaps({14, 0, 1435, .05, 0, 0, 0, 0, 0, 0, 0}, 3, 7));
-      });
-    case 3:
-      return give("cntc_setwheelsetdimensions", [&] {
-        return set(cntc_setwheelsetdimensions, wheel, 3, perhaps({1360, -70, 460}));
-      });
-    case 4:
-      return give("cntc_setwheelsetposition", [&] {
-        return set(cntc_setwheelsetposition, wheel, 2, perhaps({0, 3, .2, -3e-4, 6e-3, 0}, 3, 5));
-      });
-    case 5:
-      return give("cntc_setwheelsetvelocity", [&] {
-        return set(cntc_setwheelsetvelocity, wheel, 2, perhaps({30e3, 0, 0, 0, 0, -30e3 / 460.3}));
-      });
-    case 6:
-      return give("cntc_setwheelsetflexibility", [&] {
-        return set(cntc_setwheelsetflexibility, wheel, 4, perhaps(Values(12, chance_.one_in(2) ? 0 : 1e-3), 3, 5));
-      });
-    default:
-      return give("cntc_setprofileinputfname", [&] {
-        return chance_.one_in(2) ? set_profile(wheel, profiles + "60e1.prr", 0)
-                                 : set_profile(wheel, profiles + "s1002.prw", 1);
-      });
-    }
-  }
-
-  void set_the_contact(int icp) {
-    int ire = contact;
-    double a = perhaps(1e-3), b = perhaps(-5e-4), c = perhaps(1e-4), force = perhaps(1000), approach = perhaps(.01);
-    switch (chance_.below(8)) {
-    case 0:
-      return give("cntc_setnormalforce", [&] { return cntc_setnormalforce(&ire, &icp, &force); });
-    case 1:
-      return give("cntc_setpenetration", [&] { return cntc_setpenetration(&ire, &icp, &approach); });
-    case 2:
-      return give("cntc_setcreepages", [&] { return cntc_setcreepages(&ire, &icp, &a, &b, &c); });
-    case 3:
-      return give("cntc_setpotcontact", [&] {
-        return set(cntc_setpotcontact, ire, icp, 1, perhaps({21, 21, -1.05, -1.05, .1, .1}));
-      });
-    case 4: {
-      const int kind = -1 - static_cast<int>(chance_.below(3));
-      const Values shape = kind == -3 ? Values{1, 1} : Values{.005, kind == -2 ? 1 : .005};
-      return give("cntc_sethertzcontact", [&] {
-        return set(cntc_sethertzcontact, ire, icp, kind, perhaps({21, 21, shape[0], shape[1], 1.2}));
-      });
-    }
-    case 5:
-      return give("cntc_setundeformeddistc", [&] {
-        return set(cntc_setundeformeddistc, ire, icp, 1, perhaps({.005, 0, .005, 0, 0, 0}));
-      });
-    case 6: {
-      double speed = perhaps(1000);
-      return give("cntc_setreferencevelocity", [&] { return cntc_setreferencevelocity(&ire, &icp, &speed); });
-    }
-    default: {
-      Values wx(441, perhaps(0)), wy(441, perhaps(1e-4));
-      int count = static_cast<int>(chance_.one_in(2) ? wx.size() : chance_.below(wx.size()));
-      return give("cntc_setextrarigidslip",
-                  [&] { return cntc_setextrarigidslip(&ire, &icp, &count, wx.data(), wy.data()); });
-    }
-    }
   }
 
   /// A calculation that tells of no error has forces that are numbers.
@@ -489,7 +367,7 @@ private:
 
 /// What the options say.
 struct Options {
-  unsigned seed = 1, rounds = 20, round = 0, calls = 300;
+  unsigned seed = 7, rounds = 20, round = 0, calls = 300;
   double seconds = 0;
   bool is_one = false;
 };

@@ -33,8 +33,6 @@ INSTANTIATE_TEST_SUITE_P(Of, InUnits, ::testing::Values(CNTC_un_spck, CNTC_un_si
 TEST_P(InUnits, ContactsAreTheSame) {
   for (const int ire : {1, 2}) ASSERT_EQ(initialize(ire, 3), 0);
   ASSERT_EQ(set_up_sphere(1, 1), 0);
-  int ire = 2, icp = 1;
-  double speed = 1, chi = 0, step = 0.2 * mm, force = 1000, xi = 1e-3, eta = -5e-4, phi = 1e-4 / mm;
   ASSERT_EQ(set_flag(2, 1, CNTC_if_units, GetParam()), 0);
   ASSERT_EQ(set_flag(2, 1, CNTC_ic_tang, 3), 0);
   ASSERT_EQ(set(cntc_setmaterialparameters, 2, 1, 0, {0.28, 0.28, 82e9, 82e9}), 0);
@@ -42,10 +40,10 @@ TEST_P(InUnits, ContactsAreTheSame) {
   ASSERT_EQ(set(cntc_setfrictionmethod, 1, 1, 4, {0.2, 0.1, 50, 0, 1000, 1e-3, 10}), 0);
   ASSERT_EQ(set(cntc_setpotcontact, 2, 1, 1, {21, 21, -1.05 * mm, -1.05 * mm, 0.1 * mm, 0.1 * mm}), 0);
   ASSERT_EQ(set(cntc_setundeformeddistc, 2, 1, 1, {0.005 / mm, 0, 0.005 / mm, 0, 0, 0}), 0);
-  ASSERT_EQ(cntc_setreferencevelocity(&ire, &icp, &speed), 0);
-  ASSERT_EQ(cntc_setrollingstepsize(&ire, &icp, &chi, &step), 0);
-  ASSERT_EQ(cntc_setnormalforce(&ire, &icp, &force), 0);
-  ASSERT_EQ(cntc_setcreepages(&ire, &icp, &xi, &eta, &phi), 0);
+  ASSERT_EQ(set(cntc_setreferencevelocity, 2, 1, 1), 0);
+  ASSERT_EQ(set(cntc_setrollingstepsize, 2, 1, 0, 0.2 * mm), 0);
+  ASSERT_EQ(set(cntc_setnormalforce, 2, 1, 1000), 0);
+  ASSERT_EQ(set(cntc_setcreepages, 2, 1, 1e-3, -5e-4, 1e-4 / mm), 0);
   for (const int element : {1, 2}) {
     ASSERT_EQ(set_flag(element, 1, CNTC_ic_sens, 2), 0);
     ASSERT_EQ(calculate(element, 1), 0) << library_.log();

@@ -56,8 +56,9 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
     ASSERT_EQ(calculate(1), 0) << library_.log();
     const WheelOutcome& w = *outcomes[k].wheel;
     const Values f = list(cntc_getglobalforces, 1, whole, 24);
-    EXPECT_EQ(Values(f.begin(), f.begin() + 6), (Values{w.track.force.x, w.track.force.y, w.track.force.z,
-                                                        w.track.moment.x, w.track.moment.y, w.track.moment.z}));
+    EXPECT_EQ(Values(f.begin(), f.begin() + 6),
+              (Values{w.track.force.x, w.track.force.y, w.track.force.z, 1e3 * w.track.moment.x, 1e3 * w.track.moment.y,
+                      1e3 * w.track.moment.z}));
     EXPECT_EQ(Values(f.begin() + 6, f.begin() + 9),
               (Values{w.wheelset.force.x, w.wheelset.force.y, w.wheelset.force.z}));
     ASSERT_EQ(patches(1), static_cast<int>(w.patches.size()));
@@ -66,7 +67,7 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const auto& totals = patch.solution->totals;
       EXPECT_EQ(scalars(cntc_getcontactforces, 1, icp), (Values{totals.fn, totals.fx, totals.fy, totals.mz}));
       EXPECT_EQ(scalars(cntc_getcreepages, 1, icp),
-                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), patch.contact.phi}));
+                (Values{slip_of(patch.contact.x), slip_of(patch.contact.y), 1e-3 * patch.contact.phi}));
       EXPECT_EQ(scalars(cntc_getmaximumpressure, 1, icp), Values{totals.peak_pressure});
       const Values pn = field(1, icp, CNTC_fld_pn, elements(1, icp));
       ASSERT_EQ(pn.size(), patch.solution->solution.normal.pressure.size());
@@ -75,7 +76,8 @@ TEST_P(Wheels, HaveTheNumbersOfTheFiles) {
       const Values l = list(cntc_getcontactlocation, 1, icp, 38);
       const PatchLocation& at = patch.location;
       EXPECT_EQ(Values(l.begin(), l.begin() + 7),
-                (Values{at.track.x, at.track.y, at.track.z, at.angle, at.rail.x, at.rail.y, at.rail.z}));
+                (Values{1e3 * at.track.x, 1e3 * at.track.y, 1e3 * at.track.z, at.angle, 1e3 * at.rail.x,
+                        1e3 * at.rail.y, 1e3 * at.rail.z}));
     }
   }
 }
@@ -216,9 +218,8 @@ TEST_P(Wheels, HaveSensitivitiesOfTheirPatches) {
   ASSERT_EQ(set_flag(1, whole, CNTC_ic_sens, 3), 0);
   ASSERT_EQ(calculate(1), 0);
   const Values forces = scalars(cntc_getcontactforces, 1, 1);
-  int one = 1, four = 4;
-  Values s(16);
-  ASSERT_EQ(cntc_getsensitivities(&one, &one, &four, &four, s.data()), 0);
+  const Values s = sensitivities(1, 1);
+  ASSERT_EQ(s.size(), 16u);
   const double approach = scalars(cntc_getpenetration, 1, 1)[0];
   EXPECT_NEAR(s[0] * approach / forces[0], 1.5, 0.1) << "FN grows nearly as Hertz's";
   EXPECT_EQ(s[4], 0) << "elastically similar: FN does not depend on creepage";
@@ -237,9 +238,8 @@ TEST_P(Wheels, HaveSensitivitiesOfTransientRolling) {
   ASSERT_EQ(set_flag(1, whole, CNTC_ic_sens, 3), 0);
   ASSERT_GE(calculate(1), 0) << library_.log();
   const Values before = scalars(cntc_getcontactforces, 1, 1);
-  int one = 1, four = 4;
-  Values s(16);
-  ASSERT_EQ(cntc_getsensitivities(&one, &one, &four, &four, s.data()), 0);
+  const Values s = sensitivities(1, 1);
+  ASSERT_EQ(s.size(), 16u);
   const double approach = scalars(cntc_getpenetration, 1, 1)[0];
   EXPECT_NEAR(s[0] * approach / before[0], 1.5, 0.1);
   EXPECT_LT(s[5], 0) << "FX against xi";
@@ -260,23 +260,21 @@ TEST_P(Wheels, HaveSensitivitiesOfTransientRolling) {
   EXPECT_NEAR(slope / s[5], 1, 0.1) << "eta and phi change a little, too";
 }
 
-TEST_P(Wheels, ReadAnInputFile) {
-  std::ofstream(folder_.path() / "a.inp") << input_of(GetParam(), {3});
-  ASSERT_EQ(initialize(3, 1), 0);
-  int three = 3, kind = CNTC_inp_modul1, error = 1;
-  const std::string name = (folder_.path() / "a.inp").string();
-  int length = size_of(name);
-  ASSERT_EQ(cntc_readinpfile(&three, &kind, name.c_str(), &length, &error), 0) << library_.log();
-  ASSERT_EQ(calculate(3), 0) << library_.log();
-  ASSERT_EQ(set_wheel_state(1, 3), 0);
-  ASSERT_EQ(calculate(1), 0);
-  EXPECT_EQ(list(cntc_getglobalforces, 3, whole, 24), list(cntc_getglobalforces, 1, whole, 24));
-}
-
 int read_file(int ire, int kind, const std::string& name) {
   int length = size_of(name), error = 1;
   const int code = cntc_readinpfile(&ire, &kind, name.c_str(), &length, &error);
   return error == code ? code : 12345;
+}
+
+TEST_P(Wheels, ReadAnInputFile) {
+  const std::string name = (folder_.path() / "a.inp").string();
+  std::ofstream(name) << input_of(GetParam(), {3});
+  ASSERT_EQ(initialize(3, 1), 0);
+  ASSERT_EQ(read_file(3, CNTC_inp_modul1, name), 0) << library_.log();
+  ASSERT_EQ(calculate(3), 0) << library_.log();
+  ASSERT_EQ(set_wheel_state(1, 3), 0);
+  ASSERT_EQ(calculate(1), 0);
+  EXPECT_EQ(list(cntc_getglobalforces, 3, whole, 24), list(cntc_getglobalforces, 1, whole, 24));
 }
 
 /// The file of CONTACT's interface to Simpack has what does not move; digits of what does stay, whatever it has.
@@ -296,10 +294,8 @@ TEST_P(Wheels, ReadThePairOfSimpack) {
   ASSERT_EQ(set(cntc_setfrictionmethod, 1, whole, 0, {.25, .25}), 0);
   ASSERT_EQ(set(cntc_setpotcontact, 1, whole, -1, {.4, .4, 1.5707963267948966, 8, 4}), 0);
   const Values wanted = forces(1);
-  int four = 4;
-  double force = 80e3;
   ASSERT_EQ(set_flag(4, whole, CNTC_ic_config, GetParam() ? 1 : 0), 0);
-  ASSERT_EQ(cntc_setverticalforce(&four, &force), 0);
+  ASSERT_EQ(set_force(4, 80e3), 0);
   ASSERT_EQ(read_file(4, CNTC_inp_spck, all), 0) << library_.log();
   EXPECT_EQ(forces(4), wanted);
   ASSERT_EQ(set_up_wheel(5, GetParam()), 0);
@@ -326,19 +322,12 @@ TEST_P(Wheels, AreDamped) {
     return sum;
   };
   const double before = contact_force(), share = 1e-4 / (0.5 / scalars(cntc_getreferencevelocity, 1, 1)[0]);
-  int one = 1;
-  double force = 60e3;
-  ASSERT_EQ(cntc_setverticalforce(&one, &force), 0);
+  ASSERT_EQ(set_force(1, 60e3), 0);
   ASSERT_EQ(set_flag(1, whole, CNTC_ic_pvtime, 0), 0);
   ASSERT_EQ(calculate(1), 0);
   EXPECT_NEAR(list(cntc_getglobalforces, 1, whole, 24)[2], 60e3, 60e3 * 1e-5);
   EXPECT_NEAR(contact_force() / before, (60e3 / 80e3 + share) / (1 + share), 1e-3);
-  const Values material = [] {
-    int ire = 1, icp = 1, task = 2, count = 22;
-    Values values(22);
-    EXPECT_EQ(cntc_getparameters(&ire, &icp, &task, &count, values.data()), 0);
-    return values;
-  }();
+  const Values material = parameters(1, 1, 2, 22);
   EXPECT_EQ(Values(material.begin() + 18, material.end()), (Values{1e-4, 2e-4, 1e30, 1e30}));
 }
 

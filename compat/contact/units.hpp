@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace microslip::contact_program {
+
+// CONTACT's units in SI, in which readers leave all numbers; writers divide by them.
+inline constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6, mm3_per_newton = 1e-9;
+// And SI in CONTACT's units.
+inline constexpr double per_m = 1e3, mega = 1e-6;
+
+/// Unit of a number in CONTACT's files, by the power of the millimetre in it: 1 of lengths and velocities, -1 of
+/// curvatures and stiffnesses, -2 of pressures. All else, N, s, K, W and kg, is as in SI.
+struct Unit {
+  constexpr Unit(int power_of_mm, bool angle = false) : power(power_of_mm), is_angle(angle) {}
+
+  /// In SI.
+  constexpr double value() const {
+    constexpr double powers[] = {1e9, 1e6, 1e3, 1, 1e-3, 1e-6, 1e-9};
+    return powers[power + 3];
+  }
+
+  int power;
+  bool is_angle; ///< which files may give in degrees
+};
+
+using UnitList = std::vector<Unit>;
+
+/// Numbers of a file in SI.
+inline std::vector<double> in_si(std::vector<double> values, const UnitList& units) {
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] *= units[k].value();
+  return values;
+}
+/// The number that is read as this one [SI] again.
+double in_file(double value, double unit);
+std::vector<double> in_file(std::vector<double> values, const UnitList& units);
+
+} // namespace microslip::contact_program
