@@ -128,7 +128,7 @@ constexpr int no_columns = default_choice<int>("MX", DefaultOf::contact),
               no_rows = default_choice<int>("MY", DefaultOf::contact);
 
 double largest_traction(const Outcome& o) {
-  const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
+  const auto& [px, py] = o.solution.fields.traction;
   double largest = 0;
   for (std::size_t k = 0; k < px.size(); ++k) largest = std::max(largest, std::hypot(px[k], py[k]));
   return largest;
@@ -249,12 +249,12 @@ int cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
 int cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max) {
   return answered(patch_call("cntc_getmaximumtemperature", ire, icp), into(result(t1max), result(t2max)),
                   [&](ContactProblem& p) {
-                    const auto& temperature = p.contact(*icp).outcome.temperature;
+                    const Outcome& o = p.contact(*icp).outcome;
                     double &first = given("t1max", t1max), &second = given("t2max", t2max);
-                    if (!temperature)
+                    if (!o.has_temperatures())
                       throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
-                    first = *std::max_element(temperature->body1.begin(), temperature->body1.end());
-                    second = *std::max_element(temperature->body2.begin(), temperature->body2.end());
+                    first = *std::ranges::max_element(o.solution.fields.temperature1);
+                    second = *std::ranges::max_element(o.solution.fields.temperature2);
                   });
 }
 

@@ -88,7 +88,7 @@ void TransientRolling::solve_twice(std::span<const double> bound, const SecondOr
   s = newton_.solve(problem,
                     {.tolerance = tolerance, .before = before, .progress = part(input.progress, 0, twice ? 0.5 : 1)},
                     {.px = px_, .py = py_});
-  if (!twice || s.status != Status::ok) return;
+  if (!twice || s.report.status != Status::ok) return;
   out.centred = s.sliding;
   for (std::size_t k = 0; k < bound.size(); ++k) {
     if (!out.centred[k]) continue;
@@ -97,19 +97,20 @@ void TransientRolling::solve_twice(std::span<const double> bound, const SecondOr
   }
   const FrictionSolution first = std::move(s);
   s = newton_.solve(problem, {.tolerance = input.tolerance, .before = before, .progress = part(input.progress, 0.5, 1)},
-                    {.px = first.px, .py = first.py, .constants = Vec2{first.constant_x, first.constant_y}});
-  s.newton_steps += first.newton_steps;
-  s.products += first.products;
+                    {.px = first.traction.x, .py = first.traction.y, .constants = first.constants});
+  s.report.newton_steps += first.report.newton_steps;
+  s.report.products += first.report.products;
 }
 
 /// The means over the step, for the next one; in the solution that at the end where it was solved for.
 void TransientRolling::take_slip(SecondOrderSolution& out) {
-  Field sx = out.friction.sx, sy = out.friction.sy;
+  auto& [end_x, end_y] = out.friction.slip;
+  Field sx = end_x, sy = end_y;
   for (std::size_t k = 0; k < sx.size(); ++k) {
     if (!out.centred[k]) continue;
     const Vec2 earlier = slip_before(k);
     sx[k] += earlier.x / 3, sy[k] += earlier.y / 3;
-    out.friction.sx[k] *= 1.5, out.friction.sy[k] *= 1.5;
+    end_x[k] *= 1.5, end_y[k] *= 1.5;
   }
   slip_x_ = std::move(sx), slip_y_ = std::move(sy);
 }
@@ -119,13 +120,12 @@ SecondOrderSolution TransientRolling::step(std::span<const double> bound, const 
   solve_twice(bound, input, out);
   out.add_found_creepages();
   take_slip(out);
-  px_ = out.friction.px, py_ = out.friction.py;
+  px_ = out.friction.traction.x, py_ = out.friction.traction.y;
   ahead_x_.resize(bound.size()), ahead_y_.resize(bound.size());
   Field sx(bound.size()), sy(sx);
   operator_.apply(px_, py_, sx, sy);
   operator_.find_slip_ahead(ahead_x_, ahead_y_);
-  out.ux = operator_.ux();
-  out.uy = operator_.uy();
+  out.displacement = {operator_.ux(), operator_.uy()};
   return out;
 }
 
