@@ -209,7 +209,7 @@ private:
   const Case& case_;
   const Outcome& outcome_;
   bool yields_ = false, heats_ = false;
-  std::optional<PlasticDeformation> plastic_; ///< of a layer that yields, where it is known
+  std::optional<VectorField> plastic_; ///< of a layer that yields, where it is known
   std::size_t columns_ = 0;
   std::string text_;
 };

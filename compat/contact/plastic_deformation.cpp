@@ -6,9 +6,9 @@
 
 namespace microslip::contact_program {
 
-std::optional<PlasticDeformation> plastic_deformation(const Case& c, const Outcome& outcome) {
+std::optional<VectorField> plastic_deformation(const Case& c, const Outcome& outcome) {
   const ElementGrid& grid = outcome.step.grid;
-  PlasticDeformation found{std::vector<double>(grid.count()), std::vector<double>(grid.count())};
+  VectorField found(grid.count());
   const auto& lengths = outcome.solution.slip_friction.deformation;
   if (lengths.empty()) return found;
   if (goes_on(c)) return {};

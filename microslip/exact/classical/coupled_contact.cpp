@@ -261,15 +261,8 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
   if (out.fields.traction.x.empty()) return out;
   find_displacements(out);
   out.totals = find_totals(out.elements, out.fields, out.creepage, speed_of(step.motion));
-  NormalSolution whole;
-  whole.pressure = std::move(out.normal.pressure);
-  whole.displacement = std::move(out.normal.displacement);
-  whole.approach = out.normal.approach;
-  whole.residual = out.normal.residual;
-  whole.status = out.normal.status;
-  whole.iterations = out.alternations;
-  whole.products = products;
-  out.normal = std::move(whole);
+  out.normal.iterations = out.alternations;
+  out.normal.products = products;
   find_totals(grid_, step.gap, out.normal);
   return out;
 }
