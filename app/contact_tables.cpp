@@ -68,8 +68,8 @@ void print_totals(const Case& c, const Outcome& outcome, char lateral) {
   counts.add("NADH", std::to_string(t.adhesion));
   counts.add("NSLIP", std::to_string(t.slip));
   if (t.plastic) counts.add("NPLAST", std::to_string(*t.plastic));
-  counts.add("residual", fmt::format("{:.1e}", outcome.solution.tangential.residual));
-  counts.add("status", std::string(to_string(outcome.solution.status)));
+  counts.add("residual", fmt::format("{:.1e}", outcome.solution.report.residual));
+  counts.add("status", std::string(to_string(outcome.solution.report.status)));
   counts.print();
 }
 
@@ -133,7 +133,7 @@ void print_wheel(const Case& c, const Outcome& outcome) {
   totals.add("FX(WS)", wheel.wheelset.force.x);
   totals.add("FY(WS)", wheel.wheelset.force.y);
   totals.add("FZ(WS)", wheel.wheelset.force.z);
-  totals.add("status", std::string(to_string(outcome.solution.status)));
+  totals.add("status", std::string(to_string(outcome.solution.report.status)));
   totals.print();
   int number = 0;
   for (const auto& patch : wheel.patches) {

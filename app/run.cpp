@@ -140,7 +140,8 @@ private:
       effort_.normal += outcome.wheel->effort.normal;
       effort_.tangential += outcome.wheel->effort.tangential;
     }
-    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok) unsolved_.push_back(c.number);
+    if (outcome.kind == Outcome::Kind::solved && outcome.solution.report.status != Status::ok)
+      unsolved_.push_back(c.number);
   }
 
   void print(const Case& c, const Outcome& outcome) {
@@ -233,11 +234,11 @@ private:
   void keep(const Case& c, const Outcome& outcome) {
     if (outcome.kind == Outcome::Kind::refused)
       refusals_.push_back({{"case", c.number}, {"line", c.line}, {"reasons", outcome.reasons}});
-    if (outcome.kind == Outcome::Kind::solved && outcome.solution.status != Status::ok)
+    if (outcome.kind == Outcome::Kind::solved && outcome.solution.report.status != Status::ok)
       failures_.push_back({{"case", c.number},
                            {"line", c.line},
-                           {"status", std::string(to_string(outcome.solution.status))},
-                           {"residual", io::json_number(outcome.solution.tangential.residual)},
+                           {"status", std::string(to_string(outcome.solution.report.status))},
+                           {"residual", io::json_number(outcome.solution.report.residual)},
                            {"notes", outcome.notes}});
     known_notes_.insert(outcome.notes.begin(), outcome.notes.end());
     keep_extremes(c.number, outcome);

@@ -103,8 +103,8 @@ Figures ellipse(int n) {
       figures, [&] { return HertzianRolling(semi_axis_x, semi_axis_y, steel, n, n); },
       [&](HertzianRolling& rolling) {
         const SecondOrderSolution s = rolling.solve(contact, {}, {}, 1e-6);
-        figures.take(rolling.contact().elements.size(), s.friction.newton_steps, s.friction.products,
-                     s.friction.status == Status::ok);
+        figures.take(rolling.contact().elements.size(), s.friction.report.newton_steps, s.friction.report.products,
+                     s.friction.report.status == Status::ok);
       });
   return figures;
 }
@@ -133,9 +133,9 @@ Figures new_ellipses(int n) {
     const SecondOrderSolution s = rolling.solve(contact, {}, {}, 1e-6);
     figures.set_up += (ready - start) / count;
     figures.solve += (processor_time() - ready) / count;
-    figures.newton_steps += s.friction.newton_steps;
-    figures.products += s.friction.products;
-    figures.solved = figures.solved && s.friction.status == Status::ok;
+    figures.newton_steps += s.friction.report.newton_steps;
+    figures.products += s.friction.report.products;
+    figures.solved = figures.solved && s.friction.report.status == Status::ok;
   }
   figures.elements = rolling.contact().elements.size();
   figures.newton_steps /= count;
@@ -231,8 +231,8 @@ Figures classical(int n, double skewness) {
       },
       [&](ContactSequence& sequence) {
         const ContactStepSolution s = sequence.solve(step);
-        figures.take(static_cast<std::size_t>(s.contact_elements), s.tangential.newton_steps, s.tangential.products,
-                     s.status == Status::ok);
+        figures.take(static_cast<std::size_t>(s.contact_elements), s.report.newton_steps, s.report.products,
+                     s.report.status == Status::ok);
       });
   figures.set_up -= figures.solve;
   return figures;
@@ -253,9 +253,9 @@ Figures shift(int n) {
   measure(
       figures, [&] { return TangentialProblem(steel, grid); },
       [&](TangentialProblem& problem) {
-        const TangentialSolution s = problem.solve(bound, input);
-        figures.take(static_cast<std::size_t>(normal.contact_elements), s.newton_steps, s.products,
-                     s.forces.status == Status::ok);
+        const ContactSolution s = problem.solve(bound, input);
+        figures.take(static_cast<std::size_t>(normal.contact_elements), s.report.newton_steps, s.report.products,
+                     s.report.status == Status::ok);
       });
   return figures;
 }
@@ -273,9 +273,9 @@ template <class Change> Figures sequence(ContactStep step, int steps, const Chan
           change(step, k);
           const ContactStepSolution s = contact.solve(step);
           figures.elements = static_cast<std::size_t>(s.contact_elements);
-          newton_steps += s.tangential.newton_steps;
-          products += s.tangential.products;
-          figures.solved = figures.solved && s.status == Status::ok;
+          newton_steps += s.report.newton_steps;
+          products += s.report.products;
+          figures.solved = figures.solved && s.report.status == Status::ok;
         }
         figures.newton_steps = newton_steps / steps;
         figures.products = products / steps;

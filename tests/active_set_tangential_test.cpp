@@ -20,11 +20,11 @@ TEST(ActiveSetTangential, FindsWhatNewtonFinds) {
     DirectOperator response(c.kernel());
     const PlaneFields free = c.free_slip();
     const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
-    ASSERT_EQ(s.status, Status::ok) << s.residual;
-    EXPECT_LE(s.residual, 1e-9);
+    ASSERT_EQ(s.report.status, Status::ok) << s.report.residual;
+    EXPECT_LE(s.report.residual, 1e-9);
     EXPECT_GE(s.divisions, 1);
     const PlaneFields w = slip(c, s);
-    expect_friction_conditions({c.bound, s.px, s.py, w.x, w.y, response.diagonal()}, s.sliding, 1e-8);
+    expect_friction_conditions({c.bound, s.traction.x, s.traction.y, w.x, w.y, response.diagonal()}, s.sliding, 1e-8);
     expect_newtons(c, s);
   }
 }
@@ -41,12 +41,13 @@ TEST(ActiveSetTangential, LeadingEdgeCorrected) {
   PlaneFields free = c.free_slip();
   for (const EnteringElement& e : entering) free.x[e.element] *= e.share, free.y[e.element] *= e.share;
   const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-9});
-  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.report.status, Status::ok);
   expect_newtons(c, s);
   c.input.leading_edge.reset();
-  const TangentialSolution plain = c.by_newton();
+  const ContactSolution plain = c.by_newton();
   double change = 0;
-  for (std::size_t k = 0; k < c.bound.size(); ++k) change = std::max(change, std::abs(s.px[k] - plain.tractions.px[k]));
+  for (std::size_t k = 0; k < c.bound.size(); ++k)
+    change = std::max(change, std::abs(s.traction.x[k] - plain.fields.traction.x[k]));
   EXPECT_GT(change, 0.01 * *std::max_element(c.bound.begin(), c.bound.end()));
 }
 
@@ -57,9 +58,9 @@ TEST(ActiveSetTangential, FullAdhesionIsOneDivision) {
   DirectOperator response(c.kernel());
   const PlaneFields free = c.free_slip();
   const TangSolution s = solve_tang(c.problem(response, free), {.tolerance = 1e-4});
-  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.report.status, Status::ok);
   EXPECT_EQ(s.divisions, 1);
-  EXPECT_EQ(s.newton_steps, 1);
+  EXPECT_EQ(s.report.newton_steps, 1);
   EXPECT_EQ(std::count(s.sliding.begin(), s.sliding.end(), 1), 0);
 }
 
@@ -70,9 +71,9 @@ TEST(ActiveSetTangential, ASolutionIsItsOwnDivision) {
   const FrictionProblem problem = c.problem(response, free);
   const TangSolution s = solve_tang(problem, {.tolerance = 1e-10});
   EXPECT_GT(s.divisions, 2);
-  const TangSolution again = solve_tang(problem, {}, s.px, s.py);
+  const TangSolution again = solve_tang(problem, {}, s.traction.x, s.traction.y);
   EXPECT_EQ(again.divisions, 1);
-  EXPECT_EQ(again.newton_steps, 0);
+  EXPECT_EQ(again.report.newton_steps, 0);
   EXPECT_EQ(again.sliding, s.sliding);
 }
 
@@ -81,14 +82,14 @@ TEST(ActiveSetTangential, NothingMovesAndNoContact) {
   DirectOperator response(c.kernel());
   PlaneFields free = c.free_slip();
   const TangSolution still = solve_tang(c.problem(response, free), {});
-  EXPECT_EQ(still.status, Status::ok);
-  EXPECT_EQ(still.newton_steps, 0);
-  EXPECT_EQ(still.px, Field(c.bound.size(), 0.0));
+  EXPECT_EQ(still.report.status, Status::ok);
+  EXPECT_EQ(still.report.newton_steps, 0);
+  EXPECT_EQ(still.traction.x, Field(c.bound.size(), 0.0));
   std::fill(c.bound.begin(), c.bound.end(), 0.0);
   free.x.assign(free.x.size(), 1.0);
   const TangSolution none = solve_tang(c.problem(response, free), {});
-  EXPECT_EQ(none.status, Status::ok);
-  EXPECT_EQ(none.sx, Field(c.bound.size(), 0.0));
+  EXPECT_EQ(none.report.status, Status::ok);
+  EXPECT_EQ(none.slip.x, Field(c.bound.size(), 0.0));
 }
 
 /// The residual is that of the tractions, which obey the bound.
@@ -98,12 +99,15 @@ TEST(ActiveSetTangential, NotConvergedIsAStatus) {
   const PlaneFields free = c.free_slip();
   for (const int divisions : {1, 2}) {
     const TangSolution s = solve_tang(c.problem(response, free), {.most_divisions = divisions});
-    EXPECT_EQ(s.status, Status::not_converged);
+    EXPECT_EQ(s.report.status, Status::not_converged);
     EXPECT_EQ(s.divisions, divisions);
-    EXPECT_GT(s.residual, 1e-6);
-    EXPECT_NEAR(s.residual, complementarity_residual({c.bound, s.px, s.py, s.sx, s.sy, response.diagonal()}),
-                1e-10 * s.residual);
-    for (std::size_t k = 0; k < c.bound.size(); ++k) EXPECT_LE(std::hypot(s.px[k], s.py[k]), c.bound[k] * (1 + 1e-15));
+    EXPECT_GT(s.report.residual, 1e-6);
+    EXPECT_NEAR(
+        s.report.residual,
+        complementarity_residual({c.bound, s.traction.x, s.traction.y, s.slip.x, s.slip.y, response.diagonal()}),
+        1e-10 * s.report.residual);
+    for (std::size_t k = 0; k < c.bound.size(); ++k)
+      EXPECT_LE(std::hypot(s.traction.x[k], s.traction.y[k]), c.bound[k] * (1 + 1e-15));
   }
 }
 

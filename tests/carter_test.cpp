@@ -40,15 +40,15 @@ TEST(Carter, IsOfFirstOrder) {
           input.creepage.longitudinal = sign * k * c.scale;
           input.direction = direction;
           input.tolerance = 1e-9;
-          const TangentialSolution s = solve(c.problem, input);
-          ASSERT_EQ(s.forces.status, Status::ok);
-          const double force = -sign * s.forces.fx / c.problem.capacity;
-          EXPECT_NEAR(s.forces.fy, 0, 1e-9 * c.problem.capacity);
+          const ContactSolution s = solve(c.problem, input);
+          ASSERT_EQ(s.report.status, Status::ok);
+          const double force = -sign * s.totals.fx / c.problem.capacity;
+          EXPECT_NEAR(s.totals.fy, 0, 1e-9 * c.problem.capacity);
           EXPECT_GT(force, exact);
           EXPECT_LT(force, exact + 0.35 / n);
-          EXPECT_NEAR(s.forces.adhesion_area / (2 * c.a), 1 - k, 1.0 / n);
-          EXPECT_EQ(s.state[static_cast<std::size_t>(direction == forward ? 2 : n + 1)], CellState::slip);
-          EXPECT_EQ(s.state[static_cast<std::size_t>(direction == forward ? n + 1 : 2)], CellState::adhesion);
+          EXPECT_NEAR(s.totals.adhesion_area / (2 * c.a), 1 - k, 1.0 / n);
+          EXPECT_EQ(s.fields.state[static_cast<std::size_t>(direction == forward ? 2 : n + 1)], CellState::slip);
+          EXPECT_EQ(s.fields.state[static_cast<std::size_t>(direction == forward ? n + 1 : 2)], CellState::adhesion);
           if (direction == forward && sign == 1) {
             if (before > 0) {
               EXPECT_NEAR((before - exact) / (force - exact), 2, 0.15);
@@ -67,11 +67,11 @@ TEST(Carter, Tractions) {
   const double k = 0.4, d = 1 - k, peak = 2 * c.problem.capacity / (pi * c.a);
   TangentialInput input;
   input.creepage.longitudinal = k * c.scale;
-  const TangentialSolution s = solve(c.problem, input);
+  const ContactSolution s = solve(c.problem, input);
   for (int i = 0; i < c.problem.grid.mx; ++i) {
     const double x = c.problem.grid.x(i) / c.a, inner = (x - k) / d;
     const double p = std::sqrt(std::max(0.0, 1 - x * x)) - d * std::sqrt(std::max(0.0, 1 - inner * inner));
-    EXPECT_NEAR(-s.tractions.px[static_cast<std::size_t>(i)] / peak, p, std::abs(x) < 0.95 ? 0.025 : 0.12) << x;
+    EXPECT_NEAR(-s.fields.traction.x[static_cast<std::size_t>(i)] / peak, p, std::abs(x) < 0.95 ? 0.025 : 0.12) << x;
   }
 }
 
@@ -81,12 +81,13 @@ TEST(Carter, LateralCreepageOfALine) {
   TangentialInput input;
   input.tolerance = 1e-11;
   input.creepage.lateral = 0.5 * c.scale;
-  const TangentialSolution lateral = solve(c.problem, input);
+  const ContactSolution lateral = solve(c.problem, input);
   input.creepage = {0.5 * c.scale * (1 - c.problem.material.poisson_ratio), 0, 0};
-  const TangentialSolution longitudinal = solve(c.problem, input);
+  const ContactSolution longitudinal = solve(c.problem, input);
   for (std::size_t i = 0; i < c.problem.bound.size(); ++i)
-    EXPECT_NEAR(lateral.tractions.py[i], longitudinal.tractions.px[i], 1e-8 * longitudinal.peak_traction);
-  EXPECT_NEAR(lateral.forces.fx, 0, 1e-9 * c.problem.capacity);
+    EXPECT_NEAR(lateral.fields.traction.y[i], longitudinal.fields.traction.x[i],
+                1e-8 * longitudinal.totals.peak_traction);
+  EXPECT_NEAR(lateral.totals.fx, 0, 1e-9 * c.problem.capacity);
 }
 
 /// CONTACT's example of Carter's problem (User guide, section 5.2): plates of 200 mm, leading element 1/4 too far out.
@@ -96,11 +97,11 @@ TEST(Carter, AsContactPrintsIt) {
   TangentialInput input;
   input.creepage.longitudinal = -2.4e-4;
   input.rolling_speed = 30;
-  const TangentialSolution s = solve(p, input);
-  EXPECT_NEAR(s.forces.fx, 6955, 0.5);
-  EXPECT_NEAR(s.frictional_power, 47.62, 0.005);
-  EXPECT_NEAR(s.forces.adhesion_area / grid.element_area(), 30, 1e-9);
-  EXPECT_NEAR(s.forces.slip_area / grid.element_area(), 20, 1e-9);
+  const ContactSolution s = solve(p, input);
+  EXPECT_NEAR(s.totals.fx, 6955, 0.5);
+  EXPECT_NEAR(s.totals.frictional_power, 47.62, 0.005);
+  EXPECT_NEAR(s.totals.adhesion_area / grid.element_area(), 30, 1e-9);
+  EXPECT_NEAR(s.totals.slip_area / grid.element_area(), 20, 1e-9);
 }
 
 } // namespace

@@ -24,21 +24,21 @@ TEST(ContactFigures, FromCattaneoToCarterAsContactPrintsIt) {
   input.motion = ContactMotion::shift;
   input.force_x = -0.657 * p.capacity;
   input.force_y = 0;
-  const auto adhesion = [&](const TangentialSolution& s) { return s.forces.adhesion_area / grid.element_area(); };
-  const TangentialSolution shift = problem.solve(p.bound, input);
+  const auto adhesion = [&](const ContactSolution& s) { return s.totals.adhesion_area / grid.element_area(); };
+  const ContactSolution shift = problem.solve(p.bound, input);
   EXPECT_NEAR(shift.creepage.longitudinal, 1.774e-5, 0.0005e-5);
-  EXPECT_NEAR(shift.frictional_power, 1.261e-7, 0.0005e-7);
+  EXPECT_NEAR(shift.totals.frictional_power, 1.261e-7, 0.0005e-7);
   EXPECT_NEAR(adhesion(shift), 305, 1e-9);
   input.motion = ContactMotion::transient;
-  input.previous = input.start = &shift.tractions;
-  const TangentialSolution first = problem.solve(p.bound, input);
+  input.previous = input.start = &shift.fields.traction;
+  const ContactSolution first = problem.solve(p.bound, input);
   EXPECT_NEAR(first.creepage.longitudinal, 1.824e-3, 0.0005e-3);
-  EXPECT_NEAR(first.frictional_power, 1.188e-4, 0.0005e-4);
+  EXPECT_NEAR(first.totals.frictional_power, 1.188e-4, 0.0005e-4);
   EXPECT_NEAR(adhesion(first), 422, 1e-9);
   input.motion = ContactMotion::steady;
-  const TangentialSolution steady = problem.solve(p.bound, input);
+  const ContactSolution steady = problem.solve(p.bound, input);
   EXPECT_NEAR(steady.creepage.longitudinal, 3.101e-3, 0.0005e-3);
-  EXPECT_NEAR(steady.frictional_power, 3.459e-4, 0.0005e-4);
+  EXPECT_NEAR(steady.totals.frictional_power, 3.459e-4, 0.0005e-4);
   EXPECT_NEAR(adhesion(steady), 346, 1e-9);
 }
 
@@ -70,9 +70,9 @@ TEST(ContactFigures, AgreesWithContactOnTheSameGrid) {
     const Problem p = elliptic(c.contact, 31, 31, 2);
     TangentialInput input;
     input.creepage = c.contact.creepage;
-    const TangentialSolution s = solve(p, input);
-    ASSERT_EQ(s.forces.status, Status::ok);
-    expect_forces({s.forces.fx / p.capacity, s.forces.fy / p.capacity, s.forces.mz / friction_moment(c.contact)}, c,
+    const ContactSolution s = solve(p, input);
+    ASSERT_EQ(s.report.status, Status::ok);
+    expect_forces({s.totals.fx / p.capacity, s.totals.fy / p.capacity, s.totals.mz / friction_moment(c.contact)}, c,
                   2e-5);
   }
 }

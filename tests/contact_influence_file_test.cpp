@@ -65,8 +65,8 @@ std::string from_file(std::string text, const std::string& material) {
 void expect_same(const Outcome& a, const Outcome& b, double tolerance) {
   ASSERT_EQ(a.kind, Kind::solved) << (a.reasons.empty() ? "" : a.reasons[0]);
   ASSERT_EQ(b.kind, Kind::solved) << (b.reasons.empty() ? "" : b.reasons[0]);
-  EXPECT_EQ(a.solution.status, Status::ok);
-  EXPECT_EQ(b.solution.status, Status::ok);
+  EXPECT_EQ(a.solution.report.status, Status::ok);
+  EXPECT_EQ(b.solution.report.status, Status::ok);
   const PrintedTotals &s = a.totals, &t = b.totals;
   EXPECT_EQ(s.contact, t.contact);
   EXPECT_EQ(s.slip, t.slip);
@@ -76,7 +76,7 @@ void expect_same(const Outcome& a, const Outcome& b, double tolerance) {
   const double peak = s.peak_pressure * 1e6;
   for (std::size_t k = 0; k < a.solution.normal.pressure.size(); ++k) {
     EXPECT_NEAR(a.solution.normal.pressure[k], b.solution.normal.pressure[k], tolerance * peak);
-    EXPECT_NEAR(a.solution.tangential.tractions.px[k], b.solution.tangential.tractions.px[k], tolerance * peak);
+    EXPECT_NEAR(a.solution.fields.traction.x[k], b.solution.fields.traction.x[k], tolerance * peak);
   }
 }
 

@@ -27,8 +27,8 @@ void expect_same(const Outcome& found, const Outcome& wanted) {
   EXPECT_EQ((std::vector{a.fn, a.fx, a.fy, a.mz, a.elastic_energy, a.friction, a.x, a.y, a.approach, a.peak_pressure}),
             (std::vector{b.fn, b.fx, b.fy, b.mz, b.elastic_energy, b.friction, b.x, b.y, b.approach, b.peak_pressure}));
   EXPECT_EQ(found.solution.normal.pressure, wanted.solution.normal.pressure);
-  EXPECT_EQ(found.solution.tangential.tractions.px, wanted.solution.tangential.tractions.px);
-  EXPECT_EQ(found.solution.tangential.tractions.py, wanted.solution.tangential.tractions.py);
+  EXPECT_EQ(found.solution.fields.traction.x, wanted.solution.fields.traction.x);
+  EXPECT_EQ(found.solution.fields.traction.y, wanted.solution.fields.traction.y);
   ASSERT_EQ(found.interior.size(), wanted.interior.size());
   for (std::size_t k = 0; k < wanted.interior.size(); ++k)
     EXPECT_EQ(found.interior[k].points.z, wanted.interior[k].points.z);

@@ -57,8 +57,8 @@ TEST(ContactInterior, BlocksNameTheirPointsInEightWays) {
 TEST(ContactInterior, IsThatOfTheTractionsInTheRightBody) {
   const auto cases = run_cases(with_points(" 9\n 1 1 2\n .15\n -.2\n .4 -.4"));
   const Outcome& o = cases.at(0).outcome;
-  const TangentialState& t = o.solution.tangential.tractions;
-  const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
+  const VectorField& t = o.solution.fields.traction;
+  const SurfaceTractions tractions = {t.x, t.y, o.solution.normal.pressure};
   for (std::size_t k = 0; k < 2; ++k) {
     const InteriorField field(steel_body, k == 0 ? Body::second : Body::first, o.step.grid, tractions);
     const InteriorState expected = field.at({0.15e-3, -0.2e-3, 0.4e-3});
@@ -78,8 +78,8 @@ TEST(ContactInterior, OfViscoelasticBodies) {
     const auto cases = run_cases(text);
     const Outcome& o = cases.at(0).outcome;
     ASSERT_EQ(o.kind, Outcome::Kind::solved);
-    const TangentialState& t = o.solution.tangential.tractions;
-    const SurfaceTractions tractions = {t.px, t.py, o.solution.normal.pressure};
+    const VectorField& t = o.solution.fields.traction;
+    const SurfaceTractions tractions = {t.x, t.y, o.solution.normal.pressure};
     const double velocity = chi == "0" ? 30 : -30;
     const MaterialCreep creeps[] = {{2, 1e-5}, {0.5, 3e-5}};
     for (std::size_t k = 0; k < 2; ++k) {

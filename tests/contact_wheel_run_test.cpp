@@ -60,7 +60,7 @@ protected:
       const auto there = static_cast<std::size_t>(j) * mx + mx / 2,
                  here = static_cast<std::size_t>(my - 1 - j) * mx + mx / 2;
       EXPECT_EQ(a.solution.normal.pressure[there], b.solution.normal.pressure[here]);
-      EXPECT_EQ(a.solution.tangential.tractions.py[there], 0 - b.solution.tangential.tractions.py[here]);
+      EXPECT_EQ(a.solution.fields.traction.y[there], 0 - b.solution.fields.traction.y[here]);
     }
   }
 
@@ -307,15 +307,15 @@ CarriedTractions counted(int mx, int my, double x0, double y0) {
   CarriedTractions carried;
   carried.tractions.grid = {.mx = mx, .my = my, .x0 = x0, .y0 = y0, .dx = 1e-3, .dy = 1e-3};
   for (int k = 0; k < mx * my; ++k) {
-    carried.tractions.tractions.px.push_back(k + 1);
-    carried.tractions.tractions.py.push_back(-k - 1);
+    carried.tractions.tractions.traction.x.push_back(k + 1);
+    carried.tractions.tractions.traction.y.push_back(-k - 1);
   }
   return carried;
 }
 
 double sum_of_px(const CarriedTractions& carried) {
   double sum = 0;
-  for (const double p : carried.tractions.tractions.px) sum += p;
+  for (const double p : carried.tractions.tractions.traction.x) sum += p;
   return sum;
 }
 
@@ -325,8 +325,8 @@ TEST(CarriedTractions, PartsAreTheWhole) {
   const auto low = part_of(whole, -1e9, line), high = part_of(whole, line, 1e9);
   EXPECT_EQ(sum_of_px(low), 1 + 2 + 3 + 4 + 5 + 6);
   const CarriedTractions sum = sum_of({low, high});
-  EXPECT_EQ(sum.tractions.tractions.px, whole.tractions.tractions.px);
-  EXPECT_EQ(sum.tractions.tractions.py, whole.tractions.tractions.py);
+  EXPECT_EQ(sum.tractions.tractions.traction.x, whole.tractions.tractions.traction.x);
+  EXPECT_EQ(sum.tractions.tractions.traction.y, whole.tractions.tractions.traction.y);
 }
 
 TEST(CarriedTractions, SumsReachAsFarAsTheirParts) {
@@ -459,7 +459,7 @@ protected:
 TEST_F(RailOnTwoSprings, SinksUnderTheForceThatIsGiven) {
   const Outcome o = run(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_)).at(0);
   const WheelOutcome& w = *o.wheel;
-  EXPECT_EQ(o.solution.status, Status::ok);
+  EXPECT_EQ(o.solution.report.status, Status::ok);
   EXPECT_NEAR(w.dz_rail / mm, (50e3 - 2e4) / 6e3, 1e-12);
   EXPECT_NEAR(w.track.force.z, 50e3, 0.01);
   EXPECT_NEAR(w.track.force.y - 4e3 * w.dy_rail / mm + 700, 0, 0.01);
@@ -480,7 +480,7 @@ TEST_F(RailOnTwoSprings, AreInBalanceAtTheHeightThatIsGiven) {
     height << y << in_file(wanted.z, mm) << " 0 0 0";
     const Outcome o = run(with_springs(by_height.c_str(), height.str(), springs_)).at(0);
     const WheelOutcome& w = *o.wheel;
-    EXPECT_EQ(o.solution.status, Status::ok);
+    EXPECT_EQ(o.solution.report.status, Status::ok);
     EXPECT_EQ(w.z, wanted.z);
     EXPECT_NEAR(w.dz_rail / mm, wanted.dz_rail / mm, 1e-6);
     EXPECT_NEAR(w.dy_rail / mm, wanted.dy_rail / mm, 1e-6);
@@ -492,7 +492,7 @@ TEST_F(RailOnTwoSprings, AreInBalanceAtTheHeightThatIsGiven) {
 
 TEST_F(RailOnTwoSprings, HangFreelyWhereTheWheelDoesNotReachThem) {
   const Outcome o = run(with_springs(" 1203030", " 0 3. -5. 0 0 0", springs_)).at(0);
-  EXPECT_EQ(o.solution.status, Status::ok);
+  EXPECT_EQ(o.solution.report.status, Status::ok);
   EXPECT_TRUE(o.wheel->patches.empty());
   EXPECT_NEAR(o.wheel->dz_rail / mm, -2e4 / 6e3, 1e-12);
   EXPECT_NEAR(o.wheel->dy_rail / mm, 700 / 4e3, 1e-9);
@@ -516,12 +516,12 @@ TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
         std::pair(with_springs(" 1203030", " 0 3. 5. 0 0 0", springs_), "FZ(TR) on the rail's spring is")}) {
     SCOPED_TRACE(name);
     const Outcome reached = run(text).at(0), missed = run(strict(text)).at(0);
-    EXPECT_EQ(reached.solution.status, Status::ok);
+    EXPECT_EQ(reached.solution.report.status, Status::ok);
     EXPECT_FALSE(reached.misses_force);
-    EXPECT_EQ(missed.solution.status, Status::not_converged);
+    EXPECT_EQ(missed.solution.report.status, Status::not_converged);
     ASSERT_FALSE(missed.wheel->patches.empty());
     for (const WheelPatch& patch : missed.wheel->patches)
-      EXPECT_EQ(patch.solution->solution.status, Status::not_converged);
+      EXPECT_EQ(patch.solution->solution.report.status, Status::not_converged);
     const auto said = [name = std::string(name)](const std::string& note) {
       return note.starts_with("the force that is prescribed is not reached: ") && note.find(name) != std::string::npos;
     };
@@ -732,7 +732,7 @@ TEST_F(WornProfiles, ARailOnSpringsIsWhereContactFindsIt) {
     text = with(text, "\n 0 0 0 0 0 0\n", std::string("\n 0 0 0 0 0 0\n ") + p.springs + "\n");
     const Outcome o = run(text).at(0);
     const WheelOutcome& w = *o.wheel;
-    EXPECT_EQ(o.solution.status, Status::ok);
+    EXPECT_EQ(o.solution.report.status, Status::ok);
     ASSERT_EQ(w.patches.size(), 1u);
     EXPECT_NEAR(w.dy_rail / mm, p.dy, 1e-4);
     EXPECT_NEAR(w.dz_rail / mm, p.dz, 1e-4);

@@ -27,10 +27,10 @@ TEST(ConvexGaussSeidel, FindsWhatNewtonFinds) {
   for (const FrictionCase& c : friction_cases(9)) {
     SCOPED_TRACE(c.name);
     const GaussSeidelSolution s = sweep(c, {.tolerance = 1e-9});
-    ASSERT_EQ(s.status, Status::ok) << s.residual;
-    EXPECT_LE(s.residual, 1e-9);
+    ASSERT_EQ(s.report.status, Status::ok) << s.report.residual;
+    EXPECT_LE(s.report.residual, 1e-9);
     const PlaneFields w = slip(c, s);
-    expect_friction_conditions({c.bound, s.px, s.py, w.x, w.y, c.kernel().diagonal()}, s.sliding, 1e-8);
+    expect_friction_conditions({c.bound, s.traction.x, s.traction.y, w.x, w.y, c.kernel().diagonal()}, s.sliding, 1e-8);
 
     expect_newtons(c, s);
   }
@@ -41,9 +41,9 @@ TEST(ConvexGaussSeidel, ThreadsDoNotChangeABit) {
   const GaussSeidelSolution one = sweep(c, {.most_sweeps = 12});
   for (const int threads : {2, 3, 7}) {
     const GaussSeidelSolution s = sweep(c, {.most_sweeps = 12, .threads = threads});
-    EXPECT_EQ(s.px, one.px);
-    EXPECT_EQ(s.py, one.py);
-    EXPECT_EQ(s.residual, one.residual);
+    EXPECT_EQ(s.traction.x, one.traction.x);
+    EXPECT_EQ(s.traction.y, one.traction.y);
+    EXPECT_EQ(s.report.residual, one.report.residual);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(ConvexGaussSeidel, OneElementInClosedForm) {
       c.input.creepage.longitudinal = size * g * dxx * std::cos(angle);
       c.input.creepage.lateral = size * g * dxx * std::sin(angle);
       const GaussSeidelSolution s = sweep(c, {.tolerance = 1e-13});
-      ASSERT_EQ(s.status, Status::ok);
+      ASSERT_EQ(s.report.status, Status::ok);
       const auto traction = [&](double lambda) {
         return Vec2{-c.input.creepage.longitudinal / (dxx + lambda), -c.input.creepage.lateral / (dyy + lambda)};
       };
@@ -68,27 +68,27 @@ TEST(ConvexGaussSeidel, OneElementInClosedForm) {
       EXPECT_EQ(s.sliding[0], too_large(0));
       for (int halving = 0; halving < 200 && too_large(0); ++halving)
         (too_large((low + high) / 2) ? low : high) = (low + high) / 2;
-      EXPECT_NEAR(s.px[0], traction(low).x, 1e-9 * g);
-      EXPECT_NEAR(s.py[0], traction(low).y, 1e-9 * g);
+      EXPECT_NEAR(s.traction.x[0], traction(low).x, 1e-9 * g);
+      EXPECT_NEAR(s.traction.y[0], traction(low).y, 1e-9 * g);
     }
 }
 
 TEST(ConvexGaussSeidel, NothingMoves) {
   const FrictionCase c = elliptic_case("", 6, 1, rolling(0, 0, 0));
   const GaussSeidelSolution s = sweep(c, {});
-  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.report.status, Status::ok);
   EXPECT_EQ(s.sweeps, 1);
-  EXPECT_EQ(s.residual, 0);
-  EXPECT_EQ(s.px, Field(c.bound.size(), 0.0));
+  EXPECT_EQ(s.report.residual, 0);
+  EXPECT_EQ(s.traction.x, Field(c.bound.size(), 0.0));
 }
 
 TEST(ConvexGaussSeidel, NoContactAnywhere) {
   FrictionCase c = elliptic_case("", 6, 1, rolling(1e-3, 0, 0));
   std::fill(c.bound.begin(), c.bound.end(), 0.0);
   const GaussSeidelSolution s = sweep(c, {});
-  EXPECT_EQ(s.status, Status::ok);
-  EXPECT_EQ(s.residual, 0);
-  EXPECT_EQ(s.sx, Field(c.bound.size(), 0.0));
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_EQ(s.report.residual, 0);
+  EXPECT_EQ(s.slip.x, Field(c.bound.size(), 0.0));
 }
 
 /// Tractions obey the bound after every sweep; the status is honest, and so is the residual.
@@ -97,14 +97,16 @@ TEST(ConvexGaussSeidel, NotConvergedIsAStatus) {
   double before = 1e9;
   for (const int sweeps : {1, 2, 4, 8, 16}) {
     const GaussSeidelSolution s = sweep(c, {.tolerance = 1e-12, .most_sweeps = sweeps});
-    EXPECT_EQ(s.status, Status::not_converged);
+    EXPECT_EQ(s.report.status, Status::not_converged);
     EXPECT_EQ(s.sweeps, sweeps);
     const PlaneFields w = slip(c, s);
-    EXPECT_NEAR(s.residual, complementarity_residual({c.bound, s.px, s.py, w.x, w.y, c.kernel().diagonal()}),
-                1e-10 * s.residual);
-    EXPECT_LT(s.residual, before);
-    before = s.residual;
-    for (std::size_t k = 0; k < c.bound.size(); ++k) EXPECT_LE(std::hypot(s.px[k], s.py[k]), c.bound[k] * (1 + 1e-15));
+    EXPECT_NEAR(s.report.residual,
+                complementarity_residual({c.bound, s.traction.x, s.traction.y, w.x, w.y, c.kernel().diagonal()}),
+                1e-10 * s.report.residual);
+    EXPECT_LT(s.report.residual, before);
+    before = s.report.residual;
+    for (std::size_t k = 0; k < c.bound.size(); ++k)
+      EXPECT_LE(std::hypot(s.traction.x[k], s.traction.y[k]), c.bound[k] * (1 + 1e-15));
   }
 }
 
@@ -116,7 +118,7 @@ TEST(ConvexGaussSeidel, ASolutionTakesOneSweep) {
   const FrictionProblem problem = c.problem(response, free);
   const GaussSeidelSolution s = solve_convex_gauss_seidel(problem, kernel, {.tolerance = 1e-10});
   EXPECT_GT(s.sweeps, 10);
-  EXPECT_EQ(solve_convex_gauss_seidel(problem, kernel, {.tolerance = 1e-8}, s.px, s.py).sweeps, 1);
+  EXPECT_EQ(solve_convex_gauss_seidel(problem, kernel, {.tolerance = 1e-8}, s.traction.x, s.traction.y).sweeps, 1);
 }
 
 /// The iterates depend on the relaxation, the solution does not.
@@ -126,11 +128,11 @@ TEST(ConvexGaussSeidel, AnyRelaxationThatConvergesFindsTheSame) {
   const double most = *std::max_element(c.bound.begin(), c.bound.end());
   for (const Relaxation relaxation : {Relaxation{1, 1}, Relaxation{0.5, 0.5}, Relaxation{0.3, 1}, Relaxation{1, 0.3}}) {
     const GaussSeidelSolution other = sweep(c, {.tolerance = 1e-9, .relaxation = relaxation});
-    ASSERT_EQ(other.status, Status::ok);
+    ASSERT_EQ(other.report.status, Status::ok);
     EXPECT_NE(other.sweeps, s.sweeps);
     for (std::size_t k = 0; k < c.bound.size(); ++k) {
-      ASSERT_NEAR(other.px[k], s.px[k], 1e-6 * most);
-      ASSERT_NEAR(other.py[k], s.py[k], 1e-6 * most);
+      ASSERT_NEAR(other.traction.x[k], s.traction.x[k], 1e-6 * most);
+      ASSERT_NEAR(other.traction.y[k], s.traction.y[k], 1e-6 * most);
     }
   }
 }
@@ -146,9 +148,10 @@ TEST(ConvexGaussSeidel, RelaxationFollowsTheStep) {
     EXPECT_GT(relaxation.adhesion, before);
     EXPECT_EQ(relaxation.adhesion, relaxation.slip);
     before = relaxation.adhesion;
-    EXPECT_EQ(sweep(c, {}).status, Status::ok);
+    EXPECT_EQ(sweep(c, {}).report.status, Status::ok);
     if (step < 0.4) {
-      EXPECT_EQ(sweep(c, {.most_sweeps = 2000, .relaxation = Relaxation{0.9, 0.9}}).status, Status::not_converged);
+      EXPECT_EQ(sweep(c, {.most_sweeps = 2000, .relaxation = Relaxation{0.9, 0.9}}).report.status,
+                Status::not_converged);
     }
     TangentialInput turned = c.input;
     turned.direction = RollingDirection::backward;

@@ -127,7 +127,7 @@ TEST(CoupledEquations, VanishAtFullSliding) {
   const CoupledFrictionSolution s = equations.solution(at.x, at.response);
   EXPECT_EQ(s.friction.sliding, (std::vector<char>{1, 1, 0}));
   EXPECT_EQ(s.pressure[2], 0);
-  EXPECT_EQ(s.friction.sx[2], 0);
+  EXPECT_EQ(s.friction.slip.x[2], 0);
 }
 
 /// Forces given and everything adheres: the start finds approach and creepage, since slip and gap shall vanish.
@@ -141,8 +141,8 @@ TEST(CoupledEquations, VanishInAdhesionUnderTheForces) {
   equations.start(row.start(), at.x, at.response);
   EXPECT_LT(equations.evaluate(at.x, at.response, at.f), 1e-12 * equations.scale());
   const CoupledFrictionSolution s = equations.solution(at.x, at.response);
-  EXPECT_NEAR(s.friction.constant_x, 4e-6, 1e-18);
-  EXPECT_NEAR(s.friction.constant_y, -7e-6, 1e-18);
+  EXPECT_NEAR(s.friction.constants.x, 4e-6, 1e-18);
+  EXPECT_NEAR(s.friction.constants.y, -7e-6, 1e-18);
   EXPECT_NEAR(s.approach, Row::approach, 1e-18);
   equations.linearise(at.x, at.response);
   EXPECT_EQ(equations.mean_alpha(), 1);

@@ -65,7 +65,7 @@ TEST(ElementShape, FiguresOfContact) {
   const NormalSolution tents = press(bilinear(constant), approach);
   EXPECT_NEAR(tents.peak_pressure * 1e-6, 821.8, 0.05);
   EXPECT_NEAR(tents.normal_force, 1722, 0.5);
-  EXPECT_NEAR(shift(bilinear(constant), tents.pressure, 3.04e-6, {}).forces.fx, -451.9, 0.05);
+  EXPECT_NEAR(shift(bilinear(constant), tents.pressure, 3.04e-6, {}).totals.fx, -451.9, 0.05);
   const NormalSolution loaded = press(constant, {NormalLoad::Given::force, 1722});
   EXPECT_NEAR(loaded.approach * 1e3, 0.01132, 5e-6);
   EXPECT_NEAR(shift(constant, loaded.pressure, 0, -0.875 * friction * 1722).creepage.longitudinal * 1e3, 3.042e-3,
@@ -113,9 +113,9 @@ TEST(ElementShape, CarterIsMet) {
     for (double& g : bound) g *= friction;
     TangentialInput input;
     input.creepage.longitudinal = creepage * scale;
-    const TangentialSolution s = TangentialProblem(steel, grid).solve(bound, input);
-    EXPECT_EQ(s.forces.status, Status::ok);
-    const double error = std::abs(s.forces.fx / (friction * 1e5) - wanted);
+    const ContactSolution s = TangentialProblem(steel, grid).solve(bound, input);
+    EXPECT_EQ(s.report.status, Status::ok);
+    const double error = std::abs(s.totals.fx / (friction * 1e5) - wanted);
     EXPECT_LT(error, 0.7 / across);
     if (before > 0) {
       EXPECT_GT(before / error, 2.5);
@@ -136,8 +136,8 @@ TEST(ElementShape, FrictionsLawHolds) {
       input.creepage = scaled_creepage(contact, 0.5, -0.3, 0.4);
       if (motion == ContactMotion::shift) input.creepage = {1e-6, -5e-7, 1e-4};
       input.step = step * p.grid.dx;
-      const TangentialSolution s = solve(p, input);
-      EXPECT_EQ(s.forces.status, Status::ok);
+      const ContactSolution s = solve(p, input);
+      EXPECT_EQ(s.report.status, Status::ok);
       expect_solution(p, input, s);
     }
 }
@@ -148,11 +148,11 @@ TEST(ElementShape, TheLeadingEdgesCorrection) {
   input.creepage = scaled_creepage(contact, 0.6, 0, 0);
   input.leading_edge = LeadingEdge{};
   Problem p = elliptic(contact, 24, 24, 3);
-  const double constant = solve(p, input).forces.fx / p.capacity;
+  const double constant = solve(p, input).totals.fx / p.capacity;
   p.grid = bilinear(p.grid);
-  const TangentialSolution s = solve(p, input);
-  EXPECT_EQ(s.forces.status, Status::ok);
-  EXPECT_NEAR(s.forces.fx / p.capacity, constant, 0.01);
+  const ContactSolution s = solve(p, input);
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_NEAR(s.totals.fx / p.capacity, constant, 0.01);
 }
 
 /// Dissimilar bodies: both solvers give the same, near that of constant elements.
@@ -170,12 +170,12 @@ TEST(ElementShape, DissimilarBodies) {
   const ContactStepSolution newton = ContactSequence().solve(step);
   step.coupling = Coupling::alternating;
   const ContactStepSolution alternating = ContactSequence().solve(step);
-  EXPECT_EQ(newton.status, Status::ok);
-  EXPECT_EQ(alternating.status, Status::ok);
-  const double mu_fn = 0.3, fx = newton.tangential.forces.fx;
-  EXPECT_NEAR(alternating.tangential.forces.fx, fx, 1e-6 * mu_fn);
+  EXPECT_EQ(newton.report.status, Status::ok);
+  EXPECT_EQ(alternating.report.status, Status::ok);
+  const double mu_fn = 0.3, fx = newton.totals.fx;
+  EXPECT_NEAR(alternating.totals.fx, fx, 1e-6 * mu_fn);
   EXPECT_NEAR(alternating.normal.approach, newton.normal.approach, 1e-6 * newton.normal.approach);
-  EXPECT_NEAR(constant.tangential.forces.fx, fx, 0.02 * mu_fn);
+  EXPECT_NEAR(constant.totals.fx, fx, 0.02 * mu_fn);
   EXPECT_NEAR(constant.normal.approach, newton.normal.approach, 0.01 * newton.normal.approach);
 }
 
@@ -189,11 +189,11 @@ TEST(ElementShape, ASequenceMayChangeIt) {
   step.friction = {FrictionLaw::coulomb(0.3)};
   step.motion.creepage = {1e-3, 0, 0};
   ContactSequence sequence;
-  const double constant = sequence.solve(step).tangential.forces.fx;
+  const double constant = sequence.solve(step).totals.fx;
   step.grid = bilinear(step.grid);
-  const double tents = sequence.solve(step).tangential.forces.fx;
+  const double tents = sequence.solve(step).totals.fx;
   EXPECT_NE(constant, tents);
-  EXPECT_EQ(ContactSequence().solve(step).tangential.forces.fx, tents);
+  EXPECT_EQ(ContactSequence().solve(step).totals.fx, tents);
 }
 
 /// Retarded deformation, for rolling along +x: l du/dx = u - f u_elastic.

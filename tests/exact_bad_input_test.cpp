@@ -21,12 +21,14 @@ double ball(double x, double y) {
   return 0.5 * (x * x + y * y);
 }
 
-bool all_finite(const TangentialSolution& s) {
-  const ContactForces& f = s.forces;
-  for (const double value : {f.fx, f.fy, f.mz, s.elastic_energy, s.frictional_power, s.power_by_creepage,
-                             s.peak_traction, s.residual, s.creepage.longitudinal, s.creepage.lateral})
+bool all_finite(const ContactSolution& s) {
+  const ContactForces& f = s.forces();
+  for (const double value :
+       {f.fx, f.fy, f.mz, s.totals.elastic_energy, s.totals.frictional_power, s.totals.power_by_creepage,
+        s.totals.peak_traction, s.report.residual, s.creepage.longitudinal, s.creepage.lateral})
     if (!std::isfinite(value)) return false;
-  for (const Field* field : {&s.tractions.px, &s.tractions.py, &s.ux, &s.uy, &s.sx, &s.sy, &s.slip_direction})
+  for (const Field* field : {&s.fields.traction.x, &s.fields.traction.y, &s.fields.displacement.x,
+                             &s.fields.displacement.y, &s.fields.slip.x, &s.fields.slip.y})
     if (!std::all_of(field->begin(), field->end(), [](double value) { return std::isfinite(value); })) return false;
   return true;
 }
@@ -38,10 +40,10 @@ TEST(ExactBadInput, NoContactAtAll) {
   EXPECT_EQ(c.solution.normal_force, 0);
   TangentialInput input;
   input.creepage = {1e-3, 0, 0};
-  const TangentialSolution s = TangentialProblem(steel, grid).solve(c.solution.pressure, input);
-  EXPECT_EQ(s.forces.status, Status::ok);
-  EXPECT_EQ(s.forces.fx, 0);
-  EXPECT_EQ(s.forces.adhesion_area + s.forces.slip_area, 0);
+  const ContactSolution s = TangentialProblem(steel, grid).solve(c.solution.pressure, input);
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_EQ(s.totals.fx, 0);
+  EXPECT_EQ(s.totals.adhesion_area + s.totals.slip_area, 0);
   EXPECT_TRUE(all_finite(s));
 }
 
@@ -115,14 +117,14 @@ TEST(ExactBadInput, ZeroFriction) {
     TangentialInput input;
     input.motion = motion;
     input.creepage = {1e-3, 1e-3, 0.1};
-    const TangentialSolution s = solve(p, input);
-    EXPECT_EQ(s.forces.status, Status::ok);
-    EXPECT_EQ(std::abs(s.forces.fx) + std::abs(s.forces.fy) + std::abs(s.frictional_power), 0);
+    const ContactSolution s = solve(p, input);
+    EXPECT_EQ(s.report.status, Status::ok);
+    EXPECT_EQ(std::abs(s.totals.fx) + std::abs(s.totals.fy) + std::abs(s.totals.frictional_power), 0);
     EXPECT_TRUE(all_finite(s));
     input.force_x = 1e-3; // nothing bears it
-    EXPECT_EQ(solve(p, input).forces.status, Status::no_solution);
+    EXPECT_EQ(solve(p, input).report.status, Status::no_solution);
     input.force_x = 0;
-    EXPECT_EQ(solve(p, input).forces.status, Status::ok);
+    EXPECT_EQ(solve(p, input).report.status, Status::ok);
   }
 }
 
@@ -130,9 +132,9 @@ TEST(ExactBadInput, StepOfZeroMeansAnElement) {
   const Problem p = elliptic(steel_contact(1), 8, 8);
   TangentialInput input;
   input.creepage = {1e-3, 0, 0};
-  const double by_default = solve(p, input).forces.fx;
+  const double by_default = solve(p, input).totals.fx;
   input.step = p.grid.dx;
-  EXPECT_EQ(solve(p, input).forces.fx, by_default);
+  EXPECT_EQ(solve(p, input).totals.fx, by_default);
 }
 
 TEST(ExactBadInput, NegativeStepIsRefused) {
@@ -171,12 +173,12 @@ TEST(ExactBadInput, ForceBeyondFrictionSlidesFully) {
     input.motion = motion;
     input.force_x = -0.9 * p.capacity;
     input.force_y = 0.9 * p.capacity;
-    const TangentialSolution s = solve(p, input);
-    EXPECT_EQ(s.forces.status, Status::no_solution);
-    EXPECT_EQ(s.forces.adhesion_area, 0);
-    EXPECT_NEAR(s.forces.fx, -p.capacity / std::sqrt(2), 1e-9 * p.capacity);
-    EXPECT_NEAR(s.forces.fy, p.capacity / std::sqrt(2), 1e-9 * p.capacity);
-    EXPECT_NEAR(s.residual, 0.9 * std::sqrt(2) - 1, 1e-9);
+    const ContactSolution s = solve(p, input);
+    EXPECT_EQ(s.report.status, Status::no_solution);
+    EXPECT_EQ(s.totals.adhesion_area, 0);
+    EXPECT_NEAR(s.totals.fx, -p.capacity / std::sqrt(2), 1e-9 * p.capacity);
+    EXPECT_NEAR(s.totals.fy, p.capacity / std::sqrt(2), 1e-9 * p.capacity);
+    EXPECT_NEAR(s.report.residual, 0.9 * std::sqrt(2) - 1, 1e-9);
     EXPECT_TRUE(all_finite(s));
   }
 }
@@ -195,11 +197,11 @@ TEST(ExactBadInput, Overflow) {
           input.motion = motion;
           input.creepage = {size, -size, size};
           input.rolling_speed = speed;
-          const TangentialSolution s = solve(q, input);
-          if (s.forces.status == Status::ok) {
+          const ContactSolution s = solve(q, input);
+          if (s.report.status == Status::ok) {
             EXPECT_TRUE(all_finite(s)) << size << ' ' << speed << ' ' << bound;
           } else {
-            EXPECT_EQ(s.forces.status, Status::invalid_input);
+            EXPECT_EQ(s.report.status, Status::invalid_input);
             ++refused;
           }
         }

@@ -54,8 +54,7 @@ FrictionCase rearranged(const FrictionCase& c, const ElementGrid& grid, int sign
   if (c.input.force_x) *r.input.force_x *= sign_x;
   if (c.input.force_y) *r.input.force_y *= sign_y;
   if (c.before) {
-    r.before =
-        std::make_shared<TangentialState>(TangentialState{moved(c.before->px, sign_x), moved(c.before->py, sign_y)});
+    r.before = std::make_shared<VectorField>(VectorField{moved(c.before->x, sign_x), moved(c.before->y, sign_y)});
     r.input.previous = r.before.get();
   }
   return r;
@@ -63,48 +62,48 @@ FrictionCase rearranged(const FrictionCase& c, const ElementGrid& grid, int sign
 
 /// Both solutions are the same but for 1e-6 of the bound, `r` being that of a rearranged case.
 template <class To>
-void expect_same(const FrictionCase& c, const TangentialSolution& s, const TangentialSolution& r, int sign_x,
-                 int sign_y, To to) {
-  ASSERT_EQ(r.forces.status, Status::ok);
+void expect_same(const FrictionCase& c, const ContactSolution& s, const ContactSolution& r, int sign_x, int sign_y,
+                 To to) {
+  ASSERT_EQ(r.report.status, Status::ok);
   const double tolerance = 1e-6 * norm(c.bound);
   double sum = 0;
   for (int j = 0; j < c.grid.my; ++j)
     for (int i = 0; i < c.grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * c.grid.mx + i;
-      sum += std::pow(r.tractions.px[to(i, j)] - sign_x * s.tractions.px[k], 2) +
-             std::pow(r.tractions.py[to(i, j)] - sign_y * s.tractions.py[k], 2);
+      sum += std::pow(r.fields.traction.x[to(i, j)] - sign_x * s.fields.traction.x[k], 2) +
+             std::pow(r.fields.traction.y[to(i, j)] - sign_y * s.fields.traction.y[k], 2);
     }
   EXPECT_LE(std::sqrt(sum), tolerance);
-  EXPECT_NEAR(r.forces.fx, sign_x * s.forces.fx, 1e-6 * c.capacity());
-  EXPECT_NEAR(r.forces.fy, sign_y * s.forces.fy, 1e-6 * c.capacity());
-  EXPECT_NEAR(r.elastic_energy, s.elastic_energy, 1e-5 * s.elastic_energy);
+  EXPECT_NEAR(r.totals.fx, sign_x * s.totals.fx, 1e-6 * c.capacity());
+  EXPECT_NEAR(r.totals.fy, sign_y * s.totals.fy, 1e-6 * c.capacity());
+  EXPECT_NEAR(r.totals.elastic_energy, s.totals.elastic_energy, 1e-5 * s.totals.elastic_energy);
 }
 
 /// Bound kept, no slip in adhesion, slip against the traction, forces as given, energy and power of the right sign.
 TEST(ExactRandom, ConvergesFromAColdStartAndObeysAllConditions) {
-  for_random_cases(1, 40, [](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(1, 40, [](const FrictionCase& c, const ContactSolution& s) {
     const double length = -c.grid.x0 + c.grid.dx / 2;
     expect_solution({c.material, c.grid, c.bound, c.capacity(), length}, c.input, s);
-    EXPECT_LE(s.residual, 1e-10);
+    EXPECT_LE(s.report.residual, 1e-10);
     const double slip_unit = 1e-9 * norm(c.bound) * c.response().diagonal();
-    EXPECT_GE(s.frictional_power, -slip_unit * c.capacity());
-    EXPECT_GE(s.elastic_energy, 0);
+    EXPECT_GE(s.totals.frictional_power, -slip_unit * c.capacity());
+    EXPECT_GE(s.totals.elastic_energy, 0);
   });
 }
 
 /// Many more, by their residuals only.
 TEST(ExactRandom, ConvergesFromAColdStart) {
   int most = 0;
-  for_random_cases(2, 300, [&](const FrictionCase&, const TangentialSolution& s) {
-    ASSERT_EQ(s.forces.status, Status::ok);
-    ASSERT_LE(s.residual, 1e-10);
-    most = std::max(most, s.newton_steps);
+  for_random_cases(2, 300, [&](const FrictionCase&, const ContactSolution& s) {
+    ASSERT_EQ(s.report.status, Status::ok);
+    ASSERT_LE(s.report.residual, 1e-10);
+    most = std::max(most, s.report.newton_steps);
   });
   EXPECT_LT(most, 100);
 }
 
 TEST(ExactRandom, MirrorInY) {
-  for_random_cases(3, 20, [](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(3, 20, [](const FrictionCase& c, const ContactSolution& s) {
     const auto to = [&](int i, int j) { return static_cast<std::size_t>(c.grid.my - 1 - j) * c.grid.mx + i; };
     expect_same(c, s, rearranged(c, c.grid, 1, -1, to).by_newton(), 1, -1, to);
   });
@@ -112,7 +111,7 @@ TEST(ExactRandom, MirrorInY) {
 
 /// Elements in reverse order along x: rolling in the opposite direction.
 TEST(ExactRandom, MirrorInX) {
-  for_random_cases(4, 20, [](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(4, 20, [](const FrictionCase& c, const ContactSolution& s) {
     const auto to = [&](int i, int j) { return static_cast<std::size_t>(j) * c.grid.mx + (c.grid.mx - 1 - i); };
     FrictionCase r = rearranged(c, c.grid, -1, 1, to);
     r.input.direction = c.input.direction == forward ? backward : forward;
@@ -122,7 +121,7 @@ TEST(ExactRandom, MirrorInX) {
 
 /// All elements in reverse order: the contact turned by half a turn.
 TEST(ExactRandom, HalfATurn) {
-  for_random_cases(5, 20, [](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(5, 20, [](const FrictionCase& c, const ContactSolution& s) {
     const auto to = [&](int i, int j) { return c.grid.count() - 1 - (static_cast<std::size_t>(j) * c.grid.mx + i); };
     FrictionCase r = rearranged(c, c.grid, -1, -1, to);
     r.input.direction = c.input.direction == forward ? backward : forward;
@@ -132,7 +131,7 @@ TEST(ExactRandom, HalfATurn) {
 
 /// Rows become columns; a shift has no direction of rolling.
 TEST(ExactRandom, TransposedShifts) {
-  for_random_cases(6, 20, [](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(6, 20, [](const FrictionCase& c, const ContactSolution& s) {
     if (c.input.motion != ContactMotion::shift) return;
     const ElementGrid grid{c.grid.my, c.grid.mx, c.grid.y0, c.grid.x0, c.grid.dy, c.grid.dx, false};
     const auto to = [&](int i, int j) { return static_cast<std::size_t>(i) * c.grid.my + j; };
@@ -140,24 +139,24 @@ TEST(ExactRandom, TransposedShifts) {
     std::swap(r.input.creepage.longitudinal, r.input.creepage.lateral);
     r.input.creepage.spin *= -1;
     std::swap(r.input.force_x, r.input.force_y);
-    if (r.before) std::swap(r.before->px, r.before->py);
-    TangentialSolution turned = r.by_newton();
-    std::swap(turned.tractions.px, turned.tractions.py);
-    std::swap(turned.forces.fx, turned.forces.fy);
+    if (r.before) std::swap(r.before->x, r.before->y);
+    ContactSolution turned = r.by_newton();
+    std::swap(turned.fields.traction.x, turned.fields.traction.y);
+    std::swap(turned.totals.fx, turned.totals.fy);
     expect_same(c, s, turned, 1, 1, to);
   });
 }
 
 TEST(ExactRandom, UnitsDoNotMatter) {
   const double length = 1e3, pressure = 1e-6; // mm and N
-  for_random_cases(7, 20, [&](const FrictionCase& c, const TangentialSolution& s) {
+  for_random_cases(7, 20, [&](const FrictionCase& c, const ContactSolution& s) {
     FrictionCase r =
         rearranged(c, c.grid, 1, 1, [&](int i, int j) { return static_cast<std::size_t>(j) * c.grid.mx + i; });
     for (double* value : {&r.grid.x0, &r.grid.y0, &r.grid.dx, &r.grid.dy, &r.input.step}) *value *= length;
     r.material.shear_modulus *= pressure;
     for (double& g : r.bound) g *= pressure;
     if (r.before)
-      for (Field* field : {&r.before->px, &r.before->py})
+      for (Field* field : {&r.before->x, &r.before->y})
         for (double& p : *field) p *= pressure;
     if (c.input.motion == ContactMotion::shift) {
       r.input.creepage.longitudinal *= length;
@@ -165,32 +164,33 @@ TEST(ExactRandom, UnitsDoNotMatter) {
     } else {
       r.input.creepage.spin /= length;
     }
-    const TangentialSolution o = r.by_newton();
-    ASSERT_EQ(o.forces.status, Status::ok);
+    const ContactSolution o = r.by_newton();
+    ASSERT_EQ(o.report.status, Status::ok);
     for (const auto& [mine, other] :
-         {std::pair{&s.tractions.px, &o.tractions.px}, {&s.tractions.py, &o.tractions.py}}) {
+         {std::pair{&s.fields.traction.x, &o.fields.traction.x}, {&s.fields.traction.y, &o.fields.traction.y}}) {
       Field back = *other;
       for (double& p : back) p /= pressure;
       EXPECT_LE(difference(*mine, back), 1e-6 * norm(c.bound));
     }
-    EXPECT_NEAR(o.elastic_energy, s.elastic_energy * length, 1e-5 * s.elastic_energy * length); // N mm
+    EXPECT_NEAR(o.totals.elastic_energy, s.totals.elastic_energy * length,
+                1e-5 * s.totals.elastic_energy * length); // N mm
   });
 }
 
 /// The plain methods find the same tractions, where they arrive.
 TEST(ExactRandom, ReferenceSolversAgree) {
   int by_sweeps = 0, by_tang = 0, cases = 0;
-  for_random_cases(8, 15, [&](const FrictionCase& c, const TangentialSolution& s) {
-    ASSERT_EQ(s.forces.status, Status::ok);
+  for_random_cases(8, 15, [&](const FrictionCase& c, const ContactSolution& s) {
+    ASSERT_EQ(s.report.status, Status::ok);
     TangentialOperator response = c.response();
     const PlaneFields free = c.free_slip();
     const FrictionProblem problem = c.problem(response, free);
     ++cases;
     const auto compare = [&](const FrictionSolution& reference, int& count) {
-      if (reference.status != Status::ok) return;
+      if (reference.report.status != Status::ok) return;
       ++count;
-      EXPECT_LE(difference(reference.px, s.tractions.px), 1e-5 * norm(c.bound));
-      EXPECT_LE(difference(reference.py, s.tractions.py), 1e-5 * norm(c.bound));
+      EXPECT_LE(difference(reference.traction.x, s.fields.traction.x), 1e-5 * norm(c.bound));
+      EXPECT_LE(difference(reference.traction.y, s.fields.traction.y), 1e-5 * norm(c.bound));
     };
     compare(solve_convex_gauss_seidel(problem, c.kernel(), {.tolerance = 1e-8, .most_sweeps = 500}), by_sweeps);
     compare(solve_tang(problem, {.tolerance = 1e-8}), by_tang);

@@ -26,7 +26,7 @@ struct FrictionCase {
   ElementGrid grid;
   Field bound;
   TangentialInput input;
-  std::shared_ptr<TangentialState> before = {}; ///< what input.previous points to
+  std::shared_ptr<VectorField> before = {}; ///< what input.previous points to
 
   double length() const {
     if (input.motion == ContactMotion::shift) return 1;
@@ -46,7 +46,7 @@ struct FrictionCase {
   PlaneFields free_slip() const {
     const bool shift = input.motion == ContactMotion::shift;
     PlaneFields u{Field(grid.count(), 0.0), Field(grid.count(), 0.0)}, c = u;
-    if (before) u = dense_displacement(material, grid, before->px, before->py, shift ? 0 : step());
+    if (before) u = dense_displacement(material, grid, before->x, before->y, shift ? 0 : step());
     for (int j = 0; j < grid.my; ++j)
       for (int i = 0; i < grid.mx; ++i) {
         const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
@@ -64,7 +64,7 @@ struct FrictionCase {
     return {d, bound, c.x, c.y, grid.element_area(), input.force_x, input.force_y};
   }
   double capacity() const { return std::accumulate(bound.begin(), bound.end(), 0.0) * grid.element_area(); }
-  TangentialSolution by_newton() const { return TangentialProblem(material, grid).solve(bound, input); }
+  ContactSolution by_newton() const { return TangentialProblem(material, grid).solve(bound, input); }
 };
 
 /// Half an ellipsoid of pressure times mu, round (x, y), on an ellipse with the semi-axes 6 ratio and 6/ratio mm.
@@ -99,7 +99,7 @@ inline TangentialInput with_motion(TangentialInput input, ContactMotion motion) 
 
 /// The last state of a case, as the one that the next step starts from.
 inline FrictionCase after(FrictionCase next, const FrictionCase& first) {
-  next.before = std::make_shared<TangentialState>(first.by_newton().tractions);
+  next.before = std::make_shared<VectorField>(first.by_newton().fields.traction);
   next.input.previous = next.before.get();
   return next;
 }
@@ -176,26 +176,26 @@ inline std::vector<FrictionCase> friction_cases(int across) {
 inline PlaneFields slip(const FrictionCase& c, const FrictionSolution& s) {
   PlaneFields slip{Field(c.bound.size()), Field(c.bound.size())};
   const PlaneFields free = c.free_slip();
-  c.response().apply(s.px, s.py, slip.x, slip.y);
+  c.response().apply(s.traction.x, s.traction.y, slip.x, slip.y);
   for (std::size_t k = 0; k < c.bound.size(); ++k) {
-    slip.x[k] += free.x[k] + s.constant_x;
-    slip.y[k] += free.y[k] + s.constant_y;
+    slip.x[k] += free.x[k] + s.constants.x;
+    slip.y[k] += free.y[k] + s.constants.y;
   }
   return slip;
 }
 
 /// That another algorithm finds the solution of Newton's method.
 inline void expect_newtons(const FrictionCase& c, const FrictionSolution& s) {
-  const TangentialSolution newton = c.by_newton();
-  ASSERT_EQ(newton.forces.status, Status::ok) << newton.residual;
+  const ContactSolution newton = c.by_newton();
+  ASSERT_EQ(newton.report.status, Status::ok) << newton.report.residual;
   const double most = *std::max_element(c.bound.begin(), c.bound.end());
   for (std::size_t k = 0; k < c.bound.size(); ++k) {
-    ASSERT_NEAR(s.px[k], newton.tractions.px[k], 1e-6 * most);
-    ASSERT_NEAR(s.py[k], newton.tractions.py[k], 1e-6 * most);
+    ASSERT_NEAR(s.traction.x[k], newton.fields.traction.x[k], 1e-6 * most);
+    ASSERT_NEAR(s.traction.y[k], newton.fields.traction.y[k], 1e-6 * most);
   }
   const double unit = 1e-6 * most * c.kernel().diagonal();
-  EXPECT_NEAR(s.constant_x, c.input.force_x ? newton.creepage.longitudinal : 0, unit);
-  EXPECT_NEAR(s.constant_y, c.input.force_y ? newton.creepage.lateral : 0, unit);
+  EXPECT_NEAR(s.constants.x, c.input.force_x ? newton.creepage.longitudinal : 0, unit);
+  EXPECT_NEAR(s.constants.y, c.input.force_y ? newton.creepage.lateral : 0, unit);
 }
 
 } // namespace microslip

@@ -81,12 +81,12 @@ TEST(FrictionEquations, TwoElementsByHand) {
 
   const FrictionSolution s = equations.solution(at.x, at.slip);
   EXPECT_EQ(s.sliding, (std::vector<char>{0, 0, 1}));
-  EXPECT_DOUBLE_EQ(s.px[2], 2 * zx / size);
-  EXPECT_DOUBLE_EQ(s.py[2], 2 * zy / size);
-  EXPECT_NEAR(s.px[0], 0, 1e-16);
-  EXPECT_DOUBLE_EQ(s.py[0], -0.125);
-  EXPECT_EQ(s.px[1], 0);
-  EXPECT_EQ(s.sx[1], 0);
+  EXPECT_DOUBLE_EQ(s.traction.x[2], 2 * zx / size);
+  EXPECT_DOUBLE_EQ(s.traction.y[2], 2 * zy / size);
+  EXPECT_NEAR(s.traction.x[0], 0, 1e-16);
+  EXPECT_DOUBLE_EQ(s.traction.y[0], -0.125);
+  EXPECT_EQ(s.traction.x[1], 0);
+  EXPECT_EQ(s.slip.x[1], 0);
 }
 
 /// Against a slip along one direction that no traction can stop.
@@ -171,21 +171,21 @@ TEST(FrictionEquations, ConstantsAreThoseGivenOrMakeTheMeanSlipVanish) {
   Point at(equations);
   equations.start(m.start(), at.x, at.slip);
   const FrictionSolution given = equations.solution(at.x, at.slip);
-  EXPECT_DOUBLE_EQ(given.constant_x, 0.1);
-  EXPECT_DOUBLE_EQ(given.constant_y, -0.3);
+  EXPECT_DOUBLE_EQ(given.constants.x, 0.1);
+  EXPECT_DOUBLE_EQ(given.constants.y, -0.3);
   Field sx(5), sy(5);
   m.d.apply(m.px, m.py, sx, sy);
   for (const std::size_t k : {0U, 1U, 2U, 4U}) {
-    EXPECT_NEAR(given.sx[k], sx[k] + m.cx[k] + 0.1 * m.constant_share[k], 1e-15) << k;
-    EXPECT_NEAR(given.sy[k], sy[k] + m.cy[k] - 0.3 * m.constant_share[k], 1e-15) << k;
+    EXPECT_NEAR(given.slip.x[k], sx[k] + m.cx[k] + 0.1 * m.constant_share[k], 1e-15) << k;
+    EXPECT_NEAR(given.slip.y[k], sy[k] + m.cy[k] - 0.3 * m.constant_share[k], 1e-15) << k;
   }
   equations.start({.px = m.px, .py = m.py}, at.x, at.slip);
   const FrictionSolution chosen = equations.solution(at.x, at.slip);
   double sum_x = 0, sum_y = 0;
-  for (std::size_t k = 0; k < 5; ++k) sum_x += chosen.sx[k], sum_y += chosen.sy[k];
+  for (std::size_t k = 0; k < 5; ++k) sum_x += chosen.slip.x[k], sum_y += chosen.slip.y[k];
   EXPECT_NEAR(sum_x, 0, 1e-14);
   EXPECT_NEAR(sum_y, 0, 1e-14);
-  EXPECT_NE(chosen.constant_x, 0);
+  EXPECT_NE(chosen.constants.x, 0);
 }
 
 /// Where all adheres it is the operator's M^-1; without one, or where all slides along the traction, nothing.

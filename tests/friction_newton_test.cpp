@@ -60,12 +60,12 @@ private:
 
 /// c + D p, with the constants found.
 PlaneFields slip(SlipOperator& response, const FrictionProblem& problem, const FrictionSolution& s) {
-  PlaneFields slip{Field(s.px.size()), Field(s.px.size())};
-  response.apply(s.px, s.py, slip.x, slip.y);
-  for (std::size_t k = 0; k < s.px.size(); ++k) {
+  PlaneFields slip{Field(s.traction.x.size()), Field(s.traction.x.size())};
+  response.apply(s.traction.x, s.traction.y, slip.x, slip.y);
+  for (std::size_t k = 0; k < s.traction.x.size(); ++k) {
     const double share = problem.constant_share.empty() ? 1 : problem.constant_share[k];
-    slip.x[k] += problem.cx[k] + share * s.constant_x;
-    slip.y[k] += problem.cy[k] + share * s.constant_y;
+    slip.x[k] += problem.cx[k] + share * s.constants.x;
+    slip.y[k] += problem.cy[k] + share * s.constants.y;
   }
   return slip;
 }
@@ -75,20 +75,20 @@ constexpr double projected = 10;
 
 void expect_solved(SlipOperator& response, const FrictionProblem& problem, const FrictionSolution& s,
                    double tolerance) {
-  ASSERT_EQ(s.status, Status::ok);
-  EXPECT_LE(s.residual, tolerance);
+  ASSERT_EQ(s.report.status, Status::ok);
+  EXPECT_LE(s.report.residual, tolerance);
   const PlaneFields w = slip(response, problem, s);
-  expect_friction_conditions({problem.bound, s.px, s.py, w.x, w.y, response.diagonal()}, s.sliding,
+  expect_friction_conditions({problem.bound, s.traction.x, s.traction.y, w.x, w.y, response.diagonal()}, s.sliding,
                              projected * tolerance);
-  for (std::size_t k = 0; k < s.px.size(); ++k) {
+  for (std::size_t k = 0; k < s.traction.x.size(); ++k) {
     if (problem.bound[k] > 0) {
-      EXPECT_NEAR(s.sx[k], w.x[k], projected * tolerance * norm(problem.bound) * response.diagonal());
+      EXPECT_NEAR(s.slip.x[k], w.x[k], projected * tolerance * norm(problem.bound) * response.diagonal());
       continue;
     }
-    EXPECT_EQ(s.px[k], 0);
-    EXPECT_EQ(s.py[k], 0);
-    EXPECT_EQ(s.sx[k], 0);
-    EXPECT_EQ(s.sy[k], 0);
+    EXPECT_EQ(s.traction.x[k], 0);
+    EXPECT_EQ(s.traction.y[k], 0);
+    EXPECT_EQ(s.slip.x[k], 0);
+    EXPECT_EQ(s.slip.y[k], 0);
     EXPECT_EQ(s.sliding[k], 0);
   }
 }
@@ -101,17 +101,17 @@ TEST(FrictionNewton, SpringsInClosedForm) {
   const std::size_t n = 60;
   const Field g = random.field(n, 0, 3), cx = random.field(n, -8e-3, 8e-3), cy = random.field(n, -8e-3, 8e-3);
   const FrictionSolution s = FrictionNewton().solve({springs, g, cx, cy, 1}, {.tolerance = 1e-12});
-  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.report.status, Status::ok);
   int sliding = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const double c = std::hypot(cx[k], cy[k]);
     const bool slides = c > flexibility * g[k];
     EXPECT_EQ(s.sliding[k], slides);
     const double p = slides ? g[k] / c : 1 / flexibility, left = slides ? 1 - flexibility * g[k] / c : 0;
-    EXPECT_NEAR(s.px[k], -p * cx[k], 1e-10);
-    EXPECT_NEAR(s.py[k], -p * cy[k], 1e-10);
-    EXPECT_NEAR(s.sx[k], left * cx[k], 1e-10 * flexibility);
-    EXPECT_NEAR(s.sy[k], left * cy[k], 1e-10 * flexibility);
+    EXPECT_NEAR(s.traction.x[k], -p * cx[k], 1e-10);
+    EXPECT_NEAR(s.traction.y[k], -p * cy[k], 1e-10);
+    EXPECT_NEAR(s.slip.x[k], left * cx[k], 1e-10 * flexibility);
+    EXPECT_NEAR(s.slip.y[k], left * cy[k], 1e-10 * flexibility);
     sliding += slides;
   }
   EXPECT_GT(sliding, 10);
@@ -144,10 +144,10 @@ TEST(FrictionNewton, TheStartDoesNotMatter) {
   for (const double size : {0.1, 1.0, 30.0}) {
     const Field px = random.field(n, -size, size), py = random.field(n, -size, size);
     const FrictionSolution other = FrictionNewton().solve(problem, {.tolerance = 1e-12}, {.px = px, .py = py});
-    ASSERT_EQ(other.status, Status::ok);
+    ASSERT_EQ(other.report.status, Status::ok);
     for (std::size_t k = 0; k < n; ++k) {
-      EXPECT_NEAR(other.px[k], s.px[k], 1e-10);
-      EXPECT_NEAR(other.py[k], s.py[k], 1e-10);
+      EXPECT_NEAR(other.traction.x[k], s.traction.x[k], 1e-10);
+      EXPECT_NEAR(other.traction.y[k], s.traction.y[k], 1e-10);
     }
   }
 }
@@ -159,15 +159,16 @@ TEST(FrictionNewton, ASolutionTakesNoStep) {
   const Field g = random.field(n, 0.1, 2), cx = random.field(n, -3, 3), cy = random.field(n, -3, 3), none(n, 0.0);
   const FrictionProblem problem{response, g, cx, cy, 1};
   const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-9});
-  EXPECT_GT(s.newton_steps, 1);
-  const FrictionSolution again = FrictionNewton().solve(problem, {.tolerance = 1e-8}, {.px = s.px, .py = s.py});
-  EXPECT_EQ(again.newton_steps, 0);
-  EXPECT_EQ(again.products, 1);
+  EXPECT_GT(s.report.newton_steps, 1);
+  const FrictionSolution again =
+      FrictionNewton().solve(problem, {.tolerance = 1e-8}, {.px = s.traction.x, .py = s.traction.y});
+  EXPECT_EQ(again.report.newton_steps, 0);
+  EXPECT_EQ(again.report.products, 1);
   const FrictionSolution still = FrictionNewton().solve({response, g, none, none, 1}, {});
-  EXPECT_EQ(still.newton_steps, 0);
-  EXPECT_EQ(still.px, none);
-  EXPECT_EQ(still.py, none);
-  EXPECT_EQ(still.residual, 0);
+  EXPECT_EQ(still.report.newton_steps, 0);
+  EXPECT_EQ(still.traction.x, none);
+  EXPECT_EQ(still.traction.y, none);
+  EXPECT_EQ(still.report.residual, 0);
 }
 
 /// Everything sticks: a linear system, solved in a few steps.
@@ -177,9 +178,9 @@ TEST(FrictionNewton, FullAdhesionIsALinearSystem) {
   MatrixOperator response(n, 0.8, 7);
   const Field g(n, 1e3), cx = random.field(n, -3, 3), cy = random.field(n, -3, 3);
   const FrictionSolution s = FrictionNewton().solve({response, g, cx, cy, 1}, {.tolerance = 1e-13});
-  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.report.status, Status::ok);
   PlaneFields left{Field(n), Field(n)};
-  response.apply(s.px, s.py, left.x, left.y);
+  response.apply(s.traction.x, s.traction.y, left.x, left.y);
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_FALSE(s.sliding[k]);
     EXPECT_NEAR(left.x[k], -cx[k], 1e-8);
@@ -207,10 +208,10 @@ TEST(FrictionNewton, ReversedAndTurnedWithTheSlip) {
   const FrictionSolution straight = FrictionNewton().solve({springs, g, cx, cy, 1}, options);
   const FrictionSolution turned = FrictionNewton().solve({springs, g, turned_x, turned_y, 1}, options);
   for (std::size_t k = 0; k < n; ++k) {
-    EXPECT_NEAR(minus.px[k], -s.px[k], 1e-10);
-    EXPECT_NEAR(minus.py[k], -s.py[k], 1e-10);
-    EXPECT_NEAR(turned.px[k], c * straight.px[k] - sine * straight.py[k], 1e-10);
-    EXPECT_NEAR(turned.py[k], sine * straight.px[k] + c * straight.py[k], 1e-10);
+    EXPECT_NEAR(minus.traction.x[k], -s.traction.x[k], 1e-10);
+    EXPECT_NEAR(minus.traction.y[k], -s.traction.y[k], 1e-10);
+    EXPECT_NEAR(turned.traction.x[k], c * straight.traction.x[k] - sine * straight.traction.y[k], 1e-10);
+    EXPECT_NEAR(turned.traction.y[k], sine * straight.traction.x[k] + c * straight.traction.y[k], 1e-10);
   }
 }
 
@@ -226,8 +227,8 @@ TEST(FrictionNewton, IsHomogeneous) {
     for (Field* field : {&kg, &kx, &ky})
       for (double& value : *field) value *= factor;
     const FrictionSolution other = FrictionNewton().solve({response, kg, kx, ky, 1}, {});
-    EXPECT_EQ(other.newton_steps, s.newton_steps);
-    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(other.px[k], factor * s.px[k]);
+    EXPECT_EQ(other.report.newton_steps, s.report.newton_steps);
+    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(other.traction.x[k], factor * s.traction.x[k]);
   }
 }
 
@@ -242,10 +243,10 @@ TEST(FrictionNewton, ForceGivenInClosedForm) {
     const double force = share * area * 2.0 * double(n);
     const FrictionSolution s =
         FrictionNewton().solve({springs, g, none, none, area, force, std::nullopt}, {.tolerance = 1e-10});
-    ASSERT_EQ(s.status, Status::ok);
-    EXPECT_NEAR(sum(s.px) * area, force, 1e-8);
-    EXPECT_NEAR(s.constant_x, -flexibility * force / (area * double(n)), 1e-9);
-    EXPECT_EQ(s.constant_y, 0);
+    ASSERT_EQ(s.report.status, Status::ok);
+    EXPECT_NEAR(sum(s.traction.x) * area, force, 1e-8);
+    EXPECT_NEAR(s.constants.x, -flexibility * force / (area * double(n)), 1e-9);
+    EXPECT_EQ(s.constants.y, 0);
   }
 }
 
@@ -267,14 +268,14 @@ TEST(FrictionNewton, ForcesGivenOnRandomSystems) {
     const FrictionSolution s = newton.solve(problem, {.tolerance = 1e-10});
     expect_solved(response, problem, s, 1e-10);
     if (problem.force_x) {
-      EXPECT_NEAR(sum(s.px) * area, *problem.force_x, 1e-8 * capacity);
+      EXPECT_NEAR(sum(s.traction.x) * area, *problem.force_x, 1e-8 * capacity);
     } else {
-      EXPECT_EQ(s.constant_x, 0);
+      EXPECT_EQ(s.constants.x, 0);
     }
     if (problem.force_y) {
-      EXPECT_NEAR(sum(s.py) * area, *problem.force_y, 1e-8 * capacity);
+      EXPECT_NEAR(sum(s.traction.y) * area, *problem.force_y, 1e-8 * capacity);
     } else {
-      EXPECT_EQ(s.constant_y, 0);
+      EXPECT_EQ(s.constants.y, 0);
     }
   }
 }
@@ -289,20 +290,20 @@ TEST(FrictionNewton, ForceLeadsBackToTheConstant) {
   for (double& value : shifted) value += 0.4;
   const FrictionSolution given = FrictionNewton().solve({response, g, shifted, cy, 1}, {.tolerance = 1e-13});
   const FrictionSolution found =
-      FrictionNewton().solve({response, g, cx, cy, 1, sum(given.px), std::nullopt}, {.tolerance = 1e-13});
-  EXPECT_NEAR(found.constant_x, 0.4, 1e-10);
-  for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(found.px[k], given.px[k], 1e-10);
+      FrictionNewton().solve({response, g, cx, cy, 1, sum(given.traction.x), std::nullopt}, {.tolerance = 1e-13});
+  EXPECT_NEAR(found.constants.x, 0.4, 1e-10);
+  for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(found.traction.x[k], given.traction.x[k], 1e-10);
 }
 
 TEST(FrictionNewton, NoContactAnywhere) {
   SpringOperator springs(1);
   const Field none(5, 0.0), c(5, 1.0);
   const FrictionSolution s = FrictionNewton().solve({springs, none, c, c, 1}, {});
-  EXPECT_EQ(s.status, Status::ok);
-  EXPECT_EQ(s.residual, 0);
-  EXPECT_EQ(s.px, none);
-  EXPECT_EQ(s.sy, none);
-  EXPECT_EQ(s.newton_steps, 0);
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_EQ(s.report.residual, 0);
+  EXPECT_EQ(s.traction.x, none);
+  EXPECT_EQ(s.slip.y, none);
+  EXPECT_EQ(s.report.newton_steps, 0);
 }
 
 /// Ended before its goal: the status says so, the residual is that of the tractions, which still obey the bound.
@@ -316,13 +317,13 @@ TEST(FrictionNewton, NotConvergedIsAStatus) {
     int left = calls;
     const auto end_after_calls = [&](double) { return --left > 0; };
     const FrictionSolution s = FrictionNewton().solve(problem, {.tolerance = 1e-12, .progress = end_after_calls});
-    EXPECT_EQ(s.status, Status::not_converged);
-    EXPECT_GT(s.residual, 1e-12);
-    EXPECT_TRUE(std::isfinite(s.residual));
-    for (std::size_t k = 0; k < n; ++k) EXPECT_LE(std::hypot(s.px[k], s.py[k]), g[k] * (1 + 1e-15));
+    EXPECT_EQ(s.report.status, Status::not_converged);
+    EXPECT_GT(s.report.residual, 1e-12);
+    EXPECT_TRUE(std::isfinite(s.report.residual));
+    for (std::size_t k = 0; k < n; ++k) EXPECT_LE(std::hypot(s.traction.x[k], s.traction.y[k]), g[k] * (1 + 1e-15));
     const PlaneFields w = slip(response, problem, s);
-    const double honest = complementarity_residual({g, s.px, s.py, w.x, w.y, 1});
-    EXPECT_LT(honest, projected * s.residual);
+    const double honest = complementarity_residual({g, s.traction.x, s.traction.y, w.x, w.y, 1});
+    EXPECT_LT(honest, projected * s.report.residual);
   }
 }
 
@@ -334,10 +335,10 @@ TEST(FrictionNewton, OneObjectForManyProblems) {
     const Field g = random.field(n, 0.2, 2), cx = random.field(n, -3, 3), cy = random.field(n, -3, 3);
     const FrictionProblem problem{response, g, cx, cy, 1};
     const FrictionSolution s = newton.solve(problem, {}), fresh = FrictionNewton().solve(problem, {});
-    EXPECT_EQ(s.px, fresh.px);
-    EXPECT_EQ(s.py, fresh.py);
-    EXPECT_EQ(s.products, fresh.products);
-    EXPECT_GT(s.products, s.newton_steps);
+    EXPECT_EQ(s.traction.x, fresh.traction.x);
+    EXPECT_EQ(s.traction.y, fresh.traction.y);
+    EXPECT_EQ(s.report.products, fresh.report.products);
+    EXPECT_GT(s.report.products, s.report.newton_steps);
   }
 }
 

@@ -18,21 +18,21 @@ TEST(GivenForce, ForcesLeadBackToTheCreepages) {
     given.motion = motion;
     given.tolerance = 1e-12;
     given.creepage = scaled_creepage(contact, 0.5 * length, -0.4 * length, 0.3 * length);
-    const TangentialSolution s = solve(p, given);
-    ASSERT_EQ(s.forces.status, Status::ok);
-    ASSERT_GT(s.forces.slip_area, 0);
-    ASSERT_GT(s.forces.adhesion_area, 0);
+    const ContactSolution s = solve(p, given);
+    ASSERT_EQ(s.report.status, Status::ok);
+    ASSERT_GT(s.totals.slip_area, 0);
+    ASSERT_GT(s.totals.adhesion_area, 0);
     for (const auto& [by_fx, by_fy] : {std::pair{true, false}, {false, true}, {true, true}}) {
       TangentialInput input = given;
-      if (by_fx) input.force_x = s.forces.fx;
-      if (by_fy) input.force_y = s.forces.fy;
+      if (by_fx) input.force_x = s.totals.fx;
+      if (by_fy) input.force_y = s.totals.fy;
       if (by_fx) input.creepage.longitudinal = 7; // is an unknown: what stands here does not matter
-      const TangentialSolution f = solve(p, input);
-      ASSERT_EQ(f.forces.status, Status::ok);
+      const ContactSolution f = solve(p, input);
+      ASSERT_EQ(f.report.status, Status::ok);
       EXPECT_NEAR(f.creepage.longitudinal, s.creepage.longitudinal, 1e-9 * std::abs(s.creepage.longitudinal));
       EXPECT_NEAR(f.creepage.lateral, s.creepage.lateral, 1e-9 * std::abs(s.creepage.lateral));
       EXPECT_EQ(f.creepage.spin, s.creepage.spin);
-      EXPECT_NEAR(f.forces.mz, s.forces.mz, 1e-9 * p.capacity * contact.a);
+      EXPECT_NEAR(f.totals.mz, s.totals.mz, 1e-9 * p.capacity * contact.a);
     }
   }
 }
@@ -42,23 +42,23 @@ TEST(GivenForce, ForcesAfterOtherForces) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 13, 13);
   TangentialProblem problem(p.material, p.grid);
-  TangentialState none{Field(p.bound.size(), 0.0), Field(p.bound.size(), 0.0)};
-  for (TangentialState* start : {&none, static_cast<TangentialState*>(nullptr)})
+  VectorField none{Field(p.bound.size(), 0.0), Field(p.bound.size(), 0.0)};
+  for (VectorField* start : {&none, static_cast<VectorField*>(nullptr)})
     for (const ContactMotion motion : {ContactMotion::shift, ContactMotion::transient}) {
       TangentialInput input;
       input.motion = ContactMotion::shift;
       input.force_x = -0.875 * p.capacity;
       input.force_y = 0;
-      TangentialState before = problem.solve(p.bound, input).tractions;
+      VectorField before = problem.solve(p.bound, input).fields.traction;
       input.motion = motion;
       input.start = start;
       for (const double share : {-0.875, -0.4, 0.0, 0.6}) {
         SCOPED_TRACE(share);
         input.previous = &before;
         input.force_x = share * p.capacity;
-        const TangentialSolution s = problem.solve(p.bound, input);
+        const ContactSolution s = problem.solve(p.bound, input);
         expect_solution(p, input, s);
-        before = s.tractions;
+        before = s.fields.traction;
       }
     }
 }
@@ -74,7 +74,7 @@ TEST(GivenForce, ForcesCloseToSliding) {
     input.force_x = -0.8 * share * p.capacity;
     input.force_y = 0.6 * share * p.capacity;
     input.tolerance = 1e-8;
-    const TangentialSolution s = solve(p, input);
+    const ContactSolution s = solve(p, input);
     expect_solution(p, input, s);
     const double creep = std::hypot(s.creepage.longitudinal, s.creepage.lateral);
     EXPECT_GE(creep, before);
@@ -94,15 +94,16 @@ TEST(GivenForce, ForceBeyondFrictionHasNoSolution) {
       const double c = both ? 0.6 : 1;
       input.force_x = c * share * p.capacity * (1 + 1e-12);
       if (both) input.force_y = -0.8 * share * p.capacity * (1 + 1e-12);
-      const TangentialSolution s = solve(p, input);
-      EXPECT_EQ(s.forces.status, Status::no_solution);
-      EXPECT_NEAR(s.forces.fx, c * p.capacity, 1e-9 * p.capacity);
-      EXPECT_NEAR(s.forces.fy, both ? -0.8 * p.capacity : 0, 1e-9 * p.capacity);
-      EXPECT_EQ(s.forces.adhesion_area, 0);
-      EXPECT_NEAR(s.residual, share - 1, 1e-9 * share);
+      const ContactSolution s = solve(p, input);
+      EXPECT_EQ(s.report.status, Status::no_solution);
+      EXPECT_NEAR(s.totals.fx, c * p.capacity, 1e-9 * p.capacity);
+      EXPECT_NEAR(s.totals.fy, both ? -0.8 * p.capacity : 0, 1e-9 * p.capacity);
+      EXPECT_EQ(s.totals.adhesion_area, 0);
+      EXPECT_NEAR(s.report.residual, share - 1, 1e-9 * share);
       for (std::size_t k = 0; k < p.bound.size(); ++k)
-        EXPECT_NEAR(std::hypot(s.tractions.px[k], s.tractions.py[k]), p.bound[k], 1e-15 * p.bound[k]);
-      for (const double value : {s.creepage.longitudinal, s.creepage.lateral, s.frictional_power, s.elastic_energy})
+        EXPECT_NEAR(std::hypot(s.fields.traction.x[k], s.fields.traction.y[k]), p.bound[k], 1e-15 * p.bound[k]);
+      for (const double value :
+           {s.creepage.longitudinal, s.creepage.lateral, s.totals.frictional_power, s.totals.elastic_energy})
         EXPECT_TRUE(std::isfinite(value));
     }
 }

@@ -99,18 +99,18 @@ TEST(HasOneSolution, ElsewhereTheStatusIsHonest) {
     const Problem p = elliptic(contact, 8, 12);
     TangentialInput input = steady(random.about(0.05, 0.5) * p.grid.dx);
     input.creepage = scaled_creepage(contact, random.signed_about(0.05, 2), random.signed_about(0.05, 2), 0);
-    const TangentialSolution s = solve(p, input);
-    if (s.forces.status == Status::ok) {
+    const ContactSolution s = solve(p, input);
+    if (s.report.status == Status::ok) {
       ++converged;
-      EXPECT_LE(s.residual, input.tolerance);
+      EXPECT_LE(s.report.residual, input.tolerance);
     } else {
-      EXPECT_EQ(s.forces.status, Status::not_converged);
-      EXPECT_GT(s.residual, input.tolerance);
+      EXPECT_EQ(s.report.status, Status::not_converged);
+      EXPECT_GT(s.report.residual, input.tolerance);
       EXPECT_FALSE(has_one_solution(p.grid, input));
     }
-    EXPECT_TRUE(std::isfinite(s.residual + s.forces.fx + s.forces.fy + s.forces.mz + s.frictional_power));
+    EXPECT_TRUE(std::isfinite(s.report.residual + s.totals.fx + s.totals.fy + s.totals.mz + s.totals.frictional_power));
     for (std::size_t e = 0; e < p.bound.size(); ++e)
-      EXPECT_LE(std::hypot(s.tractions.px[e], s.tractions.py[e]), p.bound[e] * (1 + 1e-15));
+      EXPECT_LE(std::hypot(s.fields.traction.x[e], s.fields.traction.y[e]), p.bound[e] * (1 + 1e-15));
   }
   EXPECT_GE(converged, 9 * n / 10);
 }

@@ -39,10 +39,11 @@ TEST(HertzianRolling, PreparedAgainIsAsFreshToTheLastBit) {
       kept.prepare(a, b, material);
       HertzianRolling fresh(a, b, material, n, n);
       const SecondOrderSolution here = solution(kept, a, b, material), there = solution(fresh, a, b, material);
-      EXPECT_EQ(here.friction.status, Status::ok);
-      EXPECT_EQ(here.friction.px, there.friction.px) << n << ", a = " << a << ", G = " << material.shear_modulus;
-      EXPECT_EQ(here.friction.py, there.friction.py);
-      EXPECT_EQ(here.ux, there.ux);
+      EXPECT_EQ(here.friction.report.status, Status::ok);
+      EXPECT_EQ(here.friction.traction.x, there.friction.traction.x)
+          << n << ", a = " << a << ", G = " << material.shear_modulus;
+      EXPECT_EQ(here.friction.traction.y, there.friction.traction.y);
+      EXPECT_EQ(here.displacement.x, there.displacement.x);
     }
   }
 }
@@ -55,7 +56,8 @@ TEST(HertzianRolling, StoppedWhileItPrepares) {
   EXPECT_THROW(rolling.prepare(5e-3, 6e-3, steel, [&](double) { return ++calls < 4; }), Stopped);
   rolling.prepare(5e-3, 6e-3, steel);
   HertzianRolling fresh(5e-3, 6e-3, steel, 66, 66);
-  EXPECT_EQ(solution(rolling, 5e-3, 6e-3, steel).friction.px, solution(fresh, 5e-3, 6e-3, steel).friction.px);
+  EXPECT_EQ(solution(rolling, 5e-3, 6e-3, steel).friction.traction.x,
+            solution(fresh, 5e-3, 6e-3, steel).friction.traction.x);
 }
 
 } // namespace

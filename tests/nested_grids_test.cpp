@@ -41,7 +41,7 @@ TangentialInput input_for(double ratio, double xi, double eta, double phi) {
 
 TEST(NestedGrids, TheSolutionIsThatFromZeroTractions) {
   const Problem p = two_patches(32, 1);
-  const TangentialState zero{.px = Field(p.grid.count()), .py = Field(p.grid.count())};
+  const VectorField zero{Field(p.grid.count()), Field(p.grid.count())};
   for (TangentialInput input : {input_for(1, 0.3, 0.2, 0.1), input_for(1, -0.1, 0, 0.6)})
     for (const bool backward : {false, true})
       for (const bool corrected : {false, true})
@@ -49,17 +49,18 @@ TEST(NestedGrids, TheSolutionIsThatFromZeroTractions) {
           input.direction = backward ? RollingDirection::backward : RollingDirection::forward;
           if (corrected) input.leading_edge.emplace();
           input.step = step * p.grid.dx;
-          const TangentialSolution nested = solve(p, input);
+          const ContactSolution nested = solve(p, input);
           input.start = &zero;
-          const TangentialSolution direct = solve(p, input);
+          const ContactSolution direct = solve(p, input);
           input.start = nullptr;
           input.leading_edge.reset();
-          EXPECT_EQ(nested.forces.status, Status::ok);
-          EXPECT_LE(nested.newton_steps, direct.newton_steps);
-          EXPECT_NEAR(nested.forces.fx, direct.forces.fx, 1e-7 * p.capacity);
-          EXPECT_NEAR(nested.forces.fy, direct.forces.fy, 1e-7 * p.capacity);
+          EXPECT_EQ(nested.report.status, Status::ok);
+          EXPECT_LE(nested.report.newton_steps, direct.report.newton_steps);
+          EXPECT_NEAR(nested.totals.fx, direct.totals.fx, 1e-7 * p.capacity);
+          EXPECT_NEAR(nested.totals.fy, direct.totals.fy, 1e-7 * p.capacity);
           for (std::size_t k = 0; k < p.grid.count(); ++k)
-            EXPECT_NEAR(nested.ux[k], direct.ux[k], 1e-6 * std::abs(direct.ux[p.grid.count() / 2 + p.grid.mx / 2]));
+            EXPECT_NEAR(nested.fields.displacement.x[k], direct.fields.displacement.x[k],
+                        1e-6 * std::abs(direct.fields.displacement.x[p.grid.count() / 2 + p.grid.mx / 2]));
         }
 }
 
@@ -67,9 +68,9 @@ TEST(NestedGrids, NewtonStepsDoNotGrowWithTheGrid) {
   for (const double ratio : {0.3, 1.0, 5.0})
     for (const TangentialInput& input : {input_for(ratio, 0.3, 0.2, 0.1), input_for(ratio, -0.1, 0, 0.6)})
       for (const int n : {24, 48, 96}) {
-        const TangentialSolution s = solve(two_patches(n, ratio), input);
-        EXPECT_EQ(s.forces.status, Status::ok);
-        EXPECT_LE(s.newton_steps, 12) << ratio << ' ' << n;
+        const ContactSolution s = solve(two_patches(n, ratio), input);
+        EXPECT_EQ(s.report.status, Status::ok);
+        EXPECT_LE(s.report.newton_steps, 12) << ratio << ' ' << n;
       }
 }
 
@@ -78,14 +79,14 @@ TEST(NestedGrids, NewtonStepsDoNotGrowWithForcesPrescribed) {
     for (const int n : {24, 48, 96}) {
       const Problem p = two_patches(n, ratio);
       TangentialInput input = input_for(ratio, 0.3, 0.2, 0.1);
-      const TangentialSolution by_creepage = solve(p, input);
+      const ContactSolution by_creepage = solve(p, input);
       const Creepage wanted = input.creepage;
       input.creepage.longitudinal = input.creepage.lateral = 0;
-      input.force_x = by_creepage.forces.fx;
-      input.force_y = by_creepage.forces.fy;
-      const TangentialSolution by_force = solve(p, input);
-      EXPECT_EQ(by_force.forces.status, Status::ok);
-      EXPECT_LE(by_force.newton_steps, 12) << ratio << ' ' << n;
+      input.force_x = by_creepage.totals.fx;
+      input.force_y = by_creepage.totals.fy;
+      const ContactSolution by_force = solve(p, input);
+      EXPECT_EQ(by_force.report.status, Status::ok);
+      EXPECT_LE(by_force.report.newton_steps, 12) << ratio << ' ' << n;
       EXPECT_NEAR(by_force.creepage.longitudinal, wanted.longitudinal, 1e-5 * std::abs(wanted.longitudinal));
       EXPECT_NEAR(by_force.creepage.lateral, wanted.lateral, 1e-5 * std::abs(wanted.lateral));
     }
@@ -101,9 +102,9 @@ TEST(NestedGrids, ExtraSlipIsPartOfTheStart) {
     extra_y.push_back(unit.lateral * std::sin(p.grid.x(static_cast<int>(k % p.grid.mx)) / 4e-3));
   }
   input.extra_x = extra_x, input.extra_y = extra_y;
-  const TangentialSolution s = solve(p, input);
-  EXPECT_EQ(s.forces.status, Status::ok);
-  EXPECT_LE(s.newton_steps, 8);
+  const ContactSolution s = solve(p, input);
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_LE(s.report.newton_steps, 8);
 }
 
 TEST(NestedGrids, PatchesTakeAsManyStepsOnEveryGrid) {

@@ -87,8 +87,8 @@ TEST(PatchRolling, IsOfSecondOrderForHertz) {
     Vec2 exact{0, 0};
     for (std::size_t k = 0; k < bound.size(); ++k) {
       const double area = exact_edges.contact().elements[k].width() * exact_edges.contact().grid.dy;
-      exact.x += s.friction.px[k] * area;
-      exact.y += s.friction.py[k] * area;
+      exact.x += s.friction.traction.x[k] * area;
+      exact.y += s.friction.traction.y[k] * area;
     }
     const double coarse = rms_error(circular, radius, radius, load, 10, m, exact);
     const double fine = rms_error(circular, radius, radius, load, 40, m, exact);

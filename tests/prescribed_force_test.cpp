@@ -21,8 +21,8 @@ FrictionSolution solve_springs(const FrictionProblem& problem, double, std::span
   for (std::size_t k = 0; k < problem.bound.size(); ++k) {
     const double size = std::hypot(problem.cx[k], problem.cy[k]) / flexibility;
     const double factor = (size > problem.bound[k] ? problem.bound[k] / size : 1) / flexibility;
-    s.px.push_back(-factor * problem.cx[k]);
-    s.py.push_back(-factor * problem.cy[k]);
+    s.traction.x.push_back(-factor * problem.cx[k]);
+    s.traction.y.push_back(-factor * problem.cy[k]);
   }
   find_residual(problem, s);
   return s;
@@ -39,9 +39,9 @@ constexpr double capacity = 6.6 * area;
 TEST(PrescribedForce, WithoutForcesItIsTheSolver) {
   SpringOperator springs(flexibility);
   const FrictionSolution s = solve_prescribed_force({springs, bounds, cx, cy, area}, 1e-8, solve_springs);
-  EXPECT_EQ(s.constant_x, 0);
-  EXPECT_EQ(s.constant_y, 0);
-  EXPECT_EQ(s.px, solve_springs({springs, bounds, cx, cy, area}, 0, {}, {}).px);
+  EXPECT_EQ(s.constants.x, 0);
+  EXPECT_EQ(s.constants.y, 0);
+  EXPECT_EQ(s.traction.x, solve_springs({springs, bounds, cx, cy, area}, 0, {}, {}).traction.x);
 }
 
 /// Equal springs under a common slip: F = -n area c/flexibility below the bound.
@@ -51,9 +51,9 @@ TEST(PrescribedForce, EqualSpringsInClosedForm) {
   for (const double share : {0.0, 0.1, -0.5, 0.9}) {
     const double force = share * 40 * 2 * area;
     const FrictionSolution s = solve_prescribed_force({springs, g, none, none, area, force}, 1e-10, solve_springs);
-    EXPECT_EQ(s.status, Status::ok);
-    EXPECT_NEAR(s.constant_x, -flexibility * force / (40 * area), 1e-8);
-    EXPECT_EQ(s.constant_y, 0);
+    EXPECT_EQ(s.report.status, Status::ok);
+    EXPECT_NEAR(s.constants.x, -flexibility * force / (40 * area), 1e-8);
+    EXPECT_EQ(s.constants.y, 0);
   }
 }
 
@@ -69,17 +69,17 @@ TEST(PrescribedForce, OneOrTwoForcesUpToNearlyFullSliding) {
       if (k % 2 == 1) problem.constant_share = share;
       SCOPED_TRACE(testing::Message() << "size " << size << ", direction " << k);
       const FrictionSolution s = solve_prescribed_force(problem, 1e-9, solve_springs);
-      ASSERT_EQ(s.status, Status::ok) << s.residual;
-      EXPECT_LE(s.residual, 1e-9);
+      ASSERT_EQ(s.report.status, Status::ok) << s.report.residual;
+      EXPECT_LE(s.report.residual, 1e-9);
       if (problem.force_x) {
-        EXPECT_NEAR(total(s.px), fx, 1e-7 * capacity);
+        EXPECT_NEAR(total(s.traction.x), fx, 1e-7 * capacity);
       } else {
-        EXPECT_EQ(s.constant_x, 0);
+        EXPECT_EQ(s.constants.x, 0);
       }
       if (problem.force_y) {
-        EXPECT_NEAR(total(s.py), fy, 1e-7 * capacity);
+        EXPECT_NEAR(total(s.traction.y), fy, 1e-7 * capacity);
       } else {
-        EXPECT_EQ(s.constant_y, 0);
+        EXPECT_EQ(s.constants.y, 0);
       }
     }
 }
@@ -89,9 +89,9 @@ TEST(PrescribedForce, BeyondFrictionIsAStatus) {
   SpringOperator springs(flexibility);
   const FrictionSolution s =
       solve_prescribed_force({springs, bounds, cx, cy, area, 1.1 * capacity, 0}, 1e-8, solve_springs);
-  EXPECT_EQ(s.status, Status::not_converged);
-  EXPECT_GT(s.residual, 1e-3);
-  EXPECT_TRUE(std::isfinite(s.residual) && std::isfinite(s.constant_x) && std::isfinite(s.constant_y));
+  EXPECT_EQ(s.report.status, Status::not_converged);
+  EXPECT_GT(s.report.residual, 1e-3);
+  EXPECT_TRUE(std::isfinite(s.report.residual) && std::isfinite(s.constants.x) && std::isfinite(s.constants.y));
 }
 
 } // namespace

@@ -224,7 +224,7 @@ TEST(Progress, OfTheTangentialProblem) {
       input.motion = motion;
       input.creepage = on.elliptic.creepage;
       input.progress = progress;
-      return problem.solve(bound, input).forces.status;
+      return problem.solve(bound, input).report.status;
     });
 }
 

@@ -35,8 +35,8 @@ ContactStep rolling(double a, double b, int nx, int ny, double heading, double d
 
 ContactForces forces_of(const ContactStep& step) {
   const ContactStepSolution s = ContactSequence().solve(step);
-  EXPECT_EQ(s.status, Status::ok);
-  return s.tangential.forces;
+  EXPECT_EQ(s.report.status, Status::ok);
+  return s.forces();
 }
 
 /// Rolling along y is rolling along x of the contact turned by a right angle, element by element.
@@ -87,9 +87,9 @@ TEST(RollingHeading, IsTheEndOfTransientRolling) {
   step.motion.creepage = {1e-3, -5e-4, 0.3};
   const ContactForces steady = forces_of(step);
   const ContactStepSolution s = rolled(step, 40);
-  ASSERT_EQ(s.status, Status::ok);
-  EXPECT_NEAR(s.tangential.forces.fx, steady.fx, 2e-2 * std::abs(steady.fx)); // tractions between elements' centres
-  EXPECT_NEAR(s.tangential.forces.fy, steady.fy, 2e-2 * std::abs(steady.fx));
+  ASSERT_EQ(s.report.status, Status::ok);
+  EXPECT_NEAR(s.totals.fx, steady.fx, 2e-2 * std::abs(steady.fx)); // tractions between elements' centres
+  EXPECT_NEAR(s.totals.fy, steady.fy, 2e-2 * std::abs(steady.fx));
 }
 
 TEST(RollingHeading, RefusesWhatGoesAlongRows) {
@@ -98,7 +98,7 @@ TEST(RollingHeading, RefusesWhatGoesAlongRows) {
   expect_error([&] { ContactSequence().solve(step); }, "heading", "[rad]");
   step = rolling(4e-3, 6e-3, 8, 8, 0.6);
   step.friction = {FrictionLaw::linear(0.2, {.drop = 0.1, .half_velocity = 1})};
-  EXPECT_EQ(ContactSequence().solve(step).status, Status::ok);
+  EXPECT_EQ(ContactSequence().solve(step).report.status, Status::ok);
   step.friction_memory = {.distance = 1e-4, .slowest = 0};
   expect_error([&] { ContactSequence().solve(step); }, "heading", "[rad]");
 }

@@ -203,13 +203,13 @@ TEST(RollingPreconditioner, LeavesTheSolutionAndSavesProducts) {
     FrictionNewton newton;
     const FrictionSolution plain = newton.solve({plain_operator, bound, cx, cy, area}, {.tolerance = 1e-9});
     const FrictionSolution fast = newton.solve({fitted, bound, cx, cy, area}, {.tolerance = 1e-9});
-    ASSERT_EQ(plain.status, Status::ok);
-    ASSERT_EQ(fast.status, Status::ok);
-    plain_products += plain.products;
-    fast_products += fast.products;
+    ASSERT_EQ(plain.report.status, Status::ok);
+    ASSERT_EQ(fast.report.status, Status::ok);
+    plain_products += plain.report.products;
+    fast_products += fast.report.products;
     for (std::size_t k = 0; k < n; ++k) {
-      EXPECT_NEAR(fast.px[k], plain.px[k], 1e-5 * bound[n / 2]);
-      EXPECT_NEAR(fast.py[k], plain.py[k], 1e-5 * bound[n / 2]);
+      EXPECT_NEAR(fast.traction.x[k], plain.traction.x[k], 1e-5 * bound[n / 2]);
+      EXPECT_NEAR(fast.traction.y[k], plain.traction.y[k], 1e-5 * bound[n / 2]);
     }
   }
   EXPECT_LT(double(fast_products), 0.5 * double(plain_products));

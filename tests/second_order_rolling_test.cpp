@@ -30,7 +30,7 @@ struct Rolled {
     double fx = 0, fy = 0, mz = 0;
     for (std::size_t k = 0; k < bound.size(); ++k) {
       const FittedElement& e = elements.elements[k];
-      const double px = solution.friction.px[k], py = solution.friction.py[k];
+      const double px = solution.friction.traction.x[k], py = solution.friction.traction.y[k];
       const double area = e.width() * elements.grid.dy;
       fx += area * px;
       fy += area * py;
@@ -116,12 +116,13 @@ TEST(SecondOrderRolling, ObeysCoulombsLaw) {
     SCOPED_TRACE(describe(contact));
     const Rolled r = roll(contact, 17, tolerance);
     const FrictionSolution& s = r.solution.friction;
-    ASSERT_EQ(s.status, Status::ok);
-    EXPECT_LE(s.residual, tolerance);
+    ASSERT_EQ(s.report.status, Status::ok);
+    EXPECT_LE(s.report.residual, tolerance);
     double adhering_slip = 0, across = 0, size = 0;
     std::size_t sliding = 0;
     for (std::size_t k = 0; k < r.bound.size(); ++k) {
-      const double g = r.bound[k], p = std::hypot(s.px[k], s.py[k]), slip = std::hypot(s.sx[k], s.sy[k]);
+      const double g = r.bound[k], p = std::hypot(s.traction.x[k], s.traction.y[k]),
+                   slip = std::hypot(s.slip.x[k], s.slip.y[k]);
       EXPECT_LE(p, g * (1 + 1e-15));
       size = std::max(size, slip);
       if (!s.sliding[k]) {
@@ -130,8 +131,8 @@ TEST(SecondOrderRolling, ObeysCoulombsLaw) {
       }
       ++sliding;
       EXPECT_GE(p, g * (1 - 1e-15));
-      EXPECT_LT(s.px[k] * s.sx[k] + s.py[k] * s.sy[k], 1e-9 * g * slip);
-      across = std::max(across, std::abs(s.px[k] * s.sy[k] - s.py[k] * s.sx[k]) / g);
+      EXPECT_LT(s.traction.x[k] * s.slip.x[k] + s.traction.y[k] * s.slip.y[k], 1e-9 * g * slip);
+      across = std::max(across, std::abs(s.traction.x[k] * s.slip.y[k] - s.traction.y[k] * s.slip.x[k]) / g);
     }
     EXPECT_GT(sliding, r.bound.size() / 10);
     EXPECT_LT(sliding, r.bound.size() * 9 / 10);
@@ -185,7 +186,7 @@ TEST(SecondOrderRolling, ForcesGivenAndCreepagesGiven) {
       if (given & 1) input.force_x = f.fx * unit, input.creepage.longitudinal = 123;
       if (given & 2) input.force_y = f.fy * unit, input.creepage.lateral = -77;
       const Rolled r = roll(contact, 12, 12, input);
-      ASSERT_EQ(r.solution.friction.status, Status::ok);
+      ASSERT_EQ(r.solution.friction.report.status, Status::ok);
       const double size = std::hypot(c.longitudinal, c.lateral);
       EXPECT_NEAR(r.solution.creepage.longitudinal, c.longitudinal, 1e-8 * size) << given;
       EXPECT_NEAR(r.solution.creepage.lateral, c.lateral, 1e-8 * size) << given;
@@ -217,8 +218,9 @@ TEST(SecondOrderRolling, FullSlidingGivesExactlyTheFrictionForce) {
 TEST(SecondOrderRolling, NoCreepageNoTractions) {
   for (const int n : {1, 2, 9, 16}) {
     const Rolled r = roll(steel_contact(9e-3, 6e-3, 0, 0, 0), n);
-    EXPECT_EQ(r.solution.friction.status, Status::ok);
-    for (const auto* field : {&r.solution.friction.px, &r.solution.friction.py, &r.solution.ux, &r.solution.uy})
+    EXPECT_EQ(r.solution.friction.report.status, Status::ok);
+    for (const auto* field : {&r.solution.friction.traction.x, &r.solution.friction.traction.y,
+                              &r.solution.displacement.x, &r.solution.displacement.y})
       EXPECT_EQ(*field, Field(field->size(), 0.0));
   }
 }
@@ -231,8 +233,8 @@ TEST(SecondOrderRolling, ForcesBeyondFrictionHaveNoSolution) {
     input.force_x = 0.6 * size * unit;
     input.force_y = -0.8 * size * unit;
     const Rolled r = roll(contact, 10, 10, input);
-    EXPECT_EQ(r.solution.friction.status, Status::no_solution);
-    EXPECT_NEAR(r.solution.friction.residual, size - 1, 1e-12);
+    EXPECT_EQ(r.solution.friction.report.status, Status::no_solution);
+    EXPECT_NEAR(r.solution.friction.report.residual, size - 1, 1e-12);
     const Forces f = r.forces();
     EXPECT_NEAR(f.fx, 0.6, 1e-12);
     EXPECT_NEAR(f.fy, -0.8, 1e-12);
@@ -245,8 +247,8 @@ TEST(SecondOrderRolling, StartDoesNotMatter) {
   for (const EllipticContact& contact : partial_slip_cases()) {
     const Rolled from_zero = roll(contact, 12);
     SecondOrderInput input = with_creepage(contact.creepage, 1e-9);
-    input.start.px = from_zero.solution.friction.px;
-    input.start.py = from_zero.solution.friction.py;
+    input.start.px = from_zero.solution.friction.traction.x;
+    input.start.py = from_zero.solution.friction.traction.y;
     const Forces f = from_zero.forces(), g = roll(contact, 12, 12, input).forces();
     expect_forces(g, f, 1e-8);
   }
@@ -259,8 +261,8 @@ TEST(SecondOrderRolling, RandomContactsConverge) {
     const EllipticContact contact = contacts.next();
     const int n = 3 + i % 14, m = 3 + i / 3 % 14;
     const Rolled r = roll(contact, n, m, with_creepage(contact.creepage, 1e-6));
-    EXPECT_EQ(r.solution.friction.status, Status::ok) << n << " x " << m << ' ' << describe(contact);
-    EXPECT_LE(r.solution.friction.residual, 1e-6);
+    EXPECT_EQ(r.solution.friction.report.status, Status::ok) << n << " x " << m << ' ' << describe(contact);
+    EXPECT_LE(r.solution.friction.report.residual, 1e-6);
     const Forces f = r.forces();
     EXPECT_LE(std::hypot(f.fx, f.fy), 1 + 1e-12);
   }

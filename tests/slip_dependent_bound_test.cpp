@@ -144,11 +144,11 @@ double peak_of(const ContactStepSolution& s) {
 }
 
 void expect_equal(const ContactStepSolution& a, const ContactStepSolution& b, double tolerance) {
-  ASSERT_EQ(a.status, Status::ok);
-  ASSERT_EQ(b.status, Status::ok);
+  ASSERT_EQ(a.report.status, Status::ok);
+  ASSERT_EQ(b.report.status, Status::ok);
   for (std::size_t k = 0; k < a.normal.pressure.size(); ++k) {
-    EXPECT_NEAR(a.tangential.tractions.px[k], b.tangential.tractions.px[k], tolerance * peak_of(a));
-    EXPECT_NEAR(a.tangential.tractions.py[k], b.tangential.tractions.py[k], tolerance * peak_of(a));
+    EXPECT_NEAR(a.fields.traction.x[k], b.fields.traction.x[k], tolerance * peak_of(a));
+    EXPECT_NEAR(a.fields.traction.y[k], b.fields.traction.y[k], tolerance * peak_of(a));
   }
 }
 
@@ -169,10 +169,10 @@ TEST(YieldingLayer, SlidesWithTheYieldStress) {
   ContactStep step = sphere(12, {.flexibility = 0, .yield_stress = stress}, 10);
   step.motion.creepage = {0.5, 0, 0};
   const ContactStepSolution s = ContactSequence().solve(step);
-  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.report.status, Status::ok);
   EXPECT_EQ(s.plastic_elements, s.contact_elements);
   EXPECT_EQ(s.slip_elements, 0);
-  EXPECT_NEAR(s.tangential.forces.fx, -stress * s.contact_elements * step.grid.element_area(), 1e-6 * s.normal_force);
+  EXPECT_NEAR(s.totals.fx, -stress * s.contact_elements * step.grid.element_area(), 1e-6 * s.normal_force);
 }
 
 /// Tractions, slip and deformation are consistent, element by element along the particles' path.
@@ -181,17 +181,18 @@ TEST(YieldingLayer, HardensWithTheDeformationOfItsParticles) {
     const InterfaceLayer layer = {.flexibility = 1e-14, .yield_stress = 1e8, .hardening = hardening};
     const ContactStep step = sphere(16, layer, 0.3);
     const ContactStepSolution s = ContactSequence().solve(step);
-    ASSERT_EQ(s.status, Status::ok) << hardening;
+    ASSERT_EQ(s.report.status, Status::ok) << hardening;
     EXPECT_GT(s.plastic_elements, 10);
     EXPECT_EQ(s.contact_elements, s.adhesion_elements + s.slip_elements + s.plastic_elements);
-    const TangentialSolution& t = s.tangential;
+    const ContactSolution& t = s;
     for (int j = 0; j < step.grid.my; ++j) {
       double deformation = 0;
       for (int i = step.grid.mx - 1; i >= 0; --i) {
         const std::size_t k = static_cast<std::size_t>(j) * step.grid.mx + i;
-        const double p = std::hypot(t.tractions.px[k], t.tractions.py[k]), slip = std::hypot(t.sx[k], t.sy[k]);
+        const double p = std::hypot(t.fields.traction.x[k], t.fields.traction.y[k]),
+                     slip = std::hypot(t.fields.slip.x[k], t.fields.slip.y[k]);
         const double friction = 0.3 * s.normal.pressure[k];
-        if (s.normal.pressure[k] > 0 && t.state[k] == CellState::slip) {
+        if (s.normal.pressure[k] > 0 && t.fields.state[k] == CellState::slip) {
           const double grown = deformation + step.grid.dx * slip;
           const bool yields =
               layer.yield_stress_after(deformation) < friction && layer.yield_stress_after(grown) < friction;
@@ -217,7 +218,7 @@ TEST(YieldingLayer, TransientRollingEndsInTheSteadyState) {
   ContactStepSolution s;
   for (int n = 0; n < 60; ++n) {
     s = sequence.solve(step);
-    ASSERT_EQ(s.status, Status::ok) << n;
+    ASSERT_EQ(s.report.status, Status::ok) << n;
     step.start = StepStart::previous;
   }
   expect_equal(steady, s, 2e-5);
@@ -308,7 +309,7 @@ TEST(YieldingLayer, OfACylinderIsThatOfANaiveIteration) {
   step.motion.creepage = {2e-3, 0, 0};
   step.motion.tolerance = 1e-10;
   const ContactStepSolution s = ContactSequence().solve(step);
-  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.report.status, Status::ok);
   ASSERT_GT(s.plastic_elements, 2);
 
   const double dx = step.grid.dx, relaxed = 0.2 * dx / element_influence(steel, step.grid, 0, 0).xx;
@@ -328,7 +329,7 @@ TEST(YieldingLayer, OfACylinderIsThatOfANaiveIteration) {
     }
   }
   for (std::size_t k = 0; k < p.size(); ++k)
-    EXPECT_NEAR(s.tangential.tractions.px[k], p[k], 1e-4 * s.normal.peak_pressure) << k;
+    EXPECT_NEAR(s.fields.traction.x[k], p[k], 1e-4 * s.normal.peak_pressure) << k;
 }
 
 /// A contact whose friction falls steeply: every step of a transient is solved, whichever branch it began on.
@@ -343,7 +344,7 @@ TEST(SlipFriction, OfManyStepsConverges) {
     s.motion.step = 0.4 * s.grid.dx;
     ContactSequence sequence;
     for (int n = 0; n < 12; ++n) {
-      EXPECT_EQ(sequence.solve(s).status, Status::ok) << n;
+      EXPECT_EQ(sequence.solve(s).report.status, Status::ok) << n;
       s.start = StepStart::previous;
     }
   }

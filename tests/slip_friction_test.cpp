@@ -81,11 +81,11 @@ ContactStep cylinder(double creepage, const FrictionLaw& friction) {
 
 /// mu pn of every element belongs to its slip.
 void expect_consistent(const ContactStep& step, const ContactStepSolution& s) {
-  ASSERT_EQ(s.status, Status::ok);
+  ASSERT_EQ(s.report.status, Status::ok);
   for (std::size_t k = 0; k < step.grid.count(); ++k) {
-    if (s.tangential.state[k] != CellState::slip) continue;
-    const double v = step.motion.rolling_speed * std::hypot(s.tangential.sx[k], s.tangential.sy[k]);
-    EXPECT_NEAR(std::hypot(s.tangential.tractions.px[k], s.tangential.tractions.py[k]),
+    if (s.fields.state[k] != CellState::slip) continue;
+    const double v = step.motion.rolling_speed * std::hypot(s.fields.slip.x[k], s.fields.slip.y[k]);
+    EXPECT_NEAR(std::hypot(s.fields.traction.x[k], s.fields.traction.y[k]),
                 step.friction[0].coefficient(v) * s.normal.pressure[k], 1e-4 * s.normal.peak_pressure);
   }
 }
@@ -97,7 +97,7 @@ TEST(SlipFriction, TractionsGoWithTheSlip) {
     const ContactStep step = cylinder(creepage, falling);
     const ContactStepSolution s = ContactSequence().solve(step);
     expect_consistent(step, s);
-    const double force = -s.tangential.forces.fx / (0.3 * s.normal_force);
+    const double force = -s.totals.fx / (0.3 * s.normal_force);
     EXPECT_TRUE(creepage <= 3e-3 || force < last) << force; // falls once all slides
     last = force;
   }
@@ -109,7 +109,7 @@ TEST(SlipFriction, ThatIsConstantIsCoulombs) {
   const auto falling = ContactSequence().solve(cylinder(1e-3, flat));
   const auto coulomb = ContactSequence().solve(cylinder(1e-3, FrictionLaw::coulomb(0.3)));
   EXPECT_TRUE(coulomb.slip_friction.friction.empty());
-  EXPECT_NEAR(falling.tangential.forces.fx, coulomb.tangential.forces.fx, 1e-6 * coulomb.normal_force);
+  EXPECT_NEAR(falling.totals.fx, coulomb.totals.fx, 1e-6 * coulomb.normal_force);
 }
 
 TEST(SlipFriction, HasTwoSolutionsInATimeStepOfWhichTheStartDecides) {
@@ -117,7 +117,7 @@ TEST(SlipFriction, HasTwoSolutionsInATimeStepOfWhichTheStartDecides) {
   const FrictionLaw falling = FrictionLaw::exponential(0.18, {.drop = 0.12, .half_velocity = 0.1});
   ContactSequence sequence;
   ContactStep step = cylinder(1e-3, falling);
-  ASSERT_EQ(sequence.solve(step).status, Status::ok);
+  ASSERT_EQ(sequence.solve(step).report.status, Status::ok);
   step.motion.motion = ContactMotion::transient;
   step.motion.step = step.grid.dx;
   step.start = StepStart::previous;
@@ -128,7 +128,7 @@ TEST(SlipFriction, HasTwoSolutionsInATimeStepOfWhichTheStartDecides) {
   expect_consistent(step, below);
   expect_consistent(step, above);
   EXPECT_LT(below.slip_elements, above.slip_elements);
-  EXPECT_GT(-below.tangential.forces.fx, -above.tangential.forces.fx * 1.02);
+  EXPECT_GT(-below.totals.fx, -above.totals.fx * 1.02);
 }
 
 TEST(SlipFriction, OfASteadyStateStaysInSmallSteps) {
@@ -137,10 +137,10 @@ TEST(SlipFriction, OfASteadyStateStaysInSmallSteps) {
   ContactStep step = cylinder(1e-3, falling);
   step.friction_memory = {.distance = 5e-5, .slowest = 1e-2};
   const ContactStepSolution steady = ContactSequence().solve(step);
-  ASSERT_EQ(steady.status, Status::ok);
+  ASSERT_EQ(steady.report.status, Status::ok);
   const ContactStepSolution s = rolled(step, 300);
-  ASSERT_EQ(s.status, Status::ok);
-  EXPECT_NEAR(s.tangential.forces.fx, steady.tangential.forces.fx, 2e-3 * 0.3 * s.normal_force);
+  ASSERT_EQ(s.report.status, Status::ok);
+  EXPECT_NEAR(s.totals.fx, steady.totals.fx, 2e-3 * 0.3 * s.normal_force);
 }
 
 } // namespace

@@ -33,14 +33,14 @@ TangentialInput shift_by(double distance, double tolerance) {
 }
 
 /// The state after `steps` equal steps from `state`, each begun from zero tractions or from the last state.
-TangentialSolution after_steps(TangentialProblem& problem, const Problem& p, TangentialInput input,
-                               TangentialState state, int steps) {
-  TangentialSolution s;
+ContactSolution after_steps(TangentialProblem& problem, const Problem& p, TangentialInput input, VectorField state,
+                            int steps) {
+  ContactSolution s;
   for (int k = 0; k < steps; ++k) {
     input.previous = &state;
     s = problem.solve(p.bound, input);
-    EXPECT_EQ(s.forces.status, Status::ok);
-    state = s.tractions;
+    EXPECT_EQ(s.report.status, Status::ok);
+    state = s.fields.traction;
   }
   return s;
 }
@@ -51,10 +51,10 @@ TEST(SmallSteps, AThousandShiftsAreAWholeOne) {
   const Problem& p = sphere.problem;
   TangentialProblem problem(p.material, p.grid);
   const double distance = 0.75 * sphere.whole;
-  const TangentialSolution s = after_steps(problem, p, shift_by(distance / 1000, 3e-3), {}, 1000);
-  const TangentialSolution whole = problem.solve(p.bound, shift_by(distance, 1e-10));
-  EXPECT_NEAR(s.forces.fx, whole.forces.fx, 1e-3 * p.capacity);
-  EXPECT_NEAR(-s.forces.fx / p.capacity, 1 - std::pow(0.25, 1.5), 3e-3);
+  const ContactSolution s = after_steps(problem, p, shift_by(distance / 1000, 3e-3), {}, 1000);
+  const ContactSolution whole = problem.solve(p.bound, shift_by(distance, 1e-10));
+  EXPECT_NEAR(s.totals.fx, whole.totals.fx, 1e-3 * p.capacity);
+  EXPECT_NEAR(-s.totals.fx / p.capacity, 1 - std::pow(0.25, 1.5), 3e-3);
 }
 
 /// Steps of 1e-9 of the distance at the default tolerance of 1e-6; the slope dF/dd = 3/2 mu Fn/d0 (1 - d/d0)^(1/2).
@@ -63,13 +63,13 @@ TEST(SmallSteps, TinyShiftsFollowMindlinsStiffness) {
   const Problem& p = sphere.problem;
   TangentialProblem problem(p.material, p.grid);
   const double distance = 0.5 * sphere.whole, tiny = 1e-9 * sphere.whole;
-  const TangentialSolution first = problem.solve(p.bound, shift_by(distance, 1e-12));
+  const ContactSolution first = problem.solve(p.bound, shift_by(distance, 1e-12));
   const int steps = 1000;
-  const TangentialSolution s = after_steps(problem, p, shift_by(tiny, 1e-6), first.tractions, steps);
+  const ContactSolution s = after_steps(problem, p, shift_by(tiny, 1e-6), first.fields.traction, steps);
   TangentialInput at_once = shift_by(steps * tiny, 1e-10);
-  at_once.previous = &first.tractions;
-  const double growth = first.forces.fx - s.forces.fx;
-  EXPECT_NEAR(growth, first.forces.fx - problem.solve(p.bound, at_once).forces.fx, 0.01 * growth);
+  at_once.previous = &first.fields.traction;
+  const double growth = first.totals.fx - s.totals.fx;
+  EXPECT_NEAR(growth, first.totals.fx - problem.solve(p.bound, at_once).totals.fx, 0.01 * growth);
   const double stiffness = 1.5 * p.capacity / sphere.whole * std::sqrt(0.5);
   EXPECT_NEAR(growth / (steps * tiny), stiffness, 0.05 * stiffness);
 }
@@ -81,16 +81,16 @@ TEST(SmallSteps, TinyForces) {
   TangentialProblem problem(p.material, p.grid);
   TangentialInput input = shift_by(0, 1e-6);
   input.force_x = -0.5 * p.capacity;
-  TangentialState state = problem.solve(p.bound, input).tractions;
+  VectorField state = problem.solve(p.bound, input).fields.traction;
   double moved = 0;
   const int steps = 300;
   for (int k = 0; k < steps; ++k) {
     input.previous = &state;
     *input.force_x -= 1e-8 * p.capacity;
-    const TangentialSolution s = problem.solve(p.bound, input);
-    ASSERT_EQ(s.forces.status, Status::ok);
+    const ContactSolution s = problem.solve(p.bound, input);
+    ASSERT_EQ(s.report.status, Status::ok);
     moved += s.creepage.longitudinal;
-    state = s.tractions;
+    state = s.fields.traction;
   }
   const double compliance = sphere.whole / (1.5 * p.capacity * std::cbrt(0.5));
   EXPECT_NEAR(moved / (steps * 1e-8 * p.capacity), compliance, 0.06 * compliance);
@@ -106,13 +106,13 @@ TEST(SmallSteps, RollingDoesNotDependOnTheTolerance) {
   input.step = 1e-3 * p.grid.dx;
   input.creepage = scaled_creepage(contact, 0.5, 0.3, 0.4);
   input.tolerance = 1e-10;
-  const TangentialSolution fine = after_steps(problem, p, input, {}, 300);
+  const ContactSolution fine = after_steps(problem, p, input, {}, 300);
   input.tolerance = 1e-3;
-  const TangentialSolution rough = after_steps(problem, p, input, {}, 300);
-  const double size = std::hypot(fine.forces.fx, fine.forces.fy);
+  const ContactSolution rough = after_steps(problem, p, input, {}, 300);
+  const double size = std::hypot(fine.totals.fx, fine.totals.fy);
   EXPECT_LT(size, 0.1 * p.capacity);
-  EXPECT_NEAR(rough.forces.fx, fine.forces.fx, 2e-3 * size);
-  EXPECT_NEAR(rough.forces.fy, fine.forces.fy, 2e-3 * size);
+  EXPECT_NEAR(rough.totals.fx, fine.totals.fx, 2e-3 * size);
+  EXPECT_NEAR(rough.totals.fy, fine.totals.fy, 2e-3 * size);
 }
 
 /// A step without motion changes nothing, but for what rounding does.
@@ -120,9 +120,9 @@ TEST(SmallSteps, AtRest) {
   const Sphere sphere(11);
   const Problem& p = sphere.problem;
   TangentialProblem problem(p.material, p.grid);
-  const TangentialSolution first = problem.solve(p.bound, shift_by(0.5 * sphere.whole, 1e-6));
-  const TangentialSolution s = after_steps(problem, p, shift_by(0, 1e-6), first.tractions, 20);
-  EXPECT_NEAR(s.forces.fx, first.forces.fx, 1e-6 * p.capacity);
+  const ContactSolution first = problem.solve(p.bound, shift_by(0.5 * sphere.whole, 1e-6));
+  const ContactSolution s = after_steps(problem, p, shift_by(0, 1e-6), first.fields.traction, 20);
+  EXPECT_NEAR(s.totals.fx, first.totals.fx, 1e-6 * p.capacity);
 }
 
 } // namespace

@@ -47,7 +47,7 @@ inline EllipticContact steel_contact(double ratio) {
   return steel_contact(4e-3 * std::sqrt(ratio), 4e-3 / std::sqrt(ratio), 5e4);
 }
 
-inline TangentialSolution solve(const Problem& p, const TangentialInput& input) {
+inline ContactSolution solve(const Problem& p, const TangentialInput& input) {
   return TangentialProblem(p.material, p.grid).solve(p.bound, input);
 }
 
@@ -56,13 +56,13 @@ inline double signed_step(const Problem& p, const TangentialInput& input) {
 }
 
 /// s = w + (u - u')/dq for rolling, w + u - u' for a shift, with displacements summed pair by pair.
-inline PlaneFields dense_slip(const Problem& p, const TangentialInput& input, const TangentialSolution& s) {
+inline PlaneFields dense_slip(const Problem& p, const TangentialInput& input, const ContactSolution& s) {
   const bool shift = input.motion == ContactMotion::shift;
   const double step = shift ? 0 : signed_step(p, input), length = shift ? 1 : std::abs(step);
-  const TangentialState* before = input.motion == ContactMotion::steady ? &s.tractions : input.previous;
-  PlaneFields slip = dense_displacement(p.material, p.grid, s.tractions.px, s.tractions.py);
+  const VectorField* before = input.motion == ContactMotion::steady ? &s.fields.traction : input.previous;
+  PlaneFields slip = dense_displacement(p.material, p.grid, s.fields.traction.x, s.fields.traction.y);
   PlaneFields previous{Field(p.bound.size(), 0.0), Field(p.bound.size(), 0.0)};
-  if (before) previous = dense_displacement(p.material, p.grid, before->px, before->py, step);
+  if (before) previous = dense_displacement(p.material, p.grid, before->x, before->y, step);
   for (int j = 0; j < p.grid.my; ++j)
     for (int i = 0; i < p.grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * p.grid.mx + i;
@@ -82,50 +82,51 @@ inline double diagonal(const Problem& p, const TangentialInput& input) {
 }
 
 /// All contact conditions, and the totals by their definitions.
-inline void expect_solution(const Problem& p, const TangentialInput& input, const TangentialSolution& s) {
-  ASSERT_EQ(s.forces.status, Status::ok);
-  ASSERT_LE(s.residual, input.tolerance);
+inline void expect_solution(const Problem& p, const TangentialInput& input, const ContactSolution& s) {
+  ASSERT_EQ(s.report.status, Status::ok);
+  ASSERT_LE(s.report.residual, input.tolerance);
   const PlaneFields slip = dense_slip(p, input, s);
   std::vector<char> slides;
-  for (const CellState state : s.state) slides.push_back(state == CellState::slip);
+  for (const CellState state : s.fields.state) slides.push_back(state == CellState::slip);
   // The returned tractions differ from the iterate by the residual, and their slip by D times that.
   const double d = diagonal(p, input), tolerance = 10 * input.tolerance;
-  expect_friction_conditions({p.bound, s.tractions.px, s.tractions.py, slip.x, slip.y, d}, slides, tolerance);
+  expect_friction_conditions({p.bound, s.fields.traction.x, s.fields.traction.y, slip.x, slip.y, d}, slides, tolerance);
 
   double fx = 0, fy = 0, mz = 0, power = 0, peak = 0, adhesion = 0, sliding = 0;
   const double area = p.grid.element_area(), slip_unit = tolerance * norm(p.bound) * d;
   for (int j = 0; j < p.grid.my; ++j)
     for (int i = 0; i < p.grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * p.grid.mx + i;
-      const double px = s.tractions.px[k], py = s.tractions.py[k];
+      const double px = s.fields.traction.x[k], py = s.fields.traction.y[k];
       if (!(p.bound[k] > 0)) {
-        ASSERT_EQ(s.state[k], CellState::exterior);
-        ASSERT_EQ(std::hypot(px, py, s.sx[k]), 0);
-        ASSERT_EQ(s.slip_direction[k], 0);
+        ASSERT_EQ(s.fields.state[k], CellState::exterior);
+        ASSERT_EQ(std::hypot(px, py, s.fields.slip.x[k]), 0);
         continue;
       }
-      // Slip has its direction, but for what is too small to have one.
-      const double along = slides[k] ? std::hypot(slip.x[k], slip.y[k]) : 0;
-      ASSERT_NEAR(along * std::cos(s.slip_direction[k]), slides[k] ? slip.x[k] : 0, slip_unit);
-      ASSERT_NEAR(along * std::sin(s.slip_direction[k]), slides[k] ? slip.y[k] : 0, slip_unit);
-      ASSERT_NEAR(s.sx[k], slip.x[k], slip_unit);
-      ASSERT_NEAR(s.sy[k], slip.y[k], slip_unit);
+      if (slides[k]) { // against the traction
+        const double share = std::hypot(slip.x[k], slip.y[k]) / std::hypot(px, py);
+        ASSERT_NEAR(slip.x[k], -share * px, slip_unit);
+        ASSERT_NEAR(slip.y[k], -share * py, slip_unit);
+      }
+      ASSERT_NEAR(s.fields.slip.x[k], slip.x[k], slip_unit);
+      ASSERT_NEAR(s.fields.slip.y[k], slip.y[k], slip_unit);
       fx += px * area;
       fy += py * area;
       mz += (p.grid.x(i) * py - p.grid.y(j) * px) * area;
-      power -= (px * s.sx[k] + py * s.sy[k]) * area * (input.motion == ContactMotion::shift ? 1 : input.rolling_speed);
+      power -= (px * s.fields.slip.x[k] + py * s.fields.slip.y[k]) * area *
+               (input.motion == ContactMotion::shift ? 1 : input.rolling_speed);
       peak = std::max(peak, std::hypot(px, py));
       (slides[k] ? sliding : adhesion) += area;
     }
   const double rounding = 1e-12 * p.capacity;
-  expect_forces(s.forces, {fx, fy, mz}, rounding, rounding * (p.length + p.grid.my * p.grid.dy));
-  EXPECT_NEAR(s.frictional_power, power, 1e-12 * std::abs(power));
-  EXPECT_GE(s.frictional_power, -slip_unit * p.capacity * input.rolling_speed);
-  EXPECT_GE(s.elastic_energy, 0);
-  EXPECT_EQ(s.peak_traction, peak);
-  EXPECT_NEAR(s.forces.adhesion_area, adhesion, 1e-12 * (adhesion + sliding));
-  EXPECT_NEAR(s.forces.slip_area, sliding, 1e-12 * (adhesion + sliding));
-  EXPECT_EQ(s.bound, p.bound);
+  expect_forces(s.forces(), {fx, fy, mz}, rounding, rounding * (p.length + p.grid.my * p.grid.dy));
+  EXPECT_NEAR(s.totals.frictional_power, power, 1e-12 * std::abs(power));
+  EXPECT_GE(s.totals.frictional_power, -slip_unit * p.capacity * input.rolling_speed);
+  EXPECT_GE(s.totals.elastic_energy, 0);
+  EXPECT_EQ(s.totals.peak_traction, peak);
+  EXPECT_NEAR(s.totals.adhesion_area, adhesion, 1e-12 * (adhesion + sliding));
+  EXPECT_NEAR(s.totals.slip_area, sliding, 1e-12 * (adhesion + sliding));
+  EXPECT_EQ(s.fields.bound, p.bound);
   if (input.force_x) {
     EXPECT_NEAR(fx, *input.force_x, tolerance * p.capacity);
   }

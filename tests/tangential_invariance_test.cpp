@@ -17,13 +17,13 @@ TEST(TangentialInvariance, MirrorAcrossTheRollingDirection) {
   input.tolerance = mirrored.tolerance = 1e-10;
   input.creepage = scaled_creepage(contact, 0.4, 0.3, 0.5);
   mirrored.creepage = scaled_creepage(contact, 0.4, -0.3, -0.5);
-  const TangentialSolution s = solve(p, input), m = solve(p, mirrored);
+  const ContactSolution s = solve(p, input), m = solve(p, mirrored);
   for (int j = 0; j < p.grid.my; ++j)
     for (int i = 0; i < p.grid.mx; ++i) {
       const std::size_t here = static_cast<std::size_t>(j) * p.grid.mx + i;
       const std::size_t there = static_cast<std::size_t>(p.grid.my - 1 - j) * p.grid.mx + i;
-      EXPECT_NEAR(m.tractions.px[there], s.tractions.px[here], 1e-7 * s.peak_traction);
-      EXPECT_NEAR(m.tractions.py[there], -s.tractions.py[here], 1e-7 * s.peak_traction);
+      EXPECT_NEAR(m.fields.traction.x[there], s.fields.traction.x[here], 1e-7 * s.totals.peak_traction);
+      EXPECT_NEAR(m.fields.traction.y[there], -s.fields.traction.y[here], 1e-7 * s.totals.peak_traction);
     }
 }
 
@@ -31,12 +31,12 @@ TEST(TangentialInvariance, ReversedCreepagesReverseTheTractions) {
   const EllipticContact contact = steel_contact(3);
   const Problem p = elliptic(contact, 11, 12);
   TangentialInput input = with_creepage(scaled_creepage(contact, 0.4, 0.3, 0.5));
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   input.creepage = scaled_creepage(contact, -0.4, -0.3, -0.5);
-  const TangentialSolution r = solve(p, input);
+  const ContactSolution r = solve(p, input);
   for (std::size_t k = 0; k < p.bound.size(); ++k) {
-    EXPECT_EQ(r.tractions.px[k], -s.tractions.px[k]);
-    EXPECT_EQ(r.tractions.py[k], -s.tractions.py[k]);
+    EXPECT_EQ(r.fields.traction.x[k], -s.fields.traction.x[k]);
+    EXPECT_EQ(r.fields.traction.y[k], -s.fields.traction.y[k]);
   }
 }
 
@@ -54,7 +54,7 @@ TEST(TangentialInvariance, RollingBackwardIsTheMirrorImage) {
   };
   for (const ContactMotion motion : {ContactMotion::steady, ContactMotion::transient}) {
     TangentialInput ahead, back;
-    TangentialState before, before_mirrored;
+    VectorField before, before_mirrored;
     ahead.tolerance = back.tolerance = 1e-10;
     ahead.motion = back.motion = motion;
     ahead.creepage = scaled_creepage(contact, 0.3, 0.4, 0.6);
@@ -62,20 +62,20 @@ TEST(TangentialInvariance, RollingBackwardIsTheMirrorImage) {
     back.direction = backward;
     ahead.step = back.step = 0.7 * p.grid.dx;
     if (motion == ContactMotion::transient) {
-      before = solve(p, ahead).tractions;
-      before_mirrored = {mirrored(before.px, -1), mirrored(before.py, 1)};
+      before = solve(p, ahead).fields.traction;
+      before_mirrored = {mirrored(before.x, -1), mirrored(before.y, 1)};
       ahead.previous = &before;
       back.previous = &before_mirrored;
     }
-    const TangentialSolution s = solve(p, ahead), b = solve(p, back);
-    const Field px = mirrored(b.tractions.px, -1), py = mirrored(b.tractions.py, 1);
+    const ContactSolution s = solve(p, ahead), b = solve(p, back);
+    const Field px = mirrored(b.fields.traction.x, -1), py = mirrored(b.fields.traction.y, 1);
     for (std::size_t k = 0; k < px.size(); ++k) {
-      EXPECT_NEAR(px[k], s.tractions.px[k], 1e-7 * s.peak_traction);
-      EXPECT_NEAR(py[k], s.tractions.py[k], 1e-7 * s.peak_traction);
+      EXPECT_NEAR(px[k], s.fields.traction.x[k], 1e-7 * s.totals.peak_traction);
+      EXPECT_NEAR(py[k], s.fields.traction.y[k], 1e-7 * s.totals.peak_traction);
     }
-    expect_forces(b.forces, {-s.forces.fx, s.forces.fy, -s.forces.mz}, 1e-8 * p.capacity,
+    expect_forces(b.forces(), {-s.totals.fx, s.totals.fy, -s.totals.mz}, 1e-8 * p.capacity,
                   1e-8 * p.capacity * contact.a);
-    EXPECT_NEAR(b.frictional_power, s.frictional_power, 1e-8 * s.frictional_power);
+    EXPECT_NEAR(b.totals.frictional_power, s.totals.frictional_power, 1e-8 * s.totals.frictional_power);
   }
 }
 
@@ -89,12 +89,12 @@ TEST(TangentialInvariance, ShiftTurnedByARightAngle) {
   input.tolerance = 1e-10;
   const double unit = 1e-6;
   input.creepage = {5 * unit, 3 * unit, 400 * unit};
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   input.creepage = {3 * unit, 5 * unit, -400 * unit};
-  const TangentialSolution r = solve(t, input);
-  EXPECT_GT(s.forces.slip_area, 0);
-  EXPECT_GT(s.forces.adhesion_area, 0);
-  expect_forces(r.forces, {s.forces.fy, s.forces.fx, -s.forces.mz}, 1e-6 * p.capacity, 1e-6 * p.capacity * contact.a);
+  const ContactSolution r = solve(t, input);
+  EXPECT_GT(s.totals.slip_area, 0);
+  EXPECT_GT(s.totals.adhesion_area, 0);
+  expect_forces(r.forces(), {s.totals.fy, s.totals.fx, -s.totals.mz}, 1e-6 * p.capacity, 1e-6 * p.capacity * contact.a);
 }
 
 TEST(TangentialInvariance, UnitsDoNotMatter) {
@@ -103,7 +103,7 @@ TEST(TangentialInvariance, UnitsDoNotMatter) {
   input.tolerance = 1e-10;
   input.creepage = scaled_creepage(contact, 0.4, -0.5, 0.3);
   const Problem p = elliptic(contact, 12, 11);
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   for (const auto& [length, force] : {std::pair{1024.0, 0x1p-20}, {1e3, 1.0}, {39.37, 0.2248}}) {
     Problem other = p;
     for (double* value : {&other.grid.x0, &other.grid.y0, &other.grid.dx, &other.grid.dy}) *value *= length;
@@ -112,12 +112,13 @@ TEST(TangentialInvariance, UnitsDoNotMatter) {
     TangentialInput converted = input;
     converted.creepage.spin /= length;
     converted.rolling_speed = length;
-    const TangentialSolution o = solve(other, converted);
-    expect_forces({o.forces.fx / force, o.forces.fy / force, o.forces.mz / (force * length)}, s.forces,
+    const ContactSolution o = solve(other, converted);
+    expect_forces({o.totals.fx / force, o.totals.fy / force, o.totals.mz / (force * length)}, s.forces(),
                   1e-8 * p.capacity, 1e-8 * p.capacity * contact.a);
-    EXPECT_NEAR(o.frictional_power / (force * length), s.frictional_power, 1e-8 * s.frictional_power);
-    EXPECT_NEAR(o.elastic_energy / (force * length), s.elastic_energy, 1e-8 * s.elastic_energy);
-    EXPECT_NEAR(o.forces.adhesion_area / (length * length), s.forces.adhesion_area, 1e-9 * s.forces.adhesion_area);
+    EXPECT_NEAR(o.totals.frictional_power / (force * length), s.totals.frictional_power,
+                1e-8 * s.totals.frictional_power);
+    EXPECT_NEAR(o.totals.elastic_energy / (force * length), s.totals.elastic_energy, 1e-8 * s.totals.elastic_energy);
+    EXPECT_NEAR(o.totals.adhesion_area / (length * length), s.totals.adhesion_area, 1e-9 * s.totals.adhesion_area);
   }
 }
 
@@ -126,16 +127,16 @@ TEST(TangentialInvariance, IsHomogeneous) {
   const EllipticContact contact = steel_contact(0.7);
   Problem p = elliptic(contact, 12, 11);
   TangentialInput input = with_creepage(scaled_creepage(contact, 0.4, -0.5, 0.3));
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   for (const double k : {0x1p-20, 64.0}) {
     Problem other = p;
     for (double& g : other.bound) g *= k;
     TangentialInput scaled = input;
     scaled.creepage = {k * input.creepage.longitudinal, k * input.creepage.lateral, k * input.creepage.spin};
-    const TangentialSolution o = solve(other, scaled);
-    EXPECT_NEAR(o.forces.fx, k * s.forces.fx, 1e-12 * k * p.capacity);
-    EXPECT_NEAR(o.forces.fy, k * s.forces.fy, 1e-12 * k * p.capacity);
-    EXPECT_EQ(o.newton_steps, s.newton_steps);
+    const ContactSolution o = solve(other, scaled);
+    EXPECT_NEAR(o.totals.fx, k * s.totals.fx, 1e-12 * k * p.capacity);
+    EXPECT_NEAR(o.totals.fy, k * s.totals.fy, 1e-12 * k * p.capacity);
+    EXPECT_EQ(o.report.newton_steps, s.report.newton_steps);
   }
 }
 
@@ -144,12 +145,12 @@ TEST(TangentialInvariance, SpeedMattersForPowerOnly) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 9, 9);
   TangentialInput input = with_creepage(scaled_creepage(contact, 0.5, 0.2, 0.1));
-  const TangentialSolution slow = solve(p, input);
+  const ContactSolution slow = solve(p, input);
   input.rolling_speed = 32;
-  const TangentialSolution fast = solve(p, input);
-  EXPECT_EQ(fast.tractions.px, slow.tractions.px);
-  EXPECT_DOUBLE_EQ(fast.frictional_power, 32 * slow.frictional_power);
-  EXPECT_DOUBLE_EQ(fast.power_by_creepage, 32 * slow.power_by_creepage);
+  const ContactSolution fast = solve(p, input);
+  EXPECT_EQ(fast.fields.traction.x, slow.fields.traction.x);
+  EXPECT_DOUBLE_EQ(fast.totals.frictional_power, 32 * slow.totals.frictional_power);
+  EXPECT_DOUBLE_EQ(fast.totals.power_by_creepage, 32 * slow.totals.power_by_creepage);
 }
 
 } // namespace

@@ -22,12 +22,12 @@ TEST(TangentialProblem, NoCreepageNoTraction) {
   for (const ContactMotion motion : {ContactMotion::shift, ContactMotion::transient, ContactMotion::steady}) {
     TangentialInput input;
     input.motion = motion;
-    const TangentialSolution s = solve(p, input);
+    const ContactSolution s = solve(p, input);
     expect_solution(p, input, s);
-    EXPECT_EQ(s.tractions.px, Field(p.bound.size(), 0.0));
-    EXPECT_EQ(s.tractions.py, Field(p.bound.size(), 0.0));
-    EXPECT_EQ(s.forces.slip_area, 0);
-    EXPECT_EQ(s.newton_steps, 0);
+    EXPECT_EQ(s.fields.traction.x, Field(p.bound.size(), 0.0));
+    EXPECT_EQ(s.fields.traction.y, Field(p.bound.size(), 0.0));
+    EXPECT_EQ(s.totals.slip_area, 0);
+    EXPECT_EQ(s.report.newton_steps, 0);
   }
 }
 
@@ -40,12 +40,12 @@ TEST(TangentialProblem, TheLeadingEdgesCorrectionKnowsTheLayer) {
   bodies.layer.flexibility = 0.2 * contact.a / contact.shear_modulus;
   TangentialInput input = with_creepage(scaled_creepage(contact, 0.6, 0.2, 0.3));
   TangentialProblem problem(bodies, p.grid);
-  const TangentialSolution plain = problem.solve(p.bound, input);
+  const ContactSolution plain = problem.solve(p.bound, input);
   input.leading_edge = LeadingEdge{.theta = 1};
-  const TangentialSolution same = problem.solve(p.bound, input);
-  ASSERT_EQ(same.forces.status, Status::ok);
-  EXPECT_EQ(same.tractions.px, plain.tractions.px);
-  EXPECT_EQ(same.tractions.py, plain.tractions.py);
+  const ContactSolution same = problem.solve(p.bound, input);
+  ASSERT_EQ(same.report.status, Status::ok);
+  EXPECT_EQ(same.fields.traction.x, plain.fields.traction.x);
+  EXPECT_EQ(same.fields.traction.y, plain.fields.traction.y);
 }
 
 /// The coefficients of the slip's operator are computed on the first call.
@@ -66,14 +66,14 @@ TEST(TangentialProblem, FullSliding) {
   for (const double angle : {0.0, 0.9, 2.5, -1.5}) {
     TangentialInput input;
     input.creepage = scaled_creepage(contact, 1e6 * std::cos(angle), 1e6 * std::sin(angle), 0);
-    const TangentialSolution s = solve(p, input);
-    ASSERT_EQ(s.forces.status, Status::ok);
-    EXPECT_EQ(s.forces.adhesion_area, 0);
+    const ContactSolution s = solve(p, input);
+    ASSERT_EQ(s.report.status, Status::ok);
+    EXPECT_EQ(s.totals.adhesion_area, 0);
     const double w = std::hypot(input.creepage.longitudinal, input.creepage.lateral);
-    EXPECT_NEAR(s.forces.fx / p.capacity, -input.creepage.longitudinal / w, 1e-5);
-    EXPECT_NEAR(s.forces.fy / p.capacity, -input.creepage.lateral / w, 1e-5);
-    EXPECT_NEAR(std::hypot(s.forces.fx, s.forces.fy), p.capacity, 1e-9 * p.capacity);
-    EXPECT_NEAR(s.frictional_power / (p.capacity * w), 1, 1e-5);
+    EXPECT_NEAR(s.totals.fx / p.capacity, -input.creepage.longitudinal / w, 1e-5);
+    EXPECT_NEAR(s.totals.fy / p.capacity, -input.creepage.lateral / w, 1e-5);
+    EXPECT_NEAR(std::hypot(s.totals.fx, s.totals.fy), p.capacity, 1e-9 * p.capacity);
+    EXPECT_NEAR(s.totals.frictional_power / (p.capacity * w), 1, 1e-5);
   }
 }
 
@@ -93,7 +93,7 @@ TEST(TangentialProblem, NoSlipGivesKalkersCoefficients) {
     input.tolerance = 1e-10;
     const auto forces = [&](double xi, double eta, double phi) {
       input.creepage = {xi * size, eta * size, phi * size / c};
-      return problem.solve(p.bound, input).forces;
+      return problem.solve(p.bound, input).forces();
     };
     const ContactForces xi = forces(1, 0, 0), eta = forces(0, 1, 0), phi = forces(0, 0, 1), all = forces(2, 3, -2);
     EXPECT_EQ(xi.slip_area + eta.slip_area + phi.slip_area + all.slip_area, 0);
@@ -117,9 +117,9 @@ TEST(TangentialProblem, FrictionThatVariesOverThePatch) {
   for (const double size : {0.1, 0.5, 1.5, 1e5}) {
     TangentialInput input;
     input.creepage = scaled_creepage(contact, size, -0.7 * size, 0.3 * size);
-    const TangentialSolution s = solve(p, input);
+    const ContactSolution s = solve(p, input);
     expect_solution(p, input, s);
-    EXPECT_LE(std::hypot(s.forces.fx, s.forces.fy), p.capacity);
+    EXPECT_LE(std::hypot(s.totals.fx, s.totals.fy), p.capacity);
   }
 }
 
@@ -130,18 +130,18 @@ TEST(TangentialProblem, NoBoundAnywhere) {
     TangentialInput input;
     input.motion = motion;
     input.creepage = {1e-3, 2e-3, 0.1};
-    const TangentialSolution s = solve(p, input);
-    EXPECT_EQ(s.forces.status, Status::ok);
-    EXPECT_EQ(s.tractions.px, p.bound);
-    EXPECT_EQ(s.forces.fx, 0);
-    EXPECT_EQ(s.forces.mz, 0);
-    EXPECT_EQ(s.forces.adhesion_area + s.forces.slip_area, 0);
-    EXPECT_EQ(s.residual, 0);
-    for (const CellState state : s.state) EXPECT_EQ(state, CellState::exterior);
+    const ContactSolution s = solve(p, input);
+    EXPECT_EQ(s.report.status, Status::ok);
+    EXPECT_EQ(s.fields.traction.x, p.bound);
+    EXPECT_EQ(s.totals.fx, 0);
+    EXPECT_EQ(s.totals.mz, 0);
+    EXPECT_EQ(s.totals.adhesion_area + s.totals.slip_area, 0);
+    EXPECT_EQ(s.report.residual, 0);
+    for (const CellState state : s.fields.state) EXPECT_EQ(state, CellState::exterior);
     input.force_x = 0;
-    EXPECT_EQ(solve(p, input).forces.status, Status::ok);
+    EXPECT_EQ(solve(p, input).report.status, Status::ok);
     input.force_x = 1;
-    EXPECT_EQ(solve(p, input).forces.status, Status::no_solution);
+    EXPECT_EQ(solve(p, input).report.status, Status::no_solution);
   }
 }
 
@@ -156,13 +156,13 @@ TEST(TangentialProblem, OneElement) {
       input.tolerance = 1e-12;
       const double self = diagonal(p, input), w = size * self * 1e6;
       input.creepage = {w * 0.6, w * -0.8, 0};
-      const TangentialSolution s = solve(p, input);
+      const ContactSolution s = solve(p, input);
       expect_solution(p, input, s);
-      EXPECT_EQ(s.state[0], size > 1 ? CellState::slip : CellState::adhesion);
+      EXPECT_EQ(s.fields.state[0], size > 1 ? CellState::slip : CellState::adhesion);
       // For a square D_xx and D_yy of a step along x differ, so the direction of a sliding one follows from both.
       if (motion != ContactMotion::steady) {
-        EXPECT_NEAR(s.tractions.px[0], -0.6e6 * std::min(size, 1.0), 10);
-        EXPECT_NEAR(s.tractions.py[0], 0.8e6 * std::min(size, 1.0), 10);
+        EXPECT_NEAR(s.fields.traction.x[0], -0.6e6 * std::min(size, 1.0), 10);
+        EXPECT_NEAR(s.fields.traction.y[0], 0.8e6 * std::min(size, 1.0), 10);
       }
     }
 }
@@ -188,10 +188,10 @@ TEST(TangentialProblem, AnyStep) {
     input.direction = direction;
     input.step = elements * p.grid.dx;
     input.creepage = contact.creepage;
-    const TangentialSolution s = solve(p, input);
-    EXPECT_EQ(s.forces.status, Status::ok);
+    const ContactSolution s = solve(p, input);
+    EXPECT_EQ(s.report.status, Status::ok);
     if (n == 16) expect_solution(p, input, s);
-    return -s.forces.fx / p.capacity;
+    return -s.totals.fx / p.capacity;
   };
   const double limit = 2 * force(64, 1, forward) - force(32, 1, forward);
   for (const double elements : {0.25, 0.5, 1.0, 2.0, 5.0}) {
@@ -210,9 +210,9 @@ TEST(TangentialProblem, VeryLongSteps) {
   TangentialInput input;
   input.step = 100 * p.grid.dx;
   input.creepage = scaled_creepage(contact, 0.5, 0, 0);
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   expect_solution(p, input, s);
-  EXPECT_NEAR(s.forces.fx, -p.capacity, 1e-4 * p.capacity);
+  EXPECT_NEAR(s.totals.fx, -p.capacity, 1e-4 * p.capacity);
 }
 
 /// dq = 0 means the elements' length.
@@ -220,9 +220,9 @@ TEST(TangentialProblem, DefaultStepIsAnElement) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 9, 9);
   TangentialInput input = with_creepage(scaled_creepage(contact, 0.5, 0.1, 0.2));
-  const TangentialSolution s = solve(p, input);
+  const ContactSolution s = solve(p, input);
   input.step = p.grid.dx;
-  EXPECT_EQ(solve(p, input).tractions.px, s.tractions.px);
+  EXPECT_EQ(solve(p, input).fields.traction.x, s.fields.traction.x);
 }
 
 /// The rigid slip is taken spin_offset steps ahead of an element's centre: as if the origin lay that much behind it.
@@ -235,12 +235,12 @@ TEST(TangentialProblem, SpinOffset) {
       input.direction = direction;
       input.spin_offset = offset;
       input.creepage = scaled_creepage(contact, 0.2, 0.3, 0.5);
-      const TangentialSolution s = solve(p, input);
+      const ContactSolution s = solve(p, input);
       expect_solution(p, input, s);
       const double ahead = offset * signed_step(p, input);
       input.spin_offset = 0;
       input.creepage.lateral += input.creepage.spin * ahead;
-      EXPECT_NEAR(solve(p, input).forces.fy, s.forces.fy, 1e-9 * p.capacity);
+      EXPECT_NEAR(solve(p, input).totals.fy, s.totals.fy, 1e-9 * p.capacity);
     }
 }
 
@@ -257,11 +257,12 @@ TEST(TangentialProblem, FirstStepIsAShift) {
   shift.motion = ContactMotion::shift;
   const Creepage& c = step.creepage;
   shift.creepage = {c.longitudinal * step.step, c.lateral * step.step, c.spin * step.step};
-  const TangentialSolution rolled = solve(p, step), shifted = solve(p, shift);
-  EXPECT_GT(rolled.forces.slip_area, 0);
-  EXPECT_NEAR(rolled.forces.fx, shifted.forces.fx, 1e-8 * p.capacity);
-  EXPECT_NEAR(rolled.forces.fy, shifted.forces.fy, 1e-8 * p.capacity);
-  EXPECT_NEAR(rolled.frictional_power * step.step, shifted.frictional_power, 1e-8 * shifted.frictional_power);
+  const ContactSolution rolled = solve(p, step), shifted = solve(p, shift);
+  EXPECT_GT(rolled.totals.slip_area, 0);
+  EXPECT_NEAR(rolled.totals.fx, shifted.totals.fx, 1e-8 * p.capacity);
+  EXPECT_NEAR(rolled.totals.fy, shifted.totals.fy, 1e-8 * p.capacity);
+  EXPECT_NEAR(rolled.totals.frictional_power * step.step, shifted.totals.frictional_power,
+              1e-8 * shifted.totals.frictional_power);
 }
 
 /// Steady rolling is where transient rolling ends.
@@ -276,18 +277,18 @@ TEST(TangentialProblem, MarchingEndsInTheSteadyState) {
       input.tolerance = 1e-8;
       input.step = elements * p.grid.dx;
       input.creepage = scaled_creepage(contact, 0.5, 0.3, 0.4);
-      const TangentialSolution steady = problem.solve(p.bound, input);
+      const ContactSolution steady = problem.solve(p.bound, input);
       input.motion = ContactMotion::transient;
-      TangentialState state;
-      TangentialSolution s;
+      VectorField state;
+      ContactSolution s;
       for (double rolled = 0; rolled < 16 * contact.a; rolled += input.step) {
         input.previous = input.start = &state;
         s = problem.solve(p.bound, input);
-        ASSERT_EQ(s.forces.status, Status::ok);
-        state = s.tractions;
+        ASSERT_EQ(s.report.status, Status::ok);
+        state = s.fields.traction;
       }
-      expect_forces(s.forces, steady.forces, 1e-5 * p.capacity, 1e-5 * p.capacity * contact.a);
-      EXPECT_NEAR(s.frictional_power, steady.frictional_power, 1e-4 * steady.frictional_power);
+      expect_forces(s.forces(), steady.forces(), 1e-5 * p.capacity, 1e-5 * p.capacity * contact.a);
+      EXPECT_NEAR(s.totals.frictional_power, steady.totals.frictional_power, 1e-4 * steady.totals.frictional_power);
     }
 }
 
@@ -299,10 +300,10 @@ TEST(TangentialProblem, BothPowersMeetAsTheGridIsRefined) {
     const Problem p = elliptic(contact, n, n);
     TangentialInput input;
     input.creepage = scaled_creepage(contact, 0.5, 0.3, 0);
-    const TangentialSolution s = solve(p, input);
-    EXPECT_GT(s.frictional_power, 0);
-    EXPECT_LT(s.frictional_power, s.power_by_creepage);
-    const double difference = 1 - s.frictional_power / s.power_by_creepage;
+    const ContactSolution s = solve(p, input);
+    EXPECT_GT(s.totals.frictional_power, 0);
+    EXPECT_LT(s.totals.frictional_power, s.totals.power_by_creepage);
+    const double difference = 1 - s.totals.frictional_power / s.totals.power_by_creepage;
     EXPECT_LT(difference, 4.2 / n);
     if (n > 8) {
       EXPECT_GT(before / difference, 1.65);
@@ -328,11 +329,11 @@ TEST(TangentialProblem, RandomProblems) {
     input.tolerance = n % 2 == 0 ? 1e-6 : 1e-10;
     const double length = input.motion == ContactMotion::shift ? contact.a : 1;
     for (double* c : {&input.creepage.longitudinal, &input.creepage.lateral, &input.creepage.spin}) *c *= length;
-    TangentialState before;
+    VectorField before;
     if (input.motion != ContactMotion::steady && n % 4 < 3) {
       TangentialInput first = input;
       first.creepage = {-input.creepage.lateral, input.creepage.longitudinal, -input.creepage.spin};
-      before = solve(p, first).tractions;
+      before = solve(p, first).fields.traction;
       input.previous = &before;
     }
     const double angle = random.between(0, 6.28), share = random.between(0, 0.9);
@@ -350,15 +351,15 @@ TEST(TangentialProblem, TheStartDoesNotMatter) {
   TangentialInput input;
   input.tolerance = 1e-9;
   input.creepage = scaled_creepage(contact, 0.5, 0.3, 0.4);
-  const TangentialSolution cold = solve(p, input);
-  TangentialState sliding{p.bound, Field(p.bound.size(), 0.0)};
+  const ContactSolution cold = solve(p, input);
+  VectorField sliding{p.bound, Field(p.bound.size(), 0.0)};
   input.start = &sliding;
-  const TangentialSolution other = solve(p, input);
-  EXPECT_NEAR(other.forces.fx, cold.forces.fx, 1e-7 * p.capacity);
-  EXPECT_NEAR(other.forces.mz, cold.forces.mz, 1e-7 * p.capacity * contact.a);
-  input.start = &cold.tractions;
+  const ContactSolution other = solve(p, input);
+  EXPECT_NEAR(other.totals.fx, cold.totals.fx, 1e-7 * p.capacity);
+  EXPECT_NEAR(other.totals.mz, cold.totals.mz, 1e-7 * p.capacity * contact.a);
+  input.start = &cold.fields.traction;
   input.tolerance = 1e-8;
-  EXPECT_EQ(solve(p, input).newton_steps, 0);
+  EXPECT_EQ(solve(p, input).report.newton_steps, 0);
 }
 
 /// What was solved before leaves no trace, whatever motion and step it had.
@@ -366,7 +367,7 @@ TEST(TangentialProblem, OneObjectForManyProblems) {
   const EllipticContact contact = steel_contact(1);
   const Problem p = elliptic(contact, 10, 9);
   TangentialProblem problem(p.material, p.grid);
-  TangentialState before;
+  VectorField before;
   std::vector<TangentialInput> inputs;
   for (const ContactMotion motion : {ContactMotion::steady, ContactMotion::shift, ContactMotion::transient})
     for (const RollingDirection direction : {forward, backward})
@@ -380,14 +381,14 @@ TEST(TangentialProblem, OneObjectForManyProblems) {
         if (motion == ContactMotion::transient) input.previous = &before;
         inputs.push_back(input);
       }
-  before = solve(p, inputs[0]).tractions;
+  before = solve(p, inputs[0]).fields.traction;
   for (const std::size_t order : {1U, 5U, 7U}) // coprime to their number: all of them, in another order
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const TangentialInput& input = inputs[k * order % inputs.size()];
-      const TangentialSolution s = problem.solve(p.bound, input), fresh = solve(p, input);
-      EXPECT_EQ(s.tractions.px, fresh.tractions.px);
-      EXPECT_EQ(s.tractions.py, fresh.tractions.py);
-      EXPECT_EQ(s.frictional_power, fresh.frictional_power);
+      const ContactSolution s = problem.solve(p.bound, input), fresh = solve(p, input);
+      EXPECT_EQ(s.fields.traction.x, fresh.fields.traction.x);
+      EXPECT_EQ(s.fields.traction.y, fresh.fields.traction.y);
+      EXPECT_EQ(s.totals.frictional_power, fresh.totals.frictional_power);
     }
 }
 
@@ -425,8 +426,8 @@ TEST(TangentialProblem, RefusesFieldsThatMakeNoSense) {
   Problem shorter = p;
   shorter.bound.pop_back();
   EXPECT_THROW(solve(shorter, {}), Error);
-  TangentialState wrong{Field(3, 0.0), Field(3, 0.0)}, half{Field(p.bound.size(), 0.0), {}};
-  for (const TangentialState* state : {&wrong, &half}) {
+  VectorField wrong{Field(3, 0.0), Field(3, 0.0)}, half{Field(p.bound.size(), 0.0), {}};
+  for (const VectorField* state : {&wrong, &half}) {
     TangentialInput input;
     input.start = state;
     EXPECT_THROW(solve(p, input), Error);

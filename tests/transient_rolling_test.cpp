@@ -42,7 +42,7 @@ struct Starting {
     Vec2 sum{};
     for (std::size_t k = 0; k < bound.size(); ++k) {
       const double area = rolling.contact().elements[k].width() * rolling.contact().grid.dy;
-      sum.x += area * s.friction.px[k], sum.y += area * s.friction.py[k];
+      sum.x += area * s.friction.traction.x[k], sum.y += area * s.friction.traction.y[k];
     }
     return {sum.x / friction_force(contact), sum.y / friction_force(contact)};
   }
@@ -115,15 +115,15 @@ TEST(TransientRolling, ObeysCoulombsLaw) {
     Starting s(contact, 16);
     for (int k = 0; k < 6; ++k) {
       const SecondOrderSolution found = s.step(1e-9);
-      ASSERT_EQ(found.friction.status, Status::ok);
+      ASSERT_EQ(found.friction.report.status, Status::ok);
       std::size_t sliding = 0;
       for (std::size_t e = 0; e < s.bound.size(); ++e) {
-        const double px = found.friction.px[e], py = found.friction.py[e], g = s.bound[e];
+        const double px = found.friction.traction.x[e], py = found.friction.traction.y[e], g = s.bound[e];
         EXPECT_LE(std::hypot(px, py), g * (1 + 1e-15));
         if (!found.friction.sliding[e]) continue;
         ++sliding;
         EXPECT_GE(std::hypot(px, py), g * (1 - 1e-15));
-        EXPECT_LT(px * found.friction.sx[e] + py * found.friction.sy[e], 1e-12);
+        EXPECT_LT(px * found.friction.slip.x[e] + py * found.friction.slip.y[e], 1e-12);
       }
       EXPECT_GT(sliding, 0U);
       EXPECT_LT(sliding, s.bound.size());
@@ -136,7 +136,7 @@ TEST(TransientRolling, RestartsFromRest) {
   const SecondOrderSolution first = s.step();
   s.step();
   s.rolling.restart();
-  EXPECT_EQ(s.step().friction.px, first.friction.px);
+  EXPECT_EQ(s.step().friction.traction.x, first.friction.traction.x);
 }
 
 TEST(TransientRolling, BackwardIsTheMirrorImage) {

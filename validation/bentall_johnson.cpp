@@ -69,20 +69,20 @@ bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
   for (const Case& c : cases) {
     ContactStep step = rolling(contact_grid(), c);
     const ContactStepSolution s = sequence.solve(step);
-    const double creepage = s.tangential.creepage.longitudinal, peak = s.normal.peak_pressure * 1e-6;
+    const double creepage = s.creepage.longitudinal, peak = s.normal.peak_pressure * 1e-6;
     report.figure(fmt::format("{}: creepage", c.name), fmt::format("{:.4e}", creepage),
                   fmt::format("{:.3e}", c.creepage),
-                  s.status == Status::ok && std::abs(creepage - c.creepage) <= 0.6e-7);
+                  s.report.status == Status::ok && std::abs(creepage - c.creepage) <= 0.6e-7);
     report.near("  peak pressure [N/mm2]", "{:.2f}", peak, "{:.1f}", c.peak, 0.06);
     report.figure("  elements in adhesion", std::to_string(s.adhesion_elements), std::to_string(c.adhesion),
                   std::abs(s.adhesion_elements - c.adhesion) <= 1);
     step.coupling = Coupling::alternating;
     const ContactStepSolution other = in_turn.solve(step);
-    newton += s.tangential.products;
-    alternating += other.tangential.products + other.normal.products;
-    const double difference = std::abs(other.tangential.creepage.longitudinal - creepage);
+    newton += s.report.products;
+    alternating += other.report.products + other.normal.products;
+    const double difference = std::abs(other.creepage.longitudinal - creepage);
     report.figure("  by the alternating process: difference", fmt::format("{:.1e}", difference), "<= 1e-9",
-                  other.status == Status::ok && difference <= 1e-9);
+                  other.report.status == Status::ok && difference <= 1e-9);
   }
   report.line(fmt::format("products in all: {} with one Newton system, {} in turn", newton, alternating));
   if (options.progress && !options.progress(0.3)) return false;
@@ -92,8 +92,8 @@ bool run_bentall_johnson(const StudyOptions& options, std::ostream& out) {
   std::array<double, grids.size()> creepage{};
   for (std::size_t g = 0; g < grids.size(); ++g) {
     const ContactStepSolution s = plane.solve(rolling(plane_grid(grids[g]), cases[0]));
-    creepage[g] = s.tangential.creepage.longitudinal;
-    report.line(fmt::format("{:>4}  {:.5e}  {}", grids[g], creepage[g], to_string(s.status)));
+    creepage[g] = s.creepage.longitudinal;
+    report.line(fmt::format("{:>4}  {:.5e}  {}", grids[g], creepage[g], to_string(s.report.status)));
     if (options.progress && !options.progress(0.3 + 0.7 * double(g + 1) / grids.size())) return false;
   }
   const double found = limit(creepage[2], grids[2], creepage[3], grids[3]);

@@ -36,8 +36,8 @@ Outcome roll(const ElementGrid& grid, RollingDirection direction) {
   input.creepage = {-creepage, 0, 0};
   input.direction = direction;
   input.tolerance = 1e-10;
-  const TangentialSolution s = contact.solve(friction, input);
-  return {s.forces.fx / (friction * load), s.forces.adhesion_area / grid.dy / (2 * half_width),
+  const ContactSolution s = contact.solve(friction, input);
+  return {s.totals.fx / (friction * load), s.totals.adhesion_area / grid.dy / (2 * half_width),
           count(s, CellState::adhesion), count(s, CellState::slip)};
 }
 
@@ -52,7 +52,8 @@ double roll_at_second_order(int n) {
   input.tolerance = 1e-10;
   const SecondOrderSolution s = rolling.solve(bound, input);
   double force = 0;
-  for (std::size_t k = 0; k < bound.size(); ++k) force += s.friction.px[k] * rolling.contact().elements[k].width();
+  for (std::size_t k = 0; k < bound.size(); ++k)
+    force += s.friction.traction.x[k] * rolling.contact().elements[k].width();
   return force / (friction * load);
 }
 

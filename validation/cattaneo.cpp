@@ -34,7 +34,7 @@ double cattaneo_traction(double r, double peak_pressure) {
 
 struct Outcome {
   NormalSolution normal;
-  TangentialSolution shifted;
+  ContactSolution shifted;
   double adhesion; ///< radius of the adhesion area over that of the contact area
   double turning;  ///< rms of the slip across the force over rms of the slip along it
 };
@@ -44,23 +44,24 @@ Outcome shift(int n, double nu, int steps = 1) {
   const CombinedMaterial material = {shear_modulus, nu, 0};
   const GapCurvatures gap = hertz_from_ellipse(radius, radius, material, normal_force).gap;
   HertzianSolve contact(material, ElementGrid::across_ellipse(radius, radius, n, 2), gap, normal_force);
-  TangentialSolution s;
+  ContactSolution s;
   double total = 0;
   for (int k = 1; k <= steps; ++k) {
     TangentialInput input;
     input.motion = ContactMotion::shift;
     input.force_x = -force_share * friction * normal_force * k / steps;
     input.tolerance = 1e-9;
-    const TangentialState before = s.tractions;
+    const VectorField before = s.fields.traction;
     input.previous = &before;
-    input.start = before.px.empty() ? nullptr : &before;
+    input.start = before.x.empty() ? nullptr : &before;
     s = contact.solve(friction, input);
     total += s.creepage.longitudinal;
   }
   s.creepage.longitudinal = total;
   const double adhesion = std::sqrt(double(count(s, CellState::adhesion)) / contact.normal().contact_elements);
   double along = 0, across = 0;
-  for (std::size_t k = 0; k < s.sx.size(); ++k) along += s.sx[k] * s.sx[k], across += s.sy[k] * s.sy[k];
+  const auto& [sx, sy] = s.fields.slip;
+  for (std::size_t k = 0; k < sx.size(); ++k) along += sx[k] * sx[k], across += sy[k] * sy[k];
   return {contact.normal(), std::move(s), adhesion, std::sqrt(across / along)};
 }
 
@@ -112,7 +113,7 @@ void report_first_grid(Report& report, const Outcome& o) {
   report.near("peak pressure [N/mm2]", "{:.4f}", peak, "4.393", 5e-4);
   report.near("approach [mm]", "{:.5f}", o.normal.approach * 1e3, "0.01998", 5e-6);
   report.near("shift [mm]", "{:.4e}", shift_mm, "8.155e-3", 5e-7);
-  const double work = o.shifted.frictional_power;
+  const double work = o.shifted.totals.frictional_power;
   report.near("frictional work [J]", "{:.4e}", work, "2.750e-6", 5e-10);
 }
 

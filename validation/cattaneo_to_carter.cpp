@@ -52,7 +52,7 @@ void figure(Report& report, const std::string& name, double computed, double pub
                 std::abs(computed / published - 1) <= 5e-4);
 }
 
-void report_case(Report& report, int number, const TangentialSolution& s, double energy, const Published& published) {
+void report_case(Report& report, int number, const ContactSolution& s, double energy, const Published& published) {
   report.heading(fmt::format("Case {}: computed, CONTACT", number));
   const int adhesion = count(s, CellState::adhesion), slip = count(s, CellState::slip);
   if (number == 1)
@@ -61,8 +61,8 @@ void report_case(Report& report, int number, const TangentialSolution& s, double
     figure(report, "creepage", s.creepage.longitudinal, published.creepage);
   report.count("elements in adhesion", adhesion, published.adhesion);
   report.count("elements in slip", slip, published.slip);
-  figure(report, "elastic energy [J]", s.elastic_energy + energy, published.energy);
-  figure(report, number == 1 ? "frictional work [J]" : "frictional power at 1 m/s [W]", s.frictional_power,
+  figure(report, "elastic energy [J]", s.totals.elastic_energy + energy, published.energy);
+  figure(report, number == 1 ? "frictional work [J]" : "frictional power at 1 m/s [W]", s.totals.frictional_power,
          published.power);
 }
 
@@ -118,12 +118,12 @@ bool run_cattaneo_to_carter(const StudyOptions& options, std::ostream& out) {
   report.line(
       "a = 3.5 mm, Fx = -0.657 mu Fn, G = 1 N/mm2, nu = 0.28, mu = 0.4013; dq = dx = 0.25 mm, 28 elements across");
 
-  TangentialSolution s = contact.solve(friction, input_of(ContactMotion::shift));
+  ContactSolution s = contact.solve(friction, input_of(ContactMotion::shift));
   report_case(report, 1, s, energy, {1.774e-2, 1.470e-5, 1.261e-7, 305, 316});
-  const TangentialState shifted = s.tractions;
+  const VectorField shifted = s.fields.traction;
   for (int k = 2; k <= last_case; ++k) {
     TangentialInput input = input_of(ContactMotion::transient);
-    const TangentialState before = std::move(s.tractions);
+    const VectorField before = std::move(s.fields.traction);
     input.previous = input.start = &before;
     s = contact.solve(friction, input);
     if (k == 2) report_case(report, 2, s, energy, {1.824e-3, 1.472e-5, 1.188e-4, 422, 199});
@@ -142,7 +142,7 @@ bool run_cattaneo_to_carter(const StudyOptions& options, std::ostream& out) {
                 std::abs(rolled / direct - 1) <= 1e-4);
   report.figure(fmt::format("marched {} steps until it stays, solved directly", marched.steps),
                 fmt::format("{:.6e}", arrived), fmt::format("{:.6e}", direct),
-                marched.last.forces.status == Status::ok && std::abs(arrived / direct - 1) <= 1e-5);
+                marched.last.report.status == Status::ok && std::abs(arrived / direct - 1) <= 1e-5);
   if (options.progress && !options.progress(0.8)) return false;
   report_edge(report);
   return report.all_met();

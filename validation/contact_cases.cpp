@@ -265,7 +265,7 @@ private:
     }
     if (o.kind != Outcome::Kind::solved) return;
     ++solved_;
-    converged_ += o.solution.status == Status::ok;
+    converged_ += o.solution.report.status == Status::ok;
     note_extremes(c.number, o);
     if (auto rolling = steady_case(name_, c, o)) rolling_.push_back(std::move(*rolling));
     const auto found = printed_.find(c.number);

@@ -44,14 +44,14 @@ HertzianSolve contact_on(const HertzContact& hertz, int refined) {
 
 Curve forces(HertzianSolve& contact) {
   Curve f{};
-  TangentialSolution s;
+  ContactSolution s;
   for (std::size_t k = 0; k < curve.size(); ++k) {
     TangentialInput input;
     input.creepage.longitudinal = curve[k].creepage;
-    const TangentialState start = std::move(s.tractions);
-    if (!start.px.empty()) input.start = &start;
+    const VectorField start = std::move(s.fields.traction);
+    if (!start.x.empty()) input.start = &start;
     s = contact.solve(friction, input);
-    f[k] = -s.forces.fx / (friction * normal_force);
+    f[k] = -s.totals.fx / (friction * normal_force);
   }
   return f;
 }

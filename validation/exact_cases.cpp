@@ -25,8 +25,8 @@ public:
     TangentialInput input;
     input.creepage = contact.creepage;
     input.progress = progress;
-    const TangentialSolution s = from_nothing_->solve(contact.friction.static_coefficient(), input);
-    return {s.forces, s.residual, s.newton_steps, s.products};
+    const ContactSolution s = from_nothing_->solve(contact.friction.static_coefficient(), input);
+    return {s.forces(), s.report.residual, s.report.newton_steps, s.report.products};
   }
 
 private:

@@ -38,9 +38,9 @@ ContactStep cylinder() {
 }
 
 void report_branch(Report& report, const char* name, const ContactStepSolution& s, double force, int adhesion) {
-  const double found = s.tangential.forces.fx / (cylinder_law.static_coefficient() * cylinder_load);
+  const double found = s.totals.fx / (cylinder_law.static_coefficient() * cylinder_load);
   report.figure(fmt::format("{}: Fx/(mu_s Fn)", name), fmt::format("{:.4f}", found), fmt::format("{:.4f}", force),
-                s.status == Status::ok && std::abs(found - force) <= 1e-4);
+                s.report.status == Status::ok && std::abs(found - force) <= 1e-4);
   report.count("  elements in adhesion", s.adhesion_elements, adhesion);
 }
 
@@ -61,7 +61,7 @@ void report_cylinder(Report& report) {
   int failed = 0;
   for (int n = 1; n < 50; ++n) {
     s = sequence.solve(step);
-    if (s.status != Status::ok) ++failed;
+    if (s.report.status != Status::ok) ++failed;
   }
   report_branch(report, "after 50 steps from above", s, 0.5638, 35);
   report.count("steps that fail", failed, 0);
@@ -106,10 +106,10 @@ bool report_layer(Report& report, const Progress& progress) {
   for (std::size_t k = 0; k < with_layer.size(); ++k) {
     step.motion.creepage.longitudinal = with_layer[k].creepage;
     const ContactStepSolution s = sequence.solve(step);
-    const double force = -s.tangential.forces.fx / (0.33 * wheel_load);
+    const double force = -s.totals.fx / (0.33 * wheel_load);
     report.figure(fmt::format("creepage {}", with_layer[k].creepage), fmt::format("{:.4f}", force),
                   fmt::format("{:.4f}", with_layer[k].force),
-                  s.status == Status::ok && std::abs(force - with_layer[k].force) <= 1.1e-4);
+                  s.report.status == Status::ok && std::abs(force - with_layer[k].force) <= 1.1e-4);
     if (progress && !progress(double(k + 1) / with_layer.size())) return false;
   }
   return true;

@@ -29,12 +29,12 @@ std::vector<double> HertzianSolve::bound(double friction) const {
   return bound;
 }
 
-TangentialSolution HertzianSolve::solve(double friction, const TangentialInput& input) {
+ContactSolution HertzianSolve::solve(double friction, const TangentialInput& input) {
   return tangential_.solve(bound(friction), input);
 }
 
-int count(const TangentialSolution& solution, CellState state) {
-  return static_cast<int>(std::count(solution.state.begin(), solution.state.end(), state));
+int count(const ContactSolution& solution, CellState state) {
+  return static_cast<int>(std::count(solution.fields.state.begin(), solution.fields.state.end(), state));
 }
 
 double limit(double coarse, int coarse_elements, double fine, int fine_elements, int order) {

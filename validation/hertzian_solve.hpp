@@ -19,7 +19,7 @@ public:
   const NormalSolution& normal() const { return normal_; }
   std::vector<double> bound(double friction) const;
   TangentialProblem& tangential() { return tangential_; }
-  TangentialSolution solve(double friction, const TangentialInput& input);
+  ContactSolution solve(double friction, const TangentialInput& input);
 
 private:
   ElementGrid grid_;
@@ -28,7 +28,7 @@ private:
 };
 
 /// Number of elements in a state.
-int count(const TangentialSolution& solution, CellState state);
+int count(const ContactSolution& solution, CellState state);
 
 /// Limit of a quantity with an error C/n^order from its values on n and fewer elements across.
 double limit(double coarse, int coarse_elements, double fine, int fine_elements, int order = 1);

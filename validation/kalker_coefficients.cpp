@@ -84,7 +84,7 @@ Numbers solve_without_slip(double a_over_b, double nu, int across, double shift,
     input.creepage = creepage;
     input.spin_offset = 0.5;
     input.tolerance = 1e-11;
-    const ContactForces f = problem.solve(bound, input).forces;
+    const ContactForces f = problem.solve(bound, input).forces();
     converged = converged && f.status == Status::ok && f.slip_area == 0;
     return f;
   };

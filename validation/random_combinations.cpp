@@ -176,14 +176,9 @@ struct Ending {
   bool hangs = false, unnamed = false, not_a_number = false, beyond_friction = false;
 };
 
-bool has_numbers(const Totals& t) {
-  return std::isfinite(t.fx + t.fy + t.mz + t.my + t.adhesion_area + t.slip_area + t.frictional_power +
-                       t.power_by_creepage + t.elastic_energy + t.peak_pressure + t.peak_traction);
-}
-
 bool has_numbers(const ContactSolution& s) {
-  bool all = has_numbers(s.totals) && std::isfinite(s.approach + s.report.residual + s.highest_temperature +
-                                                    s.creepage.longitudinal + s.creepage.lateral + s.creepage.spin);
+  bool all = is_finite(s.totals) && std::isfinite(s.approach + s.report.residual + s.highest_temperature +
+                                                  s.creepage.longitudinal + s.creepage.lateral + s.creepage.spin);
   for (std::size_t k = 0; k < s.fields.bound.size(); ++k)
     all = all && std::isfinite(s.fields.traction.x[k] + s.fields.traction.y[k] + s.fields.bound[k]);
   return all;

@@ -87,12 +87,10 @@ Creepage scaled(const Creepage& creepage, double factor) {
 }
 
 void add(Result& to, const ContactStepSolution& s) {
-  SolverReport report = {.status = s.status,
-                         .residual = std::max(s.tangential.residual, s.normal.residual),
-                         .newton_steps = s.tangential.newton_steps,
-                         .products = s.tangential.products};
+  SolverReport report = s.report;
+  report.residual = std::max(s.report.residual, s.normal.residual);
   add_reason(report);
-  if (to.status == Status::ok) to.status = s.status, to.reason = report.reason;
+  if (to.status == Status::ok) to.status = report.status, to.reason = report.reason;
   to.newton_steps += report.newton_steps;
   to.products += report.products;
 }
@@ -136,8 +134,8 @@ Result forces_given(Draw& draw, const Progress& progress) {
   Result result;
   add(result, given);
   const double share = draw.number(0.3, 0.999) / given.normal_force;
-  if (draw.chance(0.7)) c.step.force_x = share * given.tangential.forces.fx;
-  if (!c.step.force_x || draw.chance(0.7)) c.step.force_y = share * given.tangential.forces.fy;
+  if (draw.chance(0.7)) c.step.force_x = share * given.totals.fx;
+  if (!c.step.force_x || draw.chance(0.7)) c.step.force_y = share * given.totals.fy;
   add(result, ContactSequence().solve(c.step));
   return result;
 }

@@ -46,19 +46,19 @@ HertzianSolve contact_on(int across, ElementShape shape = ElementShape::constant
 }
 
 /// Steady rolling, in steps of so many elements.
-TangentialSolution roll(HertzianSolve& contact, double xi, double step, const Edge& edge) {
+ContactSolution roll(HertzianSolve& contact, double xi, double step, const Edge& edge) {
   TangentialInput input;
   input.creepage.longitudinal = xi;
   input.step = step * contact.grid().dx;
   input.leading_edge = edge;
-  const TangentialSolution s = contact.solve(friction, input);
-  if (s.forces.status != Status::ok) throw Error("the tangential problem does not converge");
+  const ContactSolution s = contact.solve(friction, input);
+  if (s.report.status != Status::ok) throw Error("the tangential problem does not converge");
   return s;
 }
 
 /// -Fx in units of mu Fn.
-double force_of(const TangentialSolution& s) {
-  return -s.forces.fx / (friction * normal_force);
+double force_of(const ContactSolution& s) {
+  return -s.totals.fx / (friction * normal_force);
 }
 
 double order(double coarse, int coarse_elements, double fine, int fine_elements) {
@@ -81,11 +81,11 @@ bool measure_times(Report& report, Times& times, const Progress& progress) {
   for (std::size_t g = 0; g < table_grids.size(); ++g) {
     const auto start = std::chrono::steady_clock::now();
     HertzianSolve contact = contact_on(table_grids[g]);
-    const TangentialSolution s = roll(contact, creepage, 1, {});
+    const ContactSolution s = roll(contact, creepage, 1, {});
     times.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     times.force.push_back(force_of(s));
     report.line(fmt::format("{:>6}  {:>8}  {:>12.5f}  {:>5}  {:>8}  {:>11.3f}  {:>10.0f}  {:>9.0f}", table_grids[g],
-                            contact.normal().contact_elements, times.force[g], s.newton_steps, s.products,
+                            contact.normal().contact_elements, times.force[g], s.report.newton_steps, s.report.products,
                             times.seconds[g], paper_seconds[g], paper_seconds[g] / times.seconds[g]));
     if (progress && !progress(std::pow(10.0, double(g) - 3))) return false;
   }
@@ -230,7 +230,7 @@ int count_slip_ahead(const std::vector<CellState>& state, int mx) {
 double first_step_with_waves(HertzianSolve& contact) {
   const int mx = contact.grid().mx, middle = contact.grid().my / 2;
   for (double step = 1; step <= 5; step += 0.1) {
-    const Values px = roll(contact, creepage, step, {}).tractions.px;
+    const Values px = roll(contact, creepage, step, {}).fields.traction.x;
     const auto begin = px.begin() + std::ptrdiff_t(middle) * mx;
     if (count_maxima({begin, begin + mx}) > 1) return step;
   }
@@ -249,11 +249,11 @@ bool find_centreline(Report& report, Centreline& line, const Progress& progress)
   line.bound = row(contact.bound(friction));
   int done = 0;
   for (Solution& s : line.solutions) {
-    const TangentialSolution t = roll(contact, creepage, s.step, s.edge);
-    s.px = row(t.tractions.px);
+    const ContactSolution t = roll(contact, creepage, s.step, s.edge);
+    s.px = row(t.fields.traction.x);
     s.waves = count_maxima(s.px);
-    for (const CellState state : t.state) s.state.push_back(static_cast<std::uint8_t>(state));
-    s.slip_ahead = count_slip_ahead(t.state, mx);
+    for (const CellState state : t.fields.state) s.state.push_back(static_cast<std::uint8_t>(state));
+    s.slip_ahead = count_slip_ahead(t.fields.state, mx);
     if (progress && !progress(++done / 4.0)) return false;
   }
   const auto& s = line.solutions;

@@ -100,9 +100,9 @@ double carter_error(int n, double alpha) {
       .slip_operator = line, .bound = bound, .cx = cx, .cy = cy, .element_area = line.element()};
   FrictionNewton newton;
   const FrictionSolution s = newton.solve(problem, {.tolerance = 1e-10});
-  if (s.status != Status::ok) throw Error("Carter's problem: not converged");
+  if (s.report.status != Status::ok) throw Error("Carter's problem: not converged");
   double force = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) force -= s.px[i] * line.width(i);
+  for (std::size_t i = 0; i < line.size(); ++i) force -= s.traction.x[i] * line.width(i);
   return force / (pi / 2) - (1 - alpha * alpha);
 }
 

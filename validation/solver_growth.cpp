@@ -64,24 +64,24 @@ Cost measure(int across, int threads) {
   GaussSeidelSolution swept;
   cost.gauss_seidel = seconds([&] { swept = sweep(5000, 1); });
   cost.sweeps = swept.sweeps;
-  cost.force = std::accumulate(swept.px.begin(), swept.px.end(), 0.0) * to_force;
+  cost.force = std::accumulate(swept.traction.x.begin(), swept.traction.x.end(), 0.0) * to_force;
   if (threads > 1) {
     GaussSeidelSolution one, several;
     const double alone = seconds([&] { one = sweep(parallel_sweeps, 1); });
     cost.speed_up = alone / seconds([&] { several = sweep(parallel_sweeps, threads); });
-    cost.same_with_threads = several.px == one.px && several.py == one.py;
+    cost.same_with_threads = several.traction.x == one.traction.x && several.traction.y == one.traction.y;
   }
 
   TangentialInput input;
   input.creepage.longitudinal = creepage;
-  TangentialSolution newton;
+  ContactSolution newton;
   cost.newton = seconds([&] { newton = TangentialProblem(steel, grid).solve(bound, input); });
   for (int again = 0; again < 2; ++again) // short times are the shortest of three
     cost.newton = std::min(cost.newton, seconds([&] { newton = TangentialProblem(steel, grid).solve(bound, input); }));
-  cost.newton_steps = newton.newton_steps;
-  cost.products = newton.products;
-  cost.difference = newton.forces.fx / (friction * normal_force) - cost.force;
-  cost.converged = swept.status == Status::ok && newton.forces.status == Status::ok;
+  cost.newton_steps = newton.report.newton_steps;
+  cost.products = newton.report.products;
+  cost.difference = newton.totals.fx / (friction * normal_force) - cost.force;
+  cost.converged = swept.report.status == Status::ok && newton.report.status == Status::ok;
   return cost;
 }
 

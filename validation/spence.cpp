@@ -45,7 +45,7 @@ Outcome compress(int stages, int stages_of_full_load, double dx, double shift, C
   for (int k = 1; k <= stages; ++k) {
     step.load = {NormalLoad::Given::force, std::pow(static_cast<double>(k) / stages_of_full_load, 3)};
     out.last = sequence.solve(step);
-    out.ok = out.ok && out.last.status == Status::ok;
+    out.ok = out.ok && out.last.report.status == Status::ok;
     step.start = StepStart::previous;
     if (progress && !progress(static_cast<double>(k) / stages)) break;
   }

@@ -312,9 +312,9 @@ RollingOutcome below_rolling(HertzianSolve& contact, double p0, const RollingCas
   } else if (rolling.traction > 0) {
     TangentialInput input;
     input.force_x = rolling.traction * friction * contact.normal().normal_force;
-    const TangentialSolution s = contact.solve(friction, input);
-    px = s.tractions.px;
-    py = s.tractions.py;
+    const ContactSolution s = contact.solve(friction, input);
+    px = s.fields.traction.x;
+    py = s.fields.traction.y;
   }
   for (Values* p : {&px, &py, &pn})
     for (double& value : *p) value /= p0;

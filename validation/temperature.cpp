@@ -65,16 +65,16 @@ struct Outcome {
 Outcome solve(ContactSequence& sequence, const Case& c) {
   const ContactStep step = step_of(c);
   const ContactStepSolution s = sequence.solve(step);
-  const TangentialSolution& t = s.tangential;
+  const auto& [px, py] = s.fields.traction;
+  const auto& [sx, sy] = s.fields.slip;
   std::vector<double> heat;
-  for (std::size_t k = 0; k < step.grid.count(); ++k)
-    heat.push_back(-speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
+  for (std::size_t k = 0; k < step.grid.count(); ++k) heat.push_back(-speed * (px[k] * sx[k] + py[k] * sy[k]));
   const ThermalBody wheel = wheel_of(c.wheel);
   const SurfaceTemperature surface =
       surface_temperature(step.grid, step.motion.direction, speed, {cold_rail, wheel}, s.normal.pressure, heat);
   const double own = 2 * std::sqrt(step.grid.dx / 2) /
                      ((cold_rail.effusivity() + wheel.effusivity()) * std::sqrt(std::numbers::pi * speed));
-  Outcome o = {t.forces.fx, t.forces.fy, surface.highest, -1e9};
+  Outcome o = {s.totals.fx, s.totals.fy, surface.highest, -1e9};
   for (std::size_t k = 0; k < heat.size(); ++k)
     if (s.normal.pressure[k] > 0) o.own_twice = std::max(o.own_twice, surface.body1[k] + own * heat[k]);
   return o;

@@ -62,7 +62,7 @@ void report_limit(Report& report, const char* name, double time, const Material&
   const double half_width = 0.5 * s.contact_elements * step.grid.dx;
   report.figure(fmt::format("{}: peak pressure over Hertz's", name),
                 fmt::format("{:.4f}", s.normal.peak_pressure / hertz.peak_pressure), "1",
-                s.status == Status::ok && std::abs(s.normal.peak_pressure / hertz.peak_pressure - 1) <= 2e-3);
+                s.report.status == Status::ok && std::abs(s.normal.peak_pressure / hertz.peak_pressure - 1) <= 2e-3);
   report.figure("  half-width over Hertz's", fmt::format("{:.4f}", half_width / hertz.half_width), "1 +- an element",
                 std::abs(half_width - hertz.half_width) <= 1.01 * step.grid.dx);
 }
@@ -82,13 +82,13 @@ bool run_viscoelastic_cylinders(const StudyOptions& options, std::ostream& out) 
     const auto figure = [&](const std::string& name, double value, double published, double half_digit,
                             const char* format) {
       report.figure(name, fmt::format(fmt::runtime(format), value), fmt::format(fmt::runtime(format), published),
-                    s.status == Status::ok && std::abs(value - published) <= half_digit);
+                    s.report.status == Status::ok && std::abs(value - published) <= half_digit);
     };
     figure(fmt::format("tau = {} s: peak pressure [N/mm2]", c.time), s.normal.peak_pressure * 1e-6, c.peak, 0.015,
            "{:.2f}");
     figure("  approach [mm]", s.normal.approach * 1e3, c.approach, 5e-5, "{:.5f}");
-    figure("  creepage", s.tangential.creepage.longitudinal, c.creepage, 0.6e-5, "{:.5f}");
-    figure("  frictional power [W]", s.tangential.frictional_power, c.power, 0.6, "{:.1f}");
+    figure("  creepage", s.creepage.longitudinal, c.creepage, 0.6e-5, "{:.5f}");
+    figure("  frictional power [W]", s.totals.frictional_power, c.power, 0.6, "{:.1f}");
     figure("  elements in contact", s.contact_elements, c.contact, 0, "{}");
     figure("  in adhesion", s.adhesion_elements, c.adhesion, 0, "{}");
     report.line(

@@ -1,7 +1,6 @@
 #include "compat/contact/carried_tractions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace microslip::contact_program {
@@ -10,22 +9,9 @@ namespace {
 using Field = std::vector<double>;
 using State = ContactSequence::State;
 
-std::array<Field*, 6> fields_of(TangentialState& s) {
-  return {&s.px, &s.py, &s.pressure, &s.friction_drop, &s.slip_velocity, &s.plastic_deformation};
-}
-
-/// Springs have displacements instead of tractions.
-State as_state(const Springs& springs) {
-  return {springs.grid, {springs.state.x, springs.state.y}};
-}
-
-Springs as_springs(State state) {
-  return {state.grid, {std::move(state.tractions.px), std::move(state.tractions.py)}};
-}
-
 void keep(State& state, double low, double high) {
   const ElementGrid& grid = state.grid;
-  for (Field* field : fields_of(state.tractions)) {
+  for (Field* field : state.tractions.fields()) {
     if (field->empty()) continue;
     for (int j = 0; j < grid.my; ++j) {
       if (grid.y(j) >= low && grid.y(j) < high) continue;
@@ -56,8 +42,8 @@ void add(Field& sum, const Field& more) {
 State sum_of(const std::vector<State>& states) {
   State sum;
   for (const State& state : states) {
-    if (state.tractions.px.empty()) continue;
-    if (sum.tractions.px.empty()) {
+    if (state.tractions.traction.x.empty()) continue;
+    if (sum.tractions.traction.x.empty()) {
       sum = state;
       continue;
     }
@@ -66,8 +52,7 @@ State sum_of(const std::vector<State>& states) {
     extend(sum.grid.y0, sum.grid.my, before.dy, other.y0, other.y(other.my - 1));
     sum.tractions = moved_to(sum.grid, sum.tractions, before);
     TangentialState more = moved_to(sum.grid, state.tractions, other);
-    const auto from = fields_of(more);
-    const auto to = fields_of(sum.tractions);
+    const auto from = more.fields(), to = sum.tractions.fields();
     for (std::size_t k = 0; k < to.size(); ++k) add(*to[k], *from[k]);
   }
   return sum;
@@ -86,10 +71,7 @@ void move_origin(CarriedTractions& carried, double dx, double dy) {
 
 CarriedTractions part_of(CarriedTractions carried, double low, double high) {
   keep(carried.tractions, low, high);
-  if (!carried.springs) return carried;
-  State springs = as_state(*carried.springs);
-  keep(springs, low, high);
-  carried.springs = as_springs(std::move(springs));
+  if (carried.springs) keep(*carried.springs, low, high);
   return carried;
 }
 
@@ -97,10 +79,10 @@ CarriedTractions sum_of(const std::vector<CarriedTractions>& parts) {
   std::vector<State> tractions, springs;
   for (const CarriedTractions& part : parts) {
     tractions.push_back(part.tractions);
-    if (part.springs) springs.push_back(as_state(*part.springs));
+    if (part.springs) springs.push_back(*part.springs);
   }
   CarriedTractions sum{sum_of(tractions)};
-  if (springs.size() == parts.size()) sum.springs = as_springs(sum_of(springs));
+  if (springs.size() == parts.size()) sum.springs = sum_of(springs);
   return sum;
 }
 

@@ -6,8 +6,6 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
 
-#include <tuple>
-
 namespace microslip::contact_program {
 
 bool goes_on(const Case& c) {
@@ -53,7 +51,7 @@ int element_state(const Outcome& outcome, std::size_t element) {
   if (outcome.step.frictionless) return 1;
   const auto& yields = outcome.solution.slip_friction.yields;
   if (!yields.empty() && yields[element]) return 3;
-  return outcome.solution.tangential.state[element] == CellState::adhesion ? 1 : 2;
+  return outcome.solution.fields.state[element] == CellState::adhesion ? 1 : 2;
 }
 
 namespace {
@@ -66,7 +64,7 @@ double half_space_energy(const ContactStep& step, const ContactStepSolution& s) 
   double sum = 0;
   for (std::size_t k = 0; k < u.size(); ++k) sum += s.normal.pressure[k] * u[k];
   if (!step.frictionless) {
-    const auto& [px, py] = std::tie(s.tangential.tractions.px, s.tangential.tractions.py);
+    const auto& [px, py] = s.fields.traction;
     TangentialOperator::displacement(step.bodies, grid).apply(px, py, ux, uy);
     for (std::size_t k = 0; k < u.size(); ++k) sum += px[k] * ux[k] + py[k] * uy[k];
   }
@@ -95,8 +93,8 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
   forces_.end(force);
   if (outcome.step.response.patches.count > 1)
     outcome.totals.elastic_energy = half_space_energy(outcome.step, outcome.solution);
-  outcome.temperature = temperatures_of(outcome.step, outcome.solution);
-  if (outcome.temperature) outcome.totals.temperature = outcome.temperature->highest;
+  add_temperatures(outcome.step, outcome.solution);
+  if (outcome.has_temperatures()) outcome.totals.temperature = outcome.solution.highest_temperature;
   outcome.interior = interior_blocks(c, outcome.step, outcome.solution, interior_, progress);
   outcome.step.motion.progress = {};
   outcome.notes = left_out(c, outcome.step);
@@ -104,7 +102,7 @@ Outcome CaseSolver::solve(const Case& c, const Progress& progress) {
     outcome.notes.emplace_back("the contact reaches the border of the potential contact");
   if (c.digits.tang == Tangential::steady && !has_one_solution(outcome.step.grid, outcome.step.motion))
     outcome.notes.emplace_back("DQ is below 0.55 DX on elements longer than wide: there may be several solutions");
-  if (outcome.solution.status == Status::ok) check_prescribed_forces(c, outcome);
+  if (outcome.solution.report.status == Status::ok) check_prescribed_forces(c, outcome);
   return outcome;
 }
 
@@ -135,7 +133,7 @@ Outcome CaseSolver::run(const Case& c, const Progress& progress) {
   Outcome outcome = run_unless_refused(c, unsupported(c), std::move(missing), [&] {
     lost_ = c.number; // unless it is solved
     Outcome solved = solve(c, progress);
-    if (solved.solution.status != Status::invalid_input && !c.digits.is_simplified()) lost_ = 0;
+    if (solved.solution.report.status != Status::invalid_input && !c.digits.is_simplified()) lost_ = 0;
     return solved;
   });
   if (outcome.kind == Outcome::Kind::refused) {

@@ -40,10 +40,8 @@ Springs origin_of(const Case& c, const CarriedSprings& carried) {
 }
 
 /// The displacements of springs where the particles come from.
-SpringState at_origin(const ContactStep& step, const Springs& springs) {
-  if (springs.state.x.empty()) return {};
-  TangentialState u = moved_to(origin_of_particles(step), {springs.state.x, springs.state.y}, springs.grid);
-  return {std::move(u.px), std::move(u.py)};
+VectorField at_origin(const ContactStep& step, const Springs& springs) {
+  return moved_to(origin_of_particles(step), springs.tractions, springs.grid).traction;
 }
 
 FastripForm form_of(Bulk model) {
@@ -79,11 +77,11 @@ public:
     rolling_.extra_y = step.extra_slip_y;
   }
 
-  TangentialSolution solve() const {
+  ContactSolution solve() const {
     const Digits& d = case_.digits;
     const bool shifts = d.tang == Tangential::shift;
     const Creepage creepage = {slip_of(case_.x), slip_of(case_.y), case_.phi};
-    if (d.force == Prescribed::creepages) return solution(solve(creepage), creepage);
+    if (d.force == Prescribed::creepages) return solve(creepage);
     PrescribedForces prescribed;
     if (step_.force_x) prescribed.x = *step_.force_x * normal_force_;
     if (step_.force_y) prescribed.y = *step_.force_y * normal_force_;
@@ -91,12 +89,11 @@ public:
     const double capacity = solver_.capacity(at_rest);
     const double length = shifts ? std::sqrt(solver_.contact_area()) : 1; // of a shift that slides, over a creepage
     const double scale = length * capacity / (step_.bodies.material.shear_modulus * solver_.contact_area());
-    const FoundCreepage found = find_creepage([this](const Creepage& w) { return solve(w).forces; }, prescribed,
+    const FoundCreepage found = find_creepage([this](const Creepage& w) { return solve(w).forces(); }, prescribed,
                                               creepage, capacity, scale, step_.motion.tolerance);
-    TangentialSolution s = found.status == Status::no_solution ? sliding(creepage, prescribed)
-                                                               : solution(solve(found.creepage), found.creepage);
-    s.residual = found.residual;
-    s.forces.status = found.status;
+    ContactSolution s = found.status == Status::no_solution ? sliding(creepage, prescribed) : solve(found.creepage);
+    s.report.residual = found.residual;
+    s.report.status = found.status;
     return s;
   }
 
@@ -112,7 +109,7 @@ private:
     return friction_at(step_, rolling_.rolling_speed * std::hypot(creepage.longitudinal, creepage.lateral));
   }
 
-  GridSolution solve(const Creepage& creepage) const {
+  ContactSolution solve(const Creepage& creepage) const {
     const std::vector<double> friction = friction_of(creepage);
     GridRolling rolling = rolling_;
     rolling.creepage = creepage;
@@ -124,13 +121,11 @@ private:
   }
 
   /// All slides in the direction of the force, with friction at rest.
-  TangentialSolution sliding(const Creepage& creepage, const PrescribedForces& prescribed) const {
+  ContactSolution sliding(const Creepage& creepage, const PrescribedForces& prescribed) const {
     const double x = prescribed.x.value_or(0), y = prescribed.y.value_or(0), size = std::hypot(x, y);
     const std::vector<double> friction = friction_at(step_, 0);
-    TangentialSolution s =
-        solution(solver_.slide(flexibilities_for({}, friction), friction, {x / size, y / size}), creepage);
+    ContactSolution s = solver_.slide(flexibilities_for({}, friction), friction, {x / size, y / size});
     s.creepage = creepage;
-    s.power_by_creepage = 0;
     return s;
   }
 
@@ -183,43 +178,13 @@ private:
                          hertzian(creepage, friction_at(step_, 0)));
   }
 
-  TangentialSolution solution(GridSolution g, const Creepage& creepage) const {
-    TangentialSolution s;
-    // The frame's origin is not the centre of spin.
-    const double phi = creepage.spin;
-    s.creepage = {creepage.longitudinal + phi * case_.spin_y, creepage.lateral - phi * case_.spin_x, phi};
-    s.slip_direction.assign(g.sx.size(), 0);
-    for (std::size_t k = 0; k < g.sx.size(); ++k)
-      if (g.sx[k] != 0 || g.sy[k] != 0) s.slip_direction[k] = std::atan2(g.sy[k], g.sx[k]);
-    s.tractions = {std::move(g.px), std::move(g.py)};
-    s.bound = std::move(g.bound);
-    s.ux = std::move(g.ux);
-    s.uy = std::move(g.uy);
-    s.sx = std::move(g.sx);
-    s.sy = std::move(g.sy);
-    s.state = std::move(g.state);
-    s.forces = g.forces;
-    s.frictional_power = g.frictional_power;
-    s.peak_traction = g.peak_traction;
-    s.power_by_creepage = -rolling_.rolling_speed * (s.creepage.longitudinal * s.forces.fx +
-                                                     s.creepage.lateral * s.forces.fy + s.creepage.spin * s.forces.mz);
-    return s;
-  }
-
   const Case& case_;
   const ContactStep& step_;
   double normal_force_;
   GridFastsim solver_;
-  SpringState before_;
+  VectorField before_;
   GridRolling rolling_ = {};
 };
-
-/// Half the tractions' work on the springs.
-double spring_energy(const ElementGrid& grid, const TangentialSolution& s) {
-  double sum = 0;
-  for (std::size_t k = 0; k < s.ux.size(); ++k) sum += s.tractions.px[k] * s.ux[k] + s.tractions.py[k] * s.uy[k];
-  return 0.5 * sum * grid.element_area();
-}
 
 } // namespace
 
@@ -227,7 +192,7 @@ PrintedSprings printed_springs(const Case& c, const ContactStep& step, const Con
   if (solution.contact_elements == 0) return {};
   const SimplifiedCase simplified(c, step, solution.normal.pressure, solution.normal_force, {});
   // About the centre of spin, as the case was solved.
-  const Creepage& found = solution.tangential.creepage;
+  const Creepage& found = solution.creepage;
   const double phi = found.spin;
   return simplified.springs({found.longitudinal - phi * c.spin_y, found.lateral + phi * c.spin_x, phi});
 }
@@ -241,14 +206,20 @@ ContactStepSolution solve_simplified(const Case& c, const ContactStep& step, Con
       c.digits.bound == PressureModel::kik_piotrowski || c.digits.bound == PressureModel::analyn;
   if (step.given && !virtual_penetration) out.normal.elastic_energy = 0;
   if (out.contact_elements > 0) {
-    out.tangential = SimplifiedCase(c, step, out.normal.pressure, out.normal_force, carried).solve();
-    if (virtual_penetration) out.tangential.elastic_energy = spring_energy(step.grid, out.tangential);
-    if (out.status == Status::ok) out.status = out.tangential.forces.status;
-    const auto& state = out.tangential.state;
+    const Status status = out.report.status;
+    std::vector<double> friction = std::move(out.fields.friction);
+    static_cast<ContactSolution&>(out) =
+        SimplifiedCase(c, step, out.normal.pressure, out.normal_force, carried).solve();
+    out.motion = step.motion.motion;
+    out.fields.friction = std::move(friction);
+    add_normal(out, out.normal);
+    if (!virtual_penetration) out.totals.elastic_energy = 0;
+    if (status != Status::ok) out.report.status = status;
+    const auto& state = out.fields.state;
     out.adhesion_elements = static_cast<int>(std::count(state.begin(), state.end(), CellState::adhesion));
     out.slip_elements = out.contact_elements - out.adhesion_elements;
   }
-  carried = {.before = origin_of(c, carried), .after = {step.grid, {out.tangential.ux, out.tangential.uy}}};
+  carried = {.before = origin_of(c, carried), .after = {step.grid, {out.fields.displacement}}};
   return out;
 }
 

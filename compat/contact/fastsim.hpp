@@ -8,11 +8,8 @@
 
 namespace microslip::contact_program {
 
-/// The displacements of the springs of a grid's elements.
-struct Springs {
-  ElementGrid grid = {};
-  SpringState state = {};
-};
+/// The springs of a grid's elements: their displacements [m] in place of tractions.
+using Springs = ContactSequence::State;
 
 /// State that a case of FASTSIM leaves to the next one: the springs that it began with, and those of its end.
 struct CarriedSprings {

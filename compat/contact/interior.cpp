@@ -76,11 +76,11 @@ std::vector<InteriorBlock> interior_blocks(const Case& c, const ContactStep& ste
                                            InteriorSequence& sequence, const Progress& progress) {
   std::vector<InteriorBlock> fields;
   if (c.digits.stress == InteriorPoints::none) return fields;
-  const TangentialState& tractions = solution.tangential.tractions;
+  const auto& [px, py] = solution.fields.traction;
   for (const PointBlock& block : c.points) {
     const InteriorGrid points = points_of(block, step.grid);
-    auto states = sequence.states(body_of(c, 0), body_of(c, 1), step.grid,
-                                  {tractions.px, tractions.py, solution.normal.pressure}, points, progress);
+    auto states =
+        sequence.states(body_of(c, 0), body_of(c, 1), step.grid, {px, py, solution.fields.pressure}, points, progress);
     fields.push_back({points, std::move(states)});
   }
   return fields;

@@ -160,7 +160,7 @@ private:
   }
 
   double coefficient(std::size_t k) const {
-    const auto& friction = outcome_.solution.friction;
+    const auto& friction = outcome_.solution.fields.friction;
     const bool in_contact = outcome_.solution.normal.pressure[k] > 0;
     if (in_contact && !outcome_.step.frictionless && !friction.empty()) return friction[k];
     return at_rest(k / static_cast<std::size_t>(outcome_.step.grid.mx));
@@ -175,45 +175,43 @@ private:
       text_ += fmt::format("{:7}{:5}  ", k + 1, state);
       Numbers values = fields(k, state);
       if (yields_) values = values + layer(k);
+      const SurfaceFields& f = outcome_.solution.fields;
       if (heats_)
-        values =
-            values + (outcome_.temperature ? Numbers{outcome_.temperature->body1[k], outcome_.temperature->body2[k]}
-                                           : Numbers{0, 0});
+        values = values + (outcome_.has_temperatures() ? Numbers{f.temperature1[k], f.temperature2[k]} : Numbers{0, 0});
       for (const double value : values) text_ += general(value, 14, 6);
       text_ += "\n";
     }
   }
 
   Numbers fields(std::size_t k, int state) const {
-    const NormalSolution& n = outcome_.solution.normal;
-    const TangentialSolution& t = outcome_.solution.tangential;
+    const SurfaceFields& f = outcome_.solution.fields;
     const bool shifts = !case_.digits.rolls();
     constexpr int slip = 2;
     return {outcome_.step.gap[k] * per_m,
             coefficient(k),
-            n.pressure[k] * mega,
-            t.tractions.px[k] * mega,
-            t.tractions.py[k] * mega,
-            case_.digits.takes_ellipse() ? 0 : n.displacement[k] * per_m,
-            t.ux[k] * per_m,
-            t.uy[k] * per_m,
-            state == slip ? std::hypot(t.sx[k], t.sy[k]) * (shifts ? per_m : 1) : 0};
+            f.pressure[k] * mega,
+            f.traction.x[k] * mega,
+            f.traction.y[k] * mega,
+            case_.digits.takes_ellipse() ? 0 : outcome_.solution.normal.displacement[k] * per_m,
+            f.displacement.x[k] * per_m,
+            f.displacement.y[k] * per_m,
+            state == slip ? std::hypot(f.slip.x[k], f.slip.y[k]) * (shifts ? per_m : 1) : 0};
   }
 
   /// What the layer bears now, and how far it has yielded: along the traction if no more is known.
   Numbers layer(std::size_t k) const {
-    const TangentialState& t = outcome_.solution.tangential.tractions;
+    const auto& [px, py] = outcome_.solution.fields.traction;
     const auto& deformation = outcome_.solution.slip_friction.deformation;
-    const double u = deformation.empty() ? 0 : deformation[k], p = std::hypot(t.px[k], t.py[k]);
+    const double u = deformation.empty() ? 0 : deformation[k], p = std::hypot(px[k], py[k]);
     const double share = p > 0 ? u / p : 0;
-    const double x = plastic_ ? plastic_->x[k] : share * t.px[k], y = plastic_ ? plastic_->y[k] : share * t.py[k];
+    const double x = plastic_ ? plastic_->x[k] : share * px[k], y = plastic_ ? plastic_->y[k] : share * py[k];
     return {outcome_.step.bodies.layer.yield_stress_after(u) * mega, x * per_m, y * per_m};
   }
 
   const Case& case_;
   const Outcome& outcome_;
   bool yields_ = false, heats_ = false;
-  std::optional<PlasticDeformation> plastic_; ///< of a layer that yields, where it is known
+  std::optional<VectorField> plastic_; ///< of a layer that yields, where it is known
   std::size_t columns_ = 0;
   std::string text_;
 };

@@ -231,8 +231,8 @@ std::string out_results(const Case& c, const Outcome& outcome) {
   for (const auto& reason : outcome.reasons) text += " ERROR: not run: " + reason + "\n";
   if (outcome.kind == Outcome::Kind::refused) return text;
   for (const auto& note : outcome.notes) text += " NOTE: " + note + "\n";
-  if (outcome.solution.status != Status::ok)
-    text += " ERROR: " + std::string(to_string(outcome.solution.status)) + "\n";
+  if (outcome.solution.report.status != Status::ok)
+    text += " ERROR: " + std::string(to_string(outcome.solution.report.status)) + "\n";
   return text + (outcome.wheel ? out_wheel(c, outcome) : contact_text(c, outcome));
 }
 

@@ -105,7 +105,7 @@ struct RigidSlip {
     const bool shifts = c.digits.tang == Tangential::shift;
     const double unit = shifts ? per_m : 1;
     const Creepage& w = o.step.motion.creepage;
-    const Creepage& found = o.solution.tangential.creepage;
+    const Creepage& found = o.solution.creepage;
     const double phi = shifts ? w.spin : w.spin / per_m;
     double ahead_x = 0, ahead_y = 0;
     if (!shifts) {
@@ -127,23 +127,23 @@ struct RigidSlip {
 std::string element_line(const Case& c, const Outcome& o, int i, int j) {
   const std::size_t k = element(o.step.grid, i, j);
   const double x = o.step.grid.x(i) * per_m, y = o.step.grid.y(j) * per_m;
-  const TangentialSolution& t = o.solution.tangential;
-  const double pressure = o.solution.normal.pressure[k] * mega;
+  const SurfaceFields& f = o.solution.fields;
+  const double pressure = f.pressure[k] * mega;
   const double distance = (o.step.gap.empty() ? 0 : o.step.gap[k] - o.solution.normal.approach) * per_m;
-  const double px = o.step.frictionless ? 0 : t.tractions.px[k] * mega;
+  const double px = o.step.frictionless ? 0 : f.traction.x[k] * mega;
   constexpr double rounding = 1e-10; // of the other component
-  const double py = o.step.frictionless ? 0 : without_noise(t.tractions.py[k] * mega, rounding * std::abs(px));
+  const double py = o.step.frictionless ? 0 : without_noise(f.traction.y[k] * mega, rounding * std::abs(px));
   const double argument = std::atan2(py, px) * 180 / std::numbers::pi;
   std::string line = " " + general(x, 12, 4);
   if (o.step.frictionless)
     return line + general({distance, pressure, std::hypot(px, py)}, 12, 4) + decimal(argument, 10, 1) + "\n";
   const double unit = c.digits.tang == Tangential::shift ? per_m : 1;
-  line += general({distance, pressure, t.bound[k] * mega, std::hypot(px, py)}, 11, 3);
+  line += general({distance, pressure, f.bound[k] * mega, std::hypot(px, py)}, 11, 3);
   line += decimal(argument, 10, 1) + "  ";
   const RigidSlip w(c, o, x, y, k);
-  const bool slides = t.state[k] == CellState::slip;
-  line += general({slides ? unit * std::hypot(t.sx[k], t.sy[k]) : 0, w.x, w.y}, 11, 3);
-  if (o.temperature) line += general({o.temperature->body1[k], o.temperature->body2[k]}, 11, 4);
+  const bool slides = f.state[k] == CellState::slip;
+  line += general({slides ? unit * std::hypot(f.slip.x[k], f.slip.y[k]) : 0, w.x, w.y}, 11, 3);
+  if (o.has_temperatures()) line += general({f.temperature1[k], f.temperature2[k]}, 11, 4);
   return line + "\n";
 }
 
@@ -166,7 +166,7 @@ std::string element_head(const Case& c, const Outcome& o) {
   text += " S IS THE RELATIVE SLIP VELOCITY, WHICH IS OPPOSITE TO THE TANGENTIAL TRACTION.\n"
           " RIGID SLIP(X, Y) ARE THE (X, Y) COMPONENTS OF THE RELATIVE RIGID SLIP VELOCITY W.\n"
           " X, H AND PEN ARE IN MM, PN AND PT ARE IN N/MM^2, S AND W ARE DIMENSIONLESS, ARGUMENT IS IN DEGREES.\n\n";
-  return text + table + "RIGID SLIP(X, Y)" + (o.temperature ? "        TEMP1      TEMP2\n" : "\n");
+  return text + table + "RIGID SLIP(X, Y)" + (o.has_temperatures() ? "        TEMP1      TEMP2\n" : "\n");
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "compat/contact/totals.hpp"
 #include "compat/contact/wheel_rail/wheel_outcome.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
-#include "microslip/thermal/surface_temperature.hpp"
 
 #include <array>
 #include <cstddef>
@@ -34,13 +33,14 @@ struct Outcome {
   bool misses_force = false;             ///< it does not bear what is prescribed, as its status and a note say
   ContactStep step = {};                 ///< the rest for cases that are solved
   ContactStepSolution solution = {};
-  std::optional<SurfaceTemperature> temperature = {}; ///< if asked for, H > 0
-  std::optional<PrintedSprings> springs = {};         ///< of the simplified theory
-  std::vector<InteriorBlock> interior = {};           ///< at the points that are asked for, S > 0
+  std::optional<PrintedSprings> springs = {}; ///< of the simplified theory
+  std::vector<InteriorBlock> interior = {};   ///< at the points that are asked for, S > 0
   PrintedTotals totals = {};
   std::optional<Sensitivities> sensitivities = {}; ///< where they were asked for
   std::optional<Vec3<double>> damping = {};        ///< with M2 > 0: damping force on body 1, no part of the totals [N]
   std::optional<WheelOutcome> wheel = {};          ///< of module 1, whose patches have all of the above but the kind
+
+  bool has_temperatures() const { return !solution.fields.temperature1.empty(); } ///< if asked for, H > 0
 };
 
 /// State of an element of a solved case: 0 exterior, 1 adhesion, 2 slip, 3 plastic deformation of a layer.

@@ -6,13 +6,13 @@
 
 namespace microslip::contact_program {
 
-std::optional<PlasticDeformation> plastic_deformation(const Case& c, const Outcome& outcome) {
+std::optional<VectorField> plastic_deformation(const Case& c, const Outcome& outcome) {
   const ElementGrid& grid = outcome.step.grid;
-  PlasticDeformation found{std::vector<double>(grid.count()), std::vector<double>(grid.count())};
+  VectorField found(grid.count());
   const auto& lengths = outcome.solution.slip_friction.deformation;
   if (lengths.empty()) return found;
   if (goes_on(c)) return {};
-  const TangentialSolution& t = outcome.solution.tangential;
+  const auto& [sx, sy] = outcome.solution.fields.slip;
   const TangentialInput& motion = outcome.step.motion;
   const bool along_rows = motion.motion == ContactMotion::steady,
              from_high_x = motion.direction == RollingDirection::forward;
@@ -22,9 +22,9 @@ std::optional<PlasticDeformation> plastic_deformation(const Case& c, const Outco
       const int i = from_high_x ? grid.mx - 1 - n : n;
       const auto k = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.mx) + static_cast<std::size_t>(i);
       if (!along_rows) x = y = length = 0;
-      const double slip = std::hypot(t.sx[k], t.sy[k]), share = slip > 0 ? (lengths[k] - length) / slip : 0;
-      found.x[k] = x -= share * t.sx[k];
-      found.y[k] = y -= share * t.sy[k];
+      const double slip = std::hypot(sx[k], sy[k]), share = slip > 0 ? (lengths[k] - length) / slip : 0;
+      found.x[k] = x -= share * sx[k];
+      found.y[k] = y -= share * sy[k];
       length = lengths[k];
     }
   }

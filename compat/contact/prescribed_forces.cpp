@@ -51,7 +51,7 @@ std::vector<PrescribedForce> forces_of_contact(const Case& c, const Outcome& o) 
 }
 
 void worsen(ContactStepSolution& solution) {
-  if (solution.status == Status::ok) solution.status = Status::not_converged;
+  if (solution.report.status == Status::ok) solution.report.status = Status::not_converged;
 }
 
 } // namespace

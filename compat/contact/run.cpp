@@ -8,7 +8,7 @@ Outcome Run::run(const Case& c, const Progress& progress) {
   if (c.wheel_rail) return wheels_[c.sequence].run(c, progress);
   CaseSolver& solver = contacts_[c.sequence];
   Outcome outcome = solver.run(c, progress);
-  if (with_sensitivities_ && outcome.kind == Outcome::Kind::solved && outcome.solution.status == Status::ok)
+  if (with_sensitivities_ && outcome.kind == Outcome::Kind::solved && outcome.solution.report.status == Status::ok)
     outcome.sensitivities = printed_sensitivities(c, outcome, solver.started_from());
   return outcome;
 }

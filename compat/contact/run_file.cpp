@@ -20,20 +20,19 @@ template <class Of> struct Column {
 
 constexpr Column<Outcome> columns[] = {
     {"normal_force", "N", "normal force Fn", [](const Outcome& o) { return o.solution.normal_force; }},
-    {"fx", "N", "longitudinal force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fx; }},
-    {"fy", "N", "lateral force on body 1", [](const Outcome& o) { return o.solution.tangential.forces.fy; }},
-    {"mz", "N m", "moment about the normal on body 1",
-     [](const Outcome& o) { return o.solution.tangential.forces.mz; }},
+    {"fx", "N", "longitudinal force on body 1", [](const Outcome& o) { return o.solution.totals.fx; }},
+    {"fy", "N", "lateral force on body 1", [](const Outcome& o) { return o.solution.totals.fy; }},
+    {"mz", "N m", "moment about the normal on body 1", [](const Outcome& o) { return o.solution.totals.mz; }},
     {"elastic_energy", "J", "elastic energy of pressure and tractions",
-     [](const Outcome& o) { return o.solution.normal.elastic_energy + o.solution.tangential.elastic_energy; }},
+     [](const Outcome& o) { return o.solution.normal.elastic_energy + o.solution.totals.elastic_energy; }},
     {"frictional_power", "W", "power lost by friction; for a shift the work [J]",
-     [](const Outcome& o) { return o.solution.tangential.frictional_power; }},
+     [](const Outcome& o) { return o.solution.totals.frictional_power; }},
     {"creepage_longitudinal", "- (m in a shift)", "given or found, about the origin; for a shift the distance",
-     [](const Outcome& o) { return o.solution.tangential.creepage.longitudinal; }},
+     [](const Outcome& o) { return o.solution.creepage.longitudinal; }},
     {"creepage_lateral", "- (m in a shift)", "given or found, about the origin; for a shift the distance",
-     [](const Outcome& o) { return o.solution.tangential.creepage.lateral; }},
+     [](const Outcome& o) { return o.solution.creepage.lateral; }},
     {"spin", "1/m (rad in a shift)", "given; for a shift the rotation",
-     [](const Outcome& o) { return o.solution.tangential.creepage.spin; }},
+     [](const Outcome& o) { return o.solution.creepage.spin; }},
     {"approach", "m", "approach of distant points", [](const Outcome& o) { return o.solution.normal.approach; }},
     {"peak_pressure", "Pa", "largest pressure of an element",
      [](const Outcome& o) { return o.solution.normal.peak_pressure; }},
@@ -45,7 +44,7 @@ constexpr Column<Outcome> columns[] = {
      [](const Outcome& o) { return o.damping ? o.damping->x : nan; }},
     {"damping_fy", "N", "lateral damping force", [](const Outcome& o) { return o.damping ? o.damping->y : nan; }},
     {"damping_fn", "N", "normal damping force", [](const Outcome& o) { return o.damping ? o.damping->z : nan; }},
-    {"residual", "-", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.residual; }},
+    {"residual", "-", "of the tangential problem", [](const Outcome& o) { return o.solution.report.residual; }},
     {"shear_modulus", "Pa", "combined shear modulus G",
      [](const Outcome& o) { return o.step.bodies.material.shear_modulus; }},
     {"poisson_ratio", "-", "combined Poisson's ratio",
@@ -70,7 +69,7 @@ constexpr CountColumn counts[] = {
     {"slip_elements", "of these in slip", [](const Outcome& o) { return o.solution.slip_elements; }},
     {"plastic_elements", "of these where the layer yields",
      [](const Outcome& o) { return o.solution.plastic_elements; }},
-    {"newton_steps", "of the tangential problem", [](const Outcome& o) { return o.solution.tangential.newton_steps; }},
+    {"newton_steps", "of the tangential problem", [](const Outcome& o) { return o.solution.report.newton_steps; }},
 };
 
 constexpr Column<InteriorState> interior_columns[] = {
@@ -157,24 +156,22 @@ int RunFile::add_elements(const Case& c, const Outcome& outcome) {
     for (const std::size_t k : elements) values.push_back(field[k]);
     file_.append(std::string("elements/") + name, std::span<const double>(values), unit, what);
   };
-  const NormalSolution& normal = outcome.solution.normal;
-  const TangentialSolution& tangential = outcome.solution.tangential;
+  const SurfaceFields& f = outcome.solution.fields;
   add_field("undeformed_gap", outcome.step.gap, "m", "undeformed distance h");
-  add_field("pressure", normal.pressure, "Pa", "p_n");
-  add_field("bound", tangential.bound, "Pa", "traction bound g = mu p_n");
+  add_field("pressure", f.pressure, "Pa", "p_n");
+  add_field("bound", f.bound, "Pa", "traction bound g = mu p_n");
   const std::vector<double> none(outcome.step.grid.count());
-  add_field("mu", outcome.solution.friction.empty() ? none : outcome.solution.friction, "-",
-            "coefficient of friction; 0 without tractions");
-  add_field("px", tangential.tractions.px, "Pa", "traction on body 1");
-  add_field("py", tangential.tractions.py, "Pa", "traction on body 1");
-  add_field("un", normal.displacement, "m", "normal displacement difference");
-  add_field("ux", tangential.ux, "m", "displacement difference u1 - u2");
-  add_field("uy", tangential.uy, "m", "displacement difference u1 - u2");
-  add_field("sx", tangential.sx, "-", "relative slip; for a shift the slip [m]");
-  add_field("sy", tangential.sy, "-", "relative slip; for a shift the slip [m]");
-  const std::vector<double> unknown(outcome.temperature ? 0 : outcome.step.grid.count(), nan);
-  add_field("temperature1", outcome.temperature ? outcome.temperature->body1 : unknown, "deg C", "of body 1's surface");
-  add_field("temperature2", outcome.temperature ? outcome.temperature->body2 : unknown, "deg C", "of body 2's surface");
+  add_field("mu", f.friction.empty() ? none : f.friction, "-", "coefficient of friction; 0 without tractions");
+  add_field("px", f.traction.x, "Pa", "traction on body 1");
+  add_field("py", f.traction.y, "Pa", "traction on body 1");
+  add_field("un", outcome.solution.normal.displacement, "m", "normal displacement difference");
+  add_field("ux", f.displacement.x, "m", "displacement difference u1 - u2");
+  add_field("uy", f.displacement.y, "m", "displacement difference u1 - u2");
+  add_field("sx", f.slip.x, "-", "relative slip; for a shift the slip [m]");
+  add_field("sy", f.slip.y, "-", "relative slip; for a shift the slip [m]");
+  const std::vector<double> unknown(outcome.has_temperatures() ? 0 : outcome.step.grid.count(), nan);
+  add_field("temperature1", unknown.empty() ? f.temperature1 : unknown, "deg C", "of body 1's surface");
+  add_field("temperature2", unknown.empty() ? f.temperature2 : unknown, "deg C", "of body 2's surface");
   return static_cast<int>(elements.size());
 }
 
@@ -222,7 +219,7 @@ void RunFile::add_wheel(const Case& c, const Outcome& outcome) {
   const WheelOutcome& wheel = *outcome.wheel;
   append(file_, "wheels/case", c.number, "-", "number of the case in the file, from 1");
   append(file_, "wheels/patches", static_cast<int>(wheel.patches.size()), "-", "contact patches");
-  append(file_, "wheels/status", static_cast<int>(outcome.solution.status), "-", status_codes);
+  append(file_, "wheels/status", static_cast<int>(outcome.solution.report.status), "-", status_codes);
   for (const auto& [name, unit, what, value] : wheel_columns)
     append(file_, std::string("wheels/") + name, value(wheel), unit, what);
 }
@@ -238,7 +235,7 @@ void RunFile::add_contact(const Case& c, const Outcome& outcome, const Origin& o
   for (const auto& [name, unit, what, value] : place_columns)
     append(file_, std::string("cases/") + name, origin.place ? value(*origin.place) : nan, unit, what);
   add_count("outcome", static_cast<int>(outcome.kind), "0 solved, 1 skipped as the file says, 2 refused");
-  add_count("status", solved ? static_cast<int>(outcome.solution.status) : 0, status_codes);
+  add_count("status", solved ? static_cast<int>(outcome.solution.report.status) : 0, status_codes);
   add_count("motion", number(c.digits.tang), "0 frictionless, 1 shift, 2 transient rolling, 3 steady rolling");
   for (const auto& [name, what, value] : counts) add_count(name, solved ? value(outcome) : 0, what);
   for (const auto& [name, unit, what, value] : columns)

@@ -11,7 +11,7 @@ using Outputs = std::array<double, 4>;
 
 /// The case with the creepages that were found, so that none of its inputs is a tangential force.
 Case with_creepages(Case c, const Outcome& outcome) {
-  const Creepage& found = outcome.solution.tangential.creepage;
+  const Creepage& found = outcome.solution.creepage;
   if (std::holds_alternative<ForceRatio>(c.x)) c.x = Slip{found.longitudinal - c.phi * c.spin_y};
   if (std::holds_alternative<ForceRatio>(c.y)) c.y = Slip{found.lateral + c.phi * c.spin_x};
   c.digits.force = Prescribed::creepages;
@@ -63,7 +63,7 @@ private:
       c.digits.pvtime = Continuation::previous;
     }
     const Outcome o = solver_.run(c);
-    if (o.kind != Outcome::Kind::solved || o.solution.status == Status::invalid_input) return {};
+    if (o.kind != Outcome::Kind::solved || o.solution.report.status == Status::invalid_input) return {};
     return Outputs{o.totals.fn, o.totals.x, o.totals.y, o.totals.mz};
   }
 

@@ -58,7 +58,7 @@ int elements_at_border(const Outcome& o) {
 
 /// Of a contact whose problems did not converge; 0 otherwise.
 int code_of(const ContactStepSolution& s) {
-  switch (s.status) {
+  switch (s.report.status) {
   case Status::ok:
   case Status::no_contact:
     return 0;

@@ -137,7 +137,7 @@ constexpr int no_columns = default_choice<int>("MX", DefaultOf::contact),
               no_rows = default_choice<int>("MY", DefaultOf::contact);
 
 double largest_traction(const Outcome& o) {
-  const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
+  const auto& [px, py] = o.solution.fields.traction;
   double largest = 0;
   for (std::size_t k = 0; k < px.size(); ++k) largest = std::max(largest, std::hypot(px[k], py[k]));
   return largest;
@@ -243,12 +243,14 @@ int cntc_getmaximumtraction(int* ire, int* icp, double* ptmax) {
 }
 
 int cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max) {
-  return get_numbers<double>(
-      patch_call(__func__, ire, icp), {{"t1max", t1max}, {"t2max", t2max}}, [&](ContactProblem& p) {
-        const auto& temperature = p.contact(*icp).outcome.temperature;
-        if (!temperature) throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
-        return std::array{std::ranges::max(temperature->body1), std::ranges::max(temperature->body2)};
-      });
+  return get_numbers<double>(patch_call(__func__, ire, icp), {{"t1max", t1max}, {"t2max", t2max}},
+                             [&](ContactProblem& p) {
+                               const Outcome& o = p.contact(*icp).outcome;
+                               if (!o.has_temperatures())
+                                 throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
+                               const auto& f = o.solution.fields;
+                               return std::array{std::ranges::max(f.temperature1), std::ranges::max(f.temperature2)};
+                             });
 }
 
 int cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* sens) {

@@ -27,7 +27,7 @@ Value rigid_slip(const Outcome& o, bool in_x, double factor) {
   const bool shifts = motion.motion == ContactMotion::shift;
   const Vec2 ahead =
       shifts || o.step.frictionless ? Vec2{} : way_of(motion, motion.spin_offset * signed_step(motion, o.step.grid));
-  const Creepage creepage = o.solution.tangential.creepage;
+  const Creepage creepage = o.solution.creepage;
   return [&o, in_x, factor, ahead, creepage](std::size_t k) {
     const ElementGrid& g = o.step.grid;
     const auto row = static_cast<std::size_t>(g.mx);
@@ -58,42 +58,41 @@ Value plastic(const Contact& c, bool in_x, double length) {
 /// Of one of CNTC_fld_...
 Value field(const ContactProblem& p, const Contact& c, int code) {
   const Outcome& o = c.outcome;
-  const auto& n = o.solution.normal;
-  const auto& t = o.solution.tangential;
+  const SurfaceFields& f = o.solution.fields;
   const double length = p.units.per_length(), pressure = p.units.per_pressure();
   // Of a shift the slip is a distance in mm, whatever the units.
   const double slip = p.units.body * (c.data.digits.tang == Tangential::shift ? per_m : 1);
   switch (code) {
   case CNTC_fld_h:
-    return [&o, &n, length](std::size_t k) { return length * (o.step.gap[k] - n.approach); };
+    return [&o, length](std::size_t k) { return length * (o.step.gap[k] - o.solution.approach); };
   case CNTC_fld_mu:
-    return scaled(o.solution.friction, 1);
+    return scaled(f.friction, 1);
   case CNTC_fld_px:
-    return scaled(t.tractions.px, p.units.body * pressure);
+    return scaled(f.traction.x, p.units.body * pressure);
   case CNTC_fld_py:
-    return scaled(t.tractions.py, p.units.body * pressure);
+    return scaled(f.traction.y, p.units.body * pressure);
   case CNTC_fld_pn:
-    return scaled(n.pressure, pressure);
+    return scaled(f.pressure, pressure);
   case CNTC_fld_ux:
-    return scaled(t.ux, length);
+    return scaled(f.displacement.x, length);
   case CNTC_fld_uy:
-    return scaled(t.uy, length);
+    return scaled(f.displacement.y, length);
   case CNTC_fld_un:
-    return scaled(n.displacement, length);
+    return scaled(o.solution.normal.displacement, length);
   case CNTC_fld_taucrt:
     return yield_stress(c, pressure);
   case CNTC_fld_sx:
-    return scaled(t.sx, slip);
+    return scaled(f.slip.x, slip);
   case CNTC_fld_sy:
-    return scaled(t.sy, slip);
+    return scaled(f.slip.y, slip);
   case CNTC_fld_wx:
     return rigid_slip(o, true, slip);
   case CNTC_fld_wy:
     return rigid_slip(o, false, slip);
   case CNTC_fld_temp1:
   case CNTC_fld_temp2:
-    if (!o.temperature) throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
-    return scaled(code == CNTC_fld_temp1 ? o.temperature->body1 : o.temperature->body2, 1);
+    if (!o.has_temperatures()) throw Refusal(CNTC_err_other, "there are no temperatures without H > 0 and T = 3");
+    return scaled(code == CNTC_fld_temp1 ? f.temperature1 : f.temperature2, 1);
   case CNTC_fld_uplsx:
   case CNTC_fld_uplsy:
     return plastic(c, code == CNTC_fld_uplsx, length);

@@ -5,7 +5,7 @@
 #include "microslip/contact/quantities.hpp"
 #include "microslip/contact/solver_report.hpp"
 #include "microslip/error.hpp"
-#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/method.hpp"
 
@@ -75,10 +75,8 @@ io::Json rolling_start(const io::RollingCase& input) {
   for (int k = shifts ? 0 : 1; k <= motion.steps && status == Status::ok; ++k) {
     step.motion.motion = k == 0 ? ContactMotion::shift : ContactMotion::transient;
     step.start = frames.empty() ? StepStart::fresh : StepStart::previous;
-    ContactStepSolution found = sequence.solve(step);
-    status = found.status;
-    const ContactSolution solution =
-        contact_solution(step.grid, std::move(found.tangential), found.normal, 1, step.motion);
+    const ContactStepSolution solution = sequence.solve(step);
+    status = solution.report.status;
     if (frames.empty()) add_fields(solution, still_fields, result, units);
     frames.push_back(frame_of(solution, k * rolled, units));
   }

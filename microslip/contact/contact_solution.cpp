@@ -15,11 +15,6 @@ bool are_finite(std::initializer_list<double> numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); });
 }
 
-bool are_finite(const Totals& t) {
-  return are_finite({t.fx, t.fy, t.mz, t.my, t.adhesion_area, t.slip_area, t.frictional_power, t.power_by_creepage,
-                     t.elastic_energy, t.peak_pressure, t.peak_traction});
-}
-
 bool are_finite(const Creepage& c) {
   return are_finite({c.longitudinal, c.lateral, c.spin});
 }
@@ -51,10 +46,10 @@ ContactSolution solution_without_result(Status status, std::string reason) {
 
 void conclude(ContactSolution& s, double tolerance) {
   const bool has_numbers =
-      are_finite(s.totals) && are_finite(s.creepage) && are_finite({s.approach, s.highest_temperature});
+      is_finite(s.totals) && are_finite(s.creepage) && are_finite({s.approach, s.highest_temperature});
   conclude(s.report, has_numbers, tolerance);
   for (SolutionStep& step : s.history)
-    conclude(step.report, are_finite(step.totals) && are_finite(step.creepage), tolerance);
+    conclude(step.report, is_finite(step.totals) && are_finite(step.creepage), tolerance);
   if (s.report.status == Status::invalid_input) {
     const ContactMotion motion = s.motion;
     s = solution_without_result(Status::invalid_input, std::move(s.report.reason));

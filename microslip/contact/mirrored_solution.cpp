@@ -19,7 +19,7 @@ void mirror(ContactSolution& solution) {
     if (values.empty()) continue;
     reverse_rows(values, grid.mx);
     if (field.is_odd)
-      for (double& value : values) value = -value;
+      for (double& value : values) value = 0 - value; // zero stays without a sign
   }
   if (!solution.fields.state.empty()) reverse_rows(solution.fields.state, grid.mx);
   mirror(solution.creepage, solution.totals);

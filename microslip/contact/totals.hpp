@@ -28,6 +28,8 @@ struct Totals {
   double peak_traction = 0;     ///< largest |p| of an element [Pa]
 };
 
+bool is_finite(const Totals& totals);
+
 /// Fields of an element in adhesion or slip.
 struct LoadedElement {
   double x = 0, y = 0, area = 0; ///< [m], [m], [m^2]
@@ -38,6 +40,9 @@ struct LoadedElement {
 /// Adds what an element contributes to forces, areas, energy and, for V = 1, frictional power. Every sum over a contact
 /// goes through here.
 void add(Totals& totals, const LoadedElement& element);
+
+/// Adds the moment and the peak of the pressures of all elements.
+void add(Totals& totals, const Elements& elements, const std::vector<double>& pressure);
 
 /// The power by the creepages, which follows from the forces. `speed` as for find_totals.
 double power_by_creepage(const Totals& totals, const Creepage& creepage, double speed);

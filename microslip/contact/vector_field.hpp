@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace microslip {
@@ -11,6 +12,8 @@ struct VectorField {
 
   VectorField() = default;
   explicit VectorField(std::size_t elements) : x(elements), y(elements) {}
+  VectorField(std::vector<double> along_x, std::vector<double> along_y)
+      : x(std::move(along_x)), y(std::move(along_y)) {}
 };
 
 } // namespace microslip

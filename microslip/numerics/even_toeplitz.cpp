@@ -2,7 +2,6 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/kernel/wave_loops.hpp"
-#include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
@@ -16,20 +15,11 @@ namespace {
 using KernelRow = EvenToeplitz::KernelRow;
 
 constexpr int lanes = block_lanes<double>;
-constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
-constexpr double smallest_share = 1e-2;            // of the kernel at 0, in its transform
+constexpr double smallest_share = 1e-2; // of the kernel at 0, in its transform
 
-/// Twice a grid's side, so that nothing wraps around.
-int padded(int m) {
-  return m == 1 ? 1 : quick_size(2 * m);
-}
 /// Hardly more than the side. In a single row, as a line contact has it, the inverse falls too slowly for that.
 int tight(int m, int across) {
-  return m == 1 || across == 1 ? padded(m) : quick_size(m);
-}
-
-int threads_of(int nx, int ny) {
-  return threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded);
+  return m == 1 || across == 1 ? padded_size(m) : quick_size(m);
 }
 
 /// Products with a kernel that is repeated with the periods nx and ny, on a grid of mx x my.
@@ -37,17 +27,19 @@ class Circulant {
 public:
   Circulant(int mx, int my, int nx, int ny, const TransformPlans& plans)
       : Circulant(mx, my, nx, ny, plans,
-                  WaveBlocks<double>(my, nx, threads_of(nx, ny), 2 * static_cast<std::size_t>(ny), plans)) {}
+                  WaveBlocks<double>(my, nx, threads_for_grid(nx, ny), 2 * static_cast<std::size_t>(ny), plans)) {}
   /// A circulant in the memory of `longer`, with periods that are no longer than there.
   Circulant(const Circulant& longer, int nx, int ny, const TransformPlans& plans)
-      : Circulant(longer.mx_, longer.my_, nx, ny, plans, longer.waves_.shorter(nx, threads_of(nx, ny), plans)) {}
+      : Circulant(longer.mx_, longer.my_, nx, ny, plans, longer.waves_.shorter(nx, threads_for_grid(nx, ny), plans)) {}
 
   /// The kernel is asked for half a period; `use` makes of each wave's transform, and of the kernel at 0, what is kept.
   template <class Use> void find_spectrum(const KernelRow& kernel, const TransformPlans& plans, Use use) {
     spectrum_.resize(waves_.count() * table_size());
     const double at_zero = transform_kernel_rows(kernel, plans), points = static_cast<double>(nx_) * ny_;
     const Buffer<double> in = allocate<double>(columns_.work_size());
-    for (int b = 0; b < waves_.count(); b += 2) transform_kernel_columns(b, in.get());
+    double *out = waves_.work(0), *work = out + columns_.work_size();
+    for (int b = 0; b < waves_.count(); b += 2)
+      transform_kernel_columns(columns_, ny_, false, lines_, table(b), table(b + 1), {in.get(), out, work});
     for (int b = 0; b < waves_.count(); ++b)
       for (int j = 0; j < lines_; ++j)
         for (int i = 0; i < waves_.lanes_of(b); ++i) {
@@ -95,28 +87,6 @@ private:
     return at_zero;
   }
 
-  /// Two blocks of that at once, as real and imaginary parts of even columns.
-  void transform_kernel_columns(int b, double* in) {
-    double *real = table(b), *imaginary = table(b + 1);
-    double *out = waves_.work(0), *work = out + columns_.work_size();
-    for (int j = 0; j < lines_; ++j) {
-      double* line = in + static_cast<std::size_t>(j) * line_size<double>;
-      std::copy_n(real + static_cast<std::size_t>(j) * lanes, lanes, line);
-      if (imaginary != nullptr)
-        std::copy_n(imaginary + static_cast<std::size_t>(j) * lanes, lanes, line + lanes);
-      else
-        std::fill_n(line + lanes, lanes, 0.0);
-      if (j > 0 && j < ny_ - j)
-        std::copy_n(line, line_size<double>, in + static_cast<std::size_t>(ny_ - j) * line_size<double>);
-    }
-    columns_.forward({in, line_size<double>, ny_}, lanes, out, work);
-    for (int j = 0; j < lines_; ++j) {
-      const double* line = out + static_cast<std::size_t>(j) * line_size<double>;
-      std::copy_n(line, lanes, real + static_cast<std::size_t>(j) * lanes);
-      if (imaginary != nullptr) std::copy_n(line + lanes, lanes, imaginary + static_cast<std::size_t>(j) * lanes);
-    }
-  }
-
   /// Convolves a block with its part of the table: columns are transformed along y, multiplied and transformed back.
   void convolve_columns(int b, int thread) {
     double *transformed = waves_.work(thread), *work = transformed + columns_.work_size();
@@ -140,7 +110,7 @@ struct EvenToeplitz::Plans {
   long products = 0;
 
   Plans(int mx, int my, const KernelRow& kernel, const TransformPlans& plans)
-      : matrix(mx, my, padded(mx), padded(my), plans), inverse(matrix, tight(mx, my), tight(my, mx), plans) {
+      : matrix(mx, my, padded_size(mx), padded_size(my), plans), inverse(matrix, tight(mx, my), tight(my, mx), plans) {
     matrix.find_spectrum(kernel, plans, [](double value, double) { return value; });
     inverse.find_spectrum(kernel, plans,
                           [](double value, double at_zero) { return 1 / std::max(value, smallest_share * at_zero); });

@@ -1,7 +1,6 @@
 #include "microslip/numerics/parity_toeplitz.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
@@ -15,13 +14,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int lanes = block_lanes<double>, line = line_size<double>;
-constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
 /// So many rows are summed wave by wave sooner than all of a column are transformed.
 constexpr std::size_t few_rows = 8;
-
-int padded(int m) {
-  return m == 1 ? 1 : quick_size(2 * m);
-}
 
 /// z = z + f k v, or z + i f k v if `turned`, for the numbers of a line.
 void add_product(const double* k, double f, bool turned, const double* v, double* z) {
@@ -61,8 +55,8 @@ struct ParityToeplitz::Plans {
   std::vector<Work> works;
 
   Plans(int x, int y, const TransformPlans& plans)
-      : mx(x), my(y), nx(padded(x)), ny(padded(y)), kernel_lines(ny / 2 + 1),
-        waves(my, nx, threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded), 0, plans), columns(ny, plans) {
+      : mx(x), my(y), nx(padded_size(x)), ny(padded_size(y)), kernel_lines(ny / 2 + 1),
+        waves(my, nx, threads_for_grid(nx, ny), 0, plans), columns(ny, plans) {
     for (int i = 0; i < waves.threads(); ++i)
       works.push_back({allocate<double>(columns.work_size()), allocate<double>(columns.work_size()),
                        allocate<double>(columns.work_size())});
@@ -95,37 +89,15 @@ struct ParityToeplitz::Plans {
                     &to[b * table_size() + static_cast<std::size_t>(j) * lanes]);
   }
 
-  /// The columns of two blocks of that, as real and imaginary part. Odd ones have imaginary transforms.
-  void transform_kernel_columns(int b, bool odd, Spectrum& spectrum) {
-    double* const real = &spectrum[b * table_size()];
-    double* const imaginary = b + 1 < waves.count() ? real + table_size() : nullptr;
-    double *in = works[0].sum.get(), *out = works[0].rows.get();
-    std::fill_n(in, column_size(), 0.0);
-    for (int j = odd ? 1 : 0; j < my; ++j) {
-      const std::size_t entry = static_cast<std::size_t>(j) * lanes;
-      double* to = line_of(in, j);
-      std::copy_n(real + entry, lanes, to);
-      if (imaginary != nullptr) std::copy_n(imaginary + entry, lanes, to + lanes);
-      if (j > 0)
-        std::transform(to, to + line, line_of(in, ny - j), [odd](double value) { return odd ? -value : value; });
-    }
-    columns.forward({in, line, ny}, lanes, out, works[0].scratch.get());
-    for (int j = 0; j < kernel_lines; ++j) {
-      const double* from = line_of(out, j);
-      const std::size_t entry = static_cast<std::size_t>(j) * lanes;
-      for (int m = 0; m < lanes; ++m) {
-        real[entry + m] = odd ? from[lanes + m] : from[m];
-        if (imaginary != nullptr) imaginary[entry + m] = odd ? -from[m] : from[lanes + m];
-      }
-    }
-  }
-
   Spectrum spectrum_of(Parity parity, const KernelRow& kernel, const Progress& progress) {
     Spectrum found(waves.count() * table_size());
     transform_kernel_rows(parity.odd_x, kernel, progress, found);
     for (int b = 0; b < waves.count(); b += 2) {
       go_on(progress, 0);
-      transform_kernel_columns(b, parity.odd_y, found);
+      double* const block = &found[b * table_size()];
+      transform_kernel_columns(columns, ny, parity.odd_y, my, block,
+                               b + 1 < waves.count() ? block + table_size() : nullptr,
+                               {works[0].sum.get(), works[0].rows.get(), works[0].scratch.get()});
     }
     const double scale = 1.0 / nx / ny;
     for (double& value : found) value *= scale;

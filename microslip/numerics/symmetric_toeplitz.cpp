@@ -2,7 +2,6 @@
 
 #include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/precision.hpp"
-#include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
@@ -13,8 +12,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t smallest_threaded = 1 << 16; // numbers in a padded grid that are worth several threads
-constexpr double smallest_share = 1e-2;            // of the kernels at 0, in the transform that is inverted
+constexpr double smallest_share = 1e-2; // of the kernels at 0, in the transform that is inverted
 
 /// A symmetric matrix of two rows: `mean` times unity and `difference`, -`difference` on the diagonal, `mixed` beside.
 struct SymmetricPair {
@@ -44,9 +42,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
 
   Plans(int x_count, int y_count, int period_x, int period_y, const TransformPlans& plans)
       : mx(x_count), my(y_count), nx(quick_size(period_x)), ny(quick_size(period_y)),
-        waves(2 * my, nx, threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded),
-              3 * static_cast<std::size_t>(ny), plans),
-        columns(ny, plans) {}
+        waves(2 * my, nx, threads_for_grid(nx, ny), 3 * static_cast<std::size_t>(ny), plans), columns(ny, plans) {}
   template <class Other>
   Plans(const Other& other, double factor, const TransformPlans& plans)
       : Plans(other.mx, other.my, other.nx, other.ny, plans) {

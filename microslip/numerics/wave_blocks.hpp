@@ -1,8 +1,10 @@
 #pragma once
 
+#include "microslip/numerics/threads.hpp"
 #include "microslip/numerics/transforms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -76,5 +78,43 @@ private:
   std::shared_ptr<Real[]> blocks_;
   std::vector<std::shared_ptr<Real[]>> works_;
 };
+
+/// A grid's side padded to twice its length, so that nothing wraps around; a single row or column is not padded.
+inline int padded_size(int m) {
+  return m == 1 ? 1 : quick_size(2 * m);
+}
+
+/// OpenMP's threads for a padded grid.
+inline int threads_for_grid(int nx, int ny) {
+  constexpr std::size_t smallest_threaded = 1 << 16; // numbers that are worth several threads
+  return threads_for(static_cast<std::size_t>(nx) * ny, smallest_threaded);
+}
+
+/// Transforms the columns of a kernel that are even or odd with the period n, two blocks at once as real and imaginary
+/// part, in place: of the lines 0 .. n/2 the first `given` are not zero; transforms of odd columns are imaginary.
+/// `other` may be null. Each of the works has n lines.
+inline void transform_kernel_columns(const ColumnTransforms<double>& columns, int n, bool odd, int given, double* block,
+                                     double* other, const std::array<double*, 3>& works) {
+  const auto& [in, out, work] = works;
+  constexpr int lanes = block_lanes<double>, line = line_size<double>;
+  const auto line_of = [](double* lines, int j) { return lines + static_cast<std::ptrdiff_t>(j) * line; };
+  std::fill_n(in, static_cast<std::ptrdiff_t>(n) * line, 0.0);
+  for (int j = odd ? 1 : 0; j < given; ++j) {
+    const std::size_t entry = static_cast<std::size_t>(j) * lanes;
+    double* to = line_of(in, j);
+    std::copy_n(block + entry, lanes, to);
+    if (other != nullptr) std::copy_n(other + entry, lanes, to + lanes);
+    if (j > 0) std::transform(to, to + line, line_of(in, n - j), [odd](double value) { return odd ? -value : value; });
+  }
+  columns.forward({in, line, n}, lanes, out, work);
+  for (int j = 0; j <= n / 2; ++j) {
+    const double* from = line_of(out, j);
+    const std::size_t entry = static_cast<std::size_t>(j) * lanes;
+    for (int m = 0; m < lanes; ++m) {
+      block[entry + m] = odd ? from[lanes + m] : from[m];
+      if (other != nullptr) other[entry + m] = odd ? -from[m] : from[lanes + m];
+    }
+  }
+}
 
 } // namespace microslip

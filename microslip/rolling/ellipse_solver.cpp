@@ -4,6 +4,7 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 
@@ -43,6 +44,17 @@ EllipticContact forward(EllipticContact contact, const Motion& motion) {
 }
 std::optional<double> forward_force(const Motion& motion) {
   return motion.force_x ? side_of(motion) * *motion.force_x : motion.force_x;
+}
+
+/// Transient rolling with the Newton steps and products of all steps.
+ContactSolution with_all_effort(ContactSolution rolled) {
+  rolled.report.newton_steps = 0;
+  rolled.report.products = 0;
+  for (const SolutionStep& step : rolled.history) {
+    rolled.report.newton_steps += step.report.newton_steps;
+    rolled.report.products += step.report.products;
+  }
+  return rolled;
 }
 
 void check(const RollingProblem& problem, const EllipticContact& contact) {
@@ -107,31 +119,6 @@ void EllipseSolver::forget() {
   transient_.reset();
 }
 
-/// Solves the tangential problem; transient rolling step by step.
-TangentialSolution EllipseSolver::roll(TangentialInput input, int steps, double normal_force,
-                                       std::span<const double> bound, const Progress& progress,
-                                       std::vector<SolutionStep>& history) {
-  const bool transient = input.motion == ContactMotion::transient;
-  input.progress = transient ? within_step(steps, history, progress) : progress;
-  TangentialState state;
-  TangentialSolution s = tangential_->solve(bound, input);
-  if (!transient) return s;
-  const auto remember = [&] {
-    history.push_back(solution_step(contact_solution(grid_, s, normal_, normal_force, input)));
-    return !progress || progress(double(history.size()) / steps);
-  };
-  input.previous = &state;
-  try {
-    while (remember() && static_cast<int>(history.size()) < steps) {
-      state = s.tractions;
-      s = tangential_->solve(bound, input);
-    }
-  } catch (const Stopped&) { // within a step
-  }
-  if (is_cut_short(history, steps, s.forces.status)) s.forces.status = Status::not_converged;
-  return s;
-}
-
 ContactSolution EllipseSolver::solve_classical(const RollingProblem& problem, const EllipticContact& contact,
                                                const Progress& progress) {
   prepare_classical(contact, elements_of(problem, method_), progress);
@@ -140,16 +127,20 @@ ContactSolution EllipseSolver::solve_classical(const RollingProblem& problem, co
   TangentialInput input = tangential_input(problem, method_);
   input.force_x = problem.motion.force_x;
   input.force_y = problem.motion.force_y;
-  std::vector<SolutionStep> history;
-  ContactSolution out =
-      contact_solution(grid_, roll(input, problem.motion.steps, contact.normal_force, bound, progress, history),
-                       normal_, contact.normal_force, input);
-  out.history = std::move(history);
+  VectorField before;
+  const auto solve = [&](const Progress& within) {
+    input.progress = within;
+    ContactSolution s = tangential_->solve(bound, input);
+    add_normal(s, normal_, contact.normal_force);
+    before = s.fields.traction;
+    input.previous = &before;
+    return s;
+  };
+  ContactSolution out = input.motion == ContactMotion::transient
+                            ? with_all_effort(roll(problem.motion.steps, progress, solve))
+                            : solve(progress);
+  find_centred_power(input, out);
   if (normal_.status != Status::ok) out.report.status = normal_.status;
-  for (std::size_t i = 0; i + 1 < out.history.size(); ++i) {
-    out.report.newton_steps += out.history[i].report.newton_steps;
-    out.report.products += out.history[i].report.products;
-  }
   return out;
 }
 
@@ -198,33 +189,17 @@ ContactSolution EllipseSolver::solve_transient(const RollingProblem& problem, co
   prepare_transient(contact, progress);
   const FittedContact& fitted = transient_->contact();
   const std::vector<double> bound = friction_bound(fitted, capacity_of(contact));
-  std::vector<SolutionStep> history;
-  const SecondOrderInput input{.creepage = forward(contact, motion).creepage,
-                               .force_x = forward_force(motion),
-                               .force_y = motion.force_y,
-                               .start = {},
-                               .progress = within_step(motion.steps, history, progress),
-                               .tolerance = method_.tolerance};
-  ContactSolution out;
-  int newton_steps = 0;
-  long products = 0;
-  try {
-    do {
-      out = fitted_solution(transient_->step(bound, input), fitted, contact, motion.direction);
-      out.motion = ContactMotion::transient;
-      history.push_back(solution_step(out));
-      newton_steps += out.report.newton_steps;
-      products += out.report.products;
-    } while ((!progress || progress(double(history.size()) / motion.steps)) &&
-             static_cast<int>(history.size()) < motion.steps);
-  } catch (const Stopped&) { // within a step
-    if (history.empty()) throw;
-  }
-  if (is_cut_short(history, motion.steps, out.report.status)) out.report.status = Status::not_converged;
-  out.history = std::move(history);
-  out.report.newton_steps = newton_steps;
-  out.report.products = products;
-  return out;
+  SecondOrderInput input{.creepage = forward(contact, motion).creepage,
+                         .force_x = forward_force(motion),
+                         .force_y = motion.force_y,
+                         .start = {},
+                         .tolerance = method_.tolerance};
+  return with_all_effort(roll(motion.steps, progress, [&](const Progress& within) {
+    input.progress = within;
+    ContactSolution s = fitted_solution(transient_->step(bound, input), fitted, contact, motion.direction);
+    s.motion = ContactMotion::transient;
+    return s;
+  }));
 }
 
 ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, const Progress& progress) {

@@ -36,8 +36,6 @@ private:
   bool is_of_last(const EllipticContact& contact);
   ContactSolution solve_classical(const RollingProblem& problem, const EllipticContact& contact,
                                   const Progress& progress);
-  TangentialSolution roll(TangentialInput input, int steps, double normal_force, std::span<const double> bound,
-                          const Progress& progress, std::vector<SolutionStep>& history);
   ContactStep sequence_step(const RollingProblem& problem, const EllipticContact& contact) const;
   ContactSolution solve_sequence(const RollingProblem& problem, const EllipticContact& contact,
                                  const Progress& progress);

@@ -20,7 +20,7 @@ void slide_all(const StripRow& row) {
 
 /// Strip theory in a run of elements.
 void take_strips(const ElementGrid& grid, FastripForm form, const EllipticContact& ellipse, double friction,
-                 const GridRolling& rolling, const ElementRun& run, GridSolution& s) {
+                 const GridRolling& rolling, const ElementRun& run, SurfaceFields& f) {
   std::vector<double> x;
   for (int n = 0; n < run.count; ++n) x.push_back(grid.x(run.first + n) - rolling.spin_centre.x);
   const auto part = [&](auto& field) {
@@ -33,42 +33,40 @@ void take_strips(const ElementGrid& grid, FastripForm form, const EllipticContac
                         (x.front() + x.back()) / 2,
                         half_length,
                         x,
-                        part(s.bound),
-                        part(s.px),
-                        part(s.py),
-                        part(s.sx),
-                        part(s.sy),
-                        part(s.state)};
+                        part(f.bound),
+                        part(f.traction.x),
+                        part(f.traction.y),
+                        part(f.slip.x),
+                        part(f.slip.y),
+                        part(f.state)};
   const StripTheory theory(ellipse, friction, rolling.direction);
   const bool all_slides = form == FastripForm::first_bounded && std::abs(theory.scaled_spin()) >= 1;
   all_slides ? slide_all(row) : theory.solve(row);
 }
 
 /// Factor of the forces.
-double force_factor(FastripForm form, const EllipticContact& ellipse, double friction, const ContactForces& forces) {
+double force_factor(FastripForm form, const EllipticContact& ellipse, double friction, const Totals& totals) {
   const double ratio = ellipse.a / ellipse.b;
   if (form == FastripForm::modified || !(ratio < 1)) return 1;
   const double factor = 1 + std::pow(1 - ratio, 4);
-  const double limit = friction * ellipse.normal_force, force = std::hypot(forces.fx, forces.fy);
+  const double limit = friction * ellipse.normal_force, force = std::hypot(totals.fx, totals.fy);
   return form == FastripForm::first ? factor : std::clamp(limit / force, 1.0, factor);
 }
 
 } // namespace
 
-GridSolution solve_fastrip(const GridFastsim& fastsim, FastripForm form, const EllipticContact& ellipse,
-                           const Flexibilities& flexibilities, std::span<const double> friction,
-                           const GridRolling& rolling) {
-  GridSolution s = fastsim.solve(flexibilities, friction, rolling);
+ContactSolution solve_fastrip(const GridFastsim& fastsim, FastripForm form, const EllipticContact& ellipse,
+                              const Flexibilities& flexibilities, std::span<const double> friction,
+                              const GridRolling& rolling) {
+  ContactSolution s = fastsim.solve(flexibilities, friction, rolling);
   for (const ElementRun& run : fastsim.runs()) {
     const double mu = friction.size() == 1 ? friction[0] : friction[run.row];
-    if (mu > 0) take_strips(fastsim.grid(), form, ellipse, mu, rolling, run, s);
+    if (mu > 0) take_strips(fastsim.grid(), form, ellipse, mu, rolling, run, s.fields);
   }
-  find_totals(fastsim.grid(), flexibilities, rolling.rolling_speed, s);
+  find_totals(flexibilities, rolling, s);
   const double mean = std::accumulate(friction.begin(), friction.end(), 0.0) / static_cast<double>(friction.size());
-  const double factor = force_factor(form, ellipse, mean, s.forces);
-  s.forces.fx *= factor;
-  s.forces.fy *= factor;
-  s.forces.mz *= factor;
+  const double factor = force_factor(form, ellipse, mean, s.totals);
+  for (double* total : {&s.totals.fx, &s.totals.fy, &s.totals.mz, &s.totals.power_by_creepage}) *total *= factor;
   return s;
 }
 

@@ -17,8 +17,8 @@ enum class FastripForm {
 /// docs/theory-simplified.md, section 11. `ellipse` is that whose linear theory the strips are scaled to, with load,
 /// material and creepages: those of the contact with the first forms, else an equivalent one. Slip is FASTSIM's, and
 /// zero where strip theory adheres. Throws Error as GridFastsim does. Cost O(elements).
-GridSolution solve_fastrip(const GridFastsim& fastsim, FastripForm form, const EllipticContact& ellipse,
-                           const Flexibilities& flexibilities, std::span<const double> friction,
-                           const GridRolling& rolling);
+ContactSolution solve_fastrip(const GridFastsim& fastsim, FastripForm form, const EllipticContact& ellipse,
+                              const Flexibilities& flexibilities, std::span<const double> friction,
+                              const GridRolling& rolling);
 
 } // namespace microslip

@@ -1,6 +1,5 @@
 #include "microslip/simplified/grid_fastsim.hpp"
 
-#include "microslip/contact/totals.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -70,15 +69,16 @@ private:
 } // namespace
 
 GridFastsim::GridFastsim(const ElementGrid& grid, std::span<const double> pressure)
-    : grid_(grid), pressure_(pressure.begin(), pressure.end()) {
+    : pressure_(pressure.begin(), pressure.end()) {
   check(grid);
   check_size("pressure", pressure.size(), grid);
-  runs_ = find_runs(grid_, pressure_);
+  elements_ = Elements(grid);
+  runs_ = find_runs(grid, pressure_);
 }
 
 void GridFastsim::check_friction(std::span<const double> friction) const {
-  if (friction.size() != 1 && friction.size() != static_cast<std::size_t>(grid_.my))
-    throw Error("friction: must have one value, or one for each of the " + std::to_string(grid_.my) + " rows");
+  if (friction.size() != 1 && friction.size() != static_cast<std::size_t>(grid().my))
+    throw Error("friction: must have one value, or one for each of the " + std::to_string(grid().my) + " rows");
 }
 
 double GridFastsim::friction_of(int row, std::span<const double> friction) const {
@@ -88,7 +88,7 @@ double GridFastsim::friction_of(int row, std::span<const double> friction) const
 double GridFastsim::contact_area() const {
   double area = 0;
   for (const double p : pressure_)
-    if (p > 0) area += grid_.element_area();
+    if (p > 0) area += grid().element_area();
   return area;
 }
 
@@ -96,12 +96,12 @@ double GridFastsim::capacity(std::span<const double> friction) const {
   check_friction(friction);
   double capacity = 0;
   for (std::size_t k = 0; k < pressure_.size(); ++k)
-    capacity += friction_of(static_cast<int>(k / grid_.mx), friction) * pressure_[k] * grid_.element_area();
+    capacity += friction_of(static_cast<int>(k / grid().mx), friction) * pressure_[k] * grid().element_area();
   return capacity;
 }
 
 Vec2 GridFastsim::equivalent_axes() const {
-  int count = 0, first = grid_.mx, last = -1;
+  int count = 0, first = grid().mx, last = -1;
   for (const ElementRun& run : runs_) {
     count += run.count;
     first = std::min(first, run.first);
@@ -109,87 +109,80 @@ Vec2 GridFastsim::equivalent_axes() const {
   }
   if (runs_.empty()) return {};
   const int columns = last - first + 1, rows = runs_.back().row - runs_.front().row + 1;
-  const double size = std::sqrt(count * grid_.element_area() / std::numbers::pi);
-  const double ratio = std::sqrt(columns * grid_.dx / (rows * grid_.dy));
+  const double size = std::sqrt(count * grid().element_area() / std::numbers::pi);
+  const double ratio = std::sqrt(columns * grid().dx / (rows * grid().dy));
   return {size * ratio, size / ratio};
 }
 
 /// Solution without tractions, with the bound of the elements in contact.
-GridSolution GridFastsim::empty_solution(std::span<const double> friction) const {
+ContactSolution GridFastsim::empty_solution(std::span<const double> friction) const {
   check_friction(friction);
-  GridSolution s;
-  for (auto* field : {&s.bound, &s.px, &s.py, &s.ux, &s.uy, &s.sx, &s.sy}) field->assign(grid_.count(), 0);
-  s.state.assign(grid_.count(), CellState::exterior);
+  ContactSolution s;
+  s.elements = elements_;
+  s.fields = SurfaceFields(elements_.size());
   for (const ElementRun& run : runs_)
     for (int n = 0; n < run.count; ++n) {
-      const std::size_t k = static_cast<std::size_t>(run.row) * grid_.mx + run.first + n;
-      s.bound[k] = friction_of(run.row, friction) * pressure_[k];
-      s.state[k] = CellState::adhesion;
+      const std::size_t k = elements_.index(run.first + n, run.row);
+      s.fields.bound[k] = friction_of(run.row, friction) * pressure_[k];
+      s.fields.state[k] = CellState::adhesion;
     }
   return s;
 }
 
-GridSolution GridFastsim::solve(const Flexibilities& l, std::span<const double> friction,
-                                const GridRolling& rolling) const {
-  check_rolling(grid_, l, rolling);
-  GridSolution s = empty_solution(friction);
-  const RigidSlip rigid_slip(grid_, l, rolling);
+ContactSolution GridFastsim::solve(const Flexibilities& l, std::span<const double> friction,
+                                   const GridRolling& rolling) const {
+  check_rolling(grid(), l, rolling);
+  ContactSolution s = empty_solution(friction);
+  SurfaceFields& f = s.fields;
+  const RigidSlip rigid_slip(grid(), l, rolling);
   const bool forward = rolling.direction == RollingDirection::forward;
-  const double length = rolling.before != nullptr ? rolling.step : grid_.dx;
+  const double length = rolling.before != nullptr ? rolling.step : grid().dx;
   for (const ElementRun& run : runs_) {
     Vec2 u;
     for (int n = 0; n < run.count; ++n) {
       const int i = run.first + (forward ? run.count - 1 - n : n);
-      const std::size_t k = static_cast<std::size_t>(run.row) * grid_.mx + i;
+      const std::size_t k = elements_.index(i, run.row);
       if (rolling.before != nullptr)
         u = rolling.before->x.empty() ? Vec2{} : Vec2{rolling.before->x[k], rolling.before->y[k]};
       const Vec2 w = rigid_slip.at(i, run.row, k);
       Vec2 p = {(u.x - w.x * length) / l.longitudinal, (u.y - w.y * length) / l.lateral};
       const double size = std::hypot(p.x, p.y);
       Vec2 after = {l.longitudinal * p.x, l.lateral * p.y};
-      if (size > s.bound[k]) {
-        p = {p.x * s.bound[k] / size, p.y * s.bound[k] / size};
+      if (size > f.bound[k]) {
+        p = {p.x * f.bound[k] / size, p.y * f.bound[k] / size};
         after = {l.longitudinal * p.x, l.lateral * p.y};
-        s.state[k] = CellState::slip;
-        s.sx[k] = w.x + (after.x - u.x) / length;
-        s.sy[k] = w.y + (after.y - u.y) / length;
+        f.state[k] = CellState::slip;
+        f.slip.x[k] = w.x + (after.x - u.x) / length;
+        f.slip.y[k] = w.y + (after.y - u.y) / length;
       }
-      s.px[k] = p.x;
-      s.py[k] = p.y;
+      f.traction.x[k] = p.x;
+      f.traction.y[k] = p.y;
       u = after;
     }
   }
-  find_totals(grid_, l, rolling.rolling_speed, s);
+  find_totals(l, rolling, s);
   return s;
 }
 
-GridSolution GridFastsim::slide(const Flexibilities& l, std::span<const double> friction, Vec2 direction) const {
-  GridSolution s = empty_solution(friction);
-  for (std::size_t k = 0; k < s.bound.size(); ++k) {
-    s.px[k] = s.bound[k] * direction.x;
-    s.py[k] = s.bound[k] * direction.y;
-    if (s.state[k] != CellState::exterior) s.state[k] = CellState::slip;
+ContactSolution GridFastsim::slide(const Flexibilities& l, std::span<const double> friction, Vec2 direction) const {
+  ContactSolution s = empty_solution(friction);
+  SurfaceFields& f = s.fields;
+  for (std::size_t k = 0; k < f.bound.size(); ++k) {
+    f.traction.x[k] = f.bound[k] * direction.x;
+    f.traction.y[k] = f.bound[k] * direction.y;
+    if (f.state[k] != CellState::exterior) f.state[k] = CellState::slip;
   }
-  find_totals(grid_, l, 0, s);
+  find_totals(l, {}, s);
   return s;
 }
 
-void find_totals(const ElementGrid& grid, const Flexibilities& l, double rolling_speed, GridSolution& s) {
-  Totals totals;
-  for (std::size_t k = 0; k < s.state.size(); ++k) {
-    s.ux[k] = l.longitudinal * s.px[k];
-    s.uy[k] = l.lateral * s.py[k];
-    if (s.state[k] == CellState::exterior) continue;
-    add(totals, {.x = grid.x(static_cast<int>(k % grid.mx)),
-                 .y = grid.y(static_cast<int>(k / grid.mx)),
-                 .area = grid.element_area(),
-                 .slides = s.state[k] == CellState::slip,
-                 .traction = {s.px[k], s.py[k]},
-                 .slip = {s.sx[k], s.sy[k]}});
-  }
-  s.forces = {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, s.forces.status};
-  s.frictional_power = rolling_speed * totals.frictional_power;
-  s.peak_traction = totals.peak_traction;
+void find_totals(const Flexibilities& l, const GridRolling& rolling, ContactSolution& s) {
+  s.fields.displacement = s.fields.traction;
+  for (double& u : s.fields.displacement.x) u *= l.longitudinal;
+  for (double& u : s.fields.displacement.y) u *= l.lateral;
+  const auto [xi, eta, phi] = rolling.creepage;
+  s.creepage = {xi + phi * rolling.spin_centre.y, eta - phi * rolling.spin_centre.x, phi};
+  s.totals = find_totals(s.elements, s.fields, s.creepage, rolling.rolling_speed);
 }
 
 } // namespace microslip

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "microslip/contact/contact_forces.hpp"
-#include "microslip/contact/creepage.hpp"
-#include "microslip/contact/element_grid.hpp"
-#include "microslip/contact/motion.hpp"
-#include "microslip/contact/surface_fields.hpp"
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/simplified/flexibility.hpp"
 #include "microslip/vec2.hpp"
 
@@ -13,11 +9,6 @@
 #include <vector>
 
 namespace microslip {
-
-/// Displacements of the foundation's springs at the elements of a grid [m]; empty: none.
-struct SpringState {
-  std::vector<double> x = {}, y = {};
-};
 
 /// Rolling motion of the bodies, for the simplified theory on a grid.
 struct GridRolling {
@@ -30,21 +21,10 @@ struct GridRolling {
   Vec2 ahead{}; ///< from an element's centre to the point at which its rigid slip is taken [m]
   RollingDirection direction = RollingDirection::forward;
   double rolling_speed = 1; ///< V [m/s], for the frictional power
-  /// One step of transient rolling: the displacements of the elements' particles before it; none: steady rolling.
-  const SpringState* before = nullptr;
+  /// One step of transient rolling: the displacements of the elements' particles before it [m], empty: none; null:
+  /// steady rolling.
+  const VectorField* before = nullptr;
   double step = 0; ///< dq [m] > 0 of transient rolling; steady rolling takes the elements' length
-};
-
-/// Fields of the elements of a grid, and what they sum up to.
-struct GridSolution {
-  std::vector<double> bound;  ///< g = mu p_n [Pa]
-  std::vector<double> px, py; ///< tractions on body 1 [Pa]
-  std::vector<double> ux, uy; ///< displacements of the springs, u = L p [m]
-  std::vector<double> sx, sy; ///< relative slip [-]
-  std::vector<CellState> state;
-  ContactForces forces;        ///< moment about the frame's origin
-  double frictional_power = 0; ///< -V sum of p.s dx dy [W]
-  double peak_traction = 0;    ///< [Pa]
 };
 
 /// Elements of a row next to each other that are in contact: columns first to first + count - 1.
@@ -62,7 +42,7 @@ public:
   /// elements and for another number of pressures.
   GridFastsim(const ElementGrid& grid, std::span<const double> pressure);
 
-  const ElementGrid& grid() const { return grid_; }
+  const ElementGrid& grid() const { return elements_.grid; }
   /// Rows ascending, in each columns ascending.
   const std::vector<ElementRun>& runs() const { return runs_; }
   double contact_area() const; ///< [m^2]
@@ -71,26 +51,26 @@ public:
   /// The ellipse with the contact's area and its ratio of length to width, for flexibilities: a, b [m].
   Vec2 equivalent_axes() const;
 
-  /// Throws Error for flexibilities that are not positive, and for numbers of friction coefficients and fields that do
-  /// not fit the grid. Cost O(elements).
-  GridSolution solve(const Flexibilities& flexibilities, std::span<const double> friction,
-                     const GridRolling& rolling) const;
+  /// The fields are without pressures. Throws Error for flexibilities that are not positive, and for numbers of
+  /// friction coefficients and fields that do not fit the grid. Cost O(elements).
+  ContactSolution solve(const Flexibilities& flexibilities, std::span<const double> friction,
+                        const GridRolling& rolling) const;
   /// All of the contact sliding in one direction (a unit vector), the tractions at their bound; the slip is not known,
   /// and zero here.
-  GridSolution slide(const Flexibilities& flexibilities, std::span<const double> friction, Vec2 direction) const;
+  ContactSolution slide(const Flexibilities& flexibilities, std::span<const double> friction, Vec2 direction) const;
 
 private:
   void check_friction(std::span<const double> friction) const;
   double friction_of(int row, std::span<const double> friction) const;
-  GridSolution empty_solution(std::span<const double> friction) const;
+  ContactSolution empty_solution(std::span<const double> friction) const;
 
-  ElementGrid grid_;
+  Elements elements_;
   std::vector<double> pressure_;
   std::vector<ElementRun> runs_;
 };
 
-/// Fills in what follows from tractions, slip and states: displacements, forces, power, peak.
-void find_totals(const ElementGrid& grid, const Flexibilities& flexibilities, double rolling_speed,
-                 GridSolution& solution);
+/// Fills in what follows from tractions, slip and states: the displacements of the springs u = L p, the creepages about
+/// the frame's origin, the totals.
+void find_totals(const Flexibilities& flexibilities, const GridRolling& rolling, ContactSolution& solution);
 
 } // namespace microslip

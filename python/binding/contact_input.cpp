@@ -107,7 +107,7 @@ NormalResult normal_of(const Outcome& outcome) {
   return {outcome.solution.normal, shape_of(outcome.step.grid)};
 }
 TangentialResult tangential_of(const Outcome& outcome) {
-  return {outcome.solution.tangential, shape_of(outcome.step.grid)};
+  return {outcome.solution};
 }
 
 void bind_patch(py::module_& module) {
@@ -135,7 +135,7 @@ void bind_patch(py::module_& module) {
           "totals", [](const RunPatch& self) { return self.solution->totals; },
           "ContactTotals, CONTACT's units [N], [mm]; fy is FS.")
       .def_property_readonly(
-          "status", [](const RunPatch& self) { return self.solution->solution.status; },
+          "status", [](const RunPatch& self) { return self.solution->solution.report.status; },
           "Outcome of the calculation, a Status [-].")
       .def_property_readonly(
           "grid", [](const RunPatch& self) { return self.solution->step.grid; }, "The ElementGrid, SI units.")
@@ -186,7 +186,7 @@ void bind_case(py::module_& module) {
       .def_property_readonly(
           "notes", [](const RunCase& self) { return self.outcome.notes; }, "What was left out or done differently.")
       .def_property_readonly(
-          "status", [](const RunCase& self) { return self.outcome.solution.status; },
+          "status", [](const RunCase& self) { return self.outcome.solution.report.status; },
           "Outcome of the calculation, a Status [-].")
       .def_property_readonly("totals", of_solved([](const Outcome& outcome) { return outcome.totals; }),
                              "ContactTotals, CONTACT's units [N], [mm]; None unless solved, and for a wheel.")

@@ -126,21 +126,8 @@ inline constexpr auto fields<NormalSolution> =
             &NormalSolution::normal_force, &NormalSolution::elastic_energy, &NormalSolution::peak_pressure,
             &NormalSolution::contact_elements, &NormalSolution::touches_border, &NormalSolution::border,
             &NormalSolution::residual, &NormalSolution::iterations, &NormalSolution::products, &NormalSolution::status>;
-template <>
-inline constexpr auto fields<TangentialState> =
-    members<&TangentialState::px, &TangentialState::py, &TangentialState::pressure, &TangentialState::friction_drop,
-            &TangentialState::slip_velocity, &TangentialState::plastic_deformation>;
-template <>
-inline constexpr auto fields<TangentialSolution> =
-    members<&TangentialSolution::tractions, &TangentialSolution::bound, &TangentialSolution::ux,
-            &TangentialSolution::uy, &TangentialSolution::sx, &TangentialSolution::sy,
-            &TangentialSolution::slip_direction, &TangentialSolution::state, &TangentialSolution::forces,
-            &TangentialSolution::creepage, &TangentialSolution::elastic_energy, &TangentialSolution::frictional_power,
-            &TangentialSolution::power_by_creepage, &TangentialSolution::peak_traction, &TangentialSolution::residual,
-            &TangentialSolution::newton_steps, &TangentialSolution::products>;
 template <> inline constexpr auto fields<NormalResult> = members<&NormalResult::solution, &NormalResult::shape>;
-template <>
-inline constexpr auto fields<TangentialResult> = members<&TangentialResult::solution, &TangentialResult::shape>;
+template <> inline constexpr auto fields<TangentialResult> = members<&TangentialResult::solution>;
 
 template <>
 inline constexpr auto fields<ExactDerivatives> =

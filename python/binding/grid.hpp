@@ -9,14 +9,14 @@ namespace microslip::python {
 /// (my, mx).
 Shape shape_of(const ElementGrid& grid);
 
-// Solutions with the shape of their grid, which they do not know themselves.
+/// With the shape of its grid, which it does not know itself.
 struct NormalResult {
   NormalSolution solution;
   Shape shape;
 };
+/// Of a tangential problem alone, or a case of CONTACT's.
 struct TangentialResult {
-  TangentialSolution solution;
-  Shape shape;
+  ContactSolution solution;
 };
 
 } // namespace microslip::python

@@ -139,48 +139,49 @@ void bind_normal(py::module_& module) {
           "or a load out of range. Cost O(N log N).");
 }
 
-template <class T> auto tangential_field(std::vector<T> TangentialSolution::*member) {
-  return [member](const py::object& self) {
-    const auto& result = self.cast<const TangentialResult&>();
-    return view(result.solution.*member, result.shape, self);
-  };
-}
-
-auto traction_field(std::vector<double> TangentialState::*member) {
-  return [member](const py::object& self) {
-    const auto& result = self.cast<const TangentialResult&>();
-    return view(result.solution.tractions.*member, result.shape, self);
-  };
-}
-
 void bind_tangential_solution(py::module_& module) {
-  const auto number = [](auto member) {
-    return [member](const TangentialResult& self) { return self.solution.*member; };
-  };
+  const auto number = [](auto of) { return [of](const TangentialResult& self) { return of(self.solution); }; };
   py::class_<TangentialResult> tangential(
       module, "TangentialSolution",
       "Tractions and slip on a regular grid; read-only views of shape (my, mx), x and y ascending.");
+  const auto add_field = [&](const char* name, const char* text, auto of) {
+    const auto get = [of](const py::object& self) {
+      const auto& solution = self.cast<const TangentialResult&>().solution;
+      return view(of(solution.fields), shape_of(solution.elements.grid), self);
+    };
+    tangential.def_property_readonly(name, get, text);
+  };
+  using Fields = const SurfaceFields&;
+  add_field(
+      "px", "Tractions on body 1, shape (my, mx) [Pa].", [](Fields f) -> auto& { return f.traction.x; });
+  add_field(
+      "py", "Tractions on body 1, shape (my, mx) [Pa].", [](Fields f) -> auto& { return f.traction.y; });
+  add_field(
+      "bound", "g, shape (my, mx) [Pa].", [](Fields f) -> auto& { return f.bound; });
+  add_field(
+      "ux", "u1 - u2, shape (my, mx) [m].", [](Fields f) -> auto& { return f.displacement.x; });
+  add_field(
+      "uy", "u1 - u2, shape (my, mx) [m].", [](Fields f) -> auto& { return f.displacement.y; });
+  add_field(
+      "sx", "Relative slip, shape (my, mx) [-]; for a shift [m].", [](Fields f) -> auto& { return f.slip.x; });
+  add_field(
+      "sy", "Relative slip, shape (my, mx) [-]; for a shift [m].", [](Fields f) -> auto& { return f.slip.y; });
+  add_field(
+      "state", "Codes of CellState as uint8, shape (my, mx) [-].", [](Fields f) -> auto& { return f.state; });
+  using Solution = const ContactSolution&;
   tangential
-      .def_property_readonly("px", traction_field(&TangentialState::px), "Tractions on body 1, shape (my, mx) [Pa].")
-      .def_property_readonly("py", traction_field(&TangentialState::py), "Tractions on body 1, shape (my, mx) [Pa].")
-      .def_property_readonly("bound", tangential_field(&TangentialSolution::bound), "g, shape (my, mx) [Pa].")
-      .def_property_readonly("ux", tangential_field(&TangentialSolution::ux), "u1 - u2, shape (my, mx) [m].")
-      .def_property_readonly("uy", tangential_field(&TangentialSolution::uy), "u1 - u2, shape (my, mx) [m].")
-      .def_property_readonly("sx", tangential_field(&TangentialSolution::sx),
-                             "Relative slip, shape (my, mx) [-]; for a shift [m].")
-      .def_property_readonly("sy", tangential_field(&TangentialSolution::sy),
-                             "Relative slip, shape (my, mx) [-]; for a shift [m].")
-      .def_property_readonly("state", tangential_field(&TangentialSolution::state),
-                             "Codes of CellState as uint8, shape (my, mx) [-].")
-      .def_property_readonly("forces", number(&TangentialSolution::forces), "The totals, as ContactForces.")
-      .def_property_readonly("creepage", number(&TangentialSolution::creepage),
+      .def_property_readonly("forces", number([](Solution s) { return s.forces(); }), "The totals, as ContactForces.")
+      .def_property_readonly("creepage", number([](Solution s) { return s.creepage; }),
                              "Creepages as given, or as found where a force is prescribed [-], [-], [1/m].")
-      .def_property_readonly("elastic_energy", number(&TangentialSolution::elastic_energy), "Of the tractions [J].")
-      .def_property_readonly("frictional_power", number(&TangentialSolution::frictional_power),
+      .def_property_readonly("elastic_energy", number([](Solution s) { return s.totals.elastic_energy; }),
+                             "Of the tractions [J].")
+      .def_property_readonly("frictional_power", number([](Solution s) { return s.totals.frictional_power; }),
                              "[W]; for a shift the work [J].")
-      .def_property_readonly("residual", number(&TangentialSolution::residual), "Relative residual [-].")
-      .def_property_readonly("newton_steps", number(&TangentialSolution::newton_steps), "Steps of Newton's method [-].")
-      .def_property_readonly("products", number(&TangentialSolution::products), "Products with the matrix [-].");
+      .def_property_readonly("residual", number([](Solution s) { return s.report.residual; }), "Relative residual [-].")
+      .def_property_readonly("newton_steps", number([](Solution s) { return s.report.newton_steps; }),
+                             "Steps of Newton's method [-].")
+      .def_property_readonly("products", number([](Solution s) { return s.report.products; }),
+                             "Products with the matrix [-].");
   add_value(tangential, {"forces", "creepage", "residual"});
 }
 
@@ -210,11 +211,13 @@ void bind_tangential(py::module_& module) {
           [](Problem& self, const py::object& bound, const py::object& creepage, ContactMotion motion, Force force_x,
              Force force_y, double step, RollingDirection direction, double rolling_speed,
              const TangentialResult* previous, double tolerance) {
-            if (previous != nullptr && previous->shape != shape_of(self.grid))
-              throw Error("previous has shape " + to_text(previous->shape) + ": must be " +
-                          to_text(shape_of(self.grid)));
-            const auto g = real_array("bound", bound, shape_of(self.grid));
             TangentialInput input;
+            if (previous != nullptr) {
+              const Shape shape = shape_of(previous->solution.elements.grid), wanted = shape_of(self.grid);
+              if (shape != wanted) throw Error("previous has shape " + to_text(shape) + ": must be " + to_text(wanted));
+              input.previous = &previous->solution.fields.traction;
+            }
+            const auto g = real_array("bound", bound, shape_of(self.grid));
             input.motion = motion;
             input.creepage = creepage_from(creepage);
             input.force_x = force_x;
@@ -222,13 +225,11 @@ void bind_tangential(py::module_& module) {
             input.step = step;
             input.direction = direction;
             input.rolling_speed = rolling_speed;
-            if (previous != nullptr) input.previous = &previous->solution.tractions;
             input.tolerance = tolerance;
             return TangentialResult{self.problem.run([&](TangentialProblem& problem, const Progress& progress) {
-                                      input.progress = progress;
-                                      return problem.solve(span_of(g), input);
-                                    }),
-                                    shape_of(self.grid)};
+              input.progress = progress;
+              return problem.solve(span_of(g), input);
+            })};
           },
           "bound"_a, "creepage"_a, py::kw_only(), "kind"_a = ContactMotion::steady, "force_longitudinal"_a = py::none(),
           "force_lateral"_a = py::none(), "step"_a = 0.0, "direction"_a = RollingDirection::forward,

@@ -44,13 +44,13 @@ public:
       if (!move_beyond_bound() && !move_wrong_slip()) break;
     }
     FrictionSolution solution;
-    solution.px.assign(problem_.bound.size(), 0.0);
-    solution.py = solution.px;
+    solution.traction.x.assign(problem_.bound.size(), 0.0);
+    solution.traction.y = solution.traction.x;
     for (std::size_t k = 0; k < n_; ++k) {
-      solution.px[elements_[k]] = p_[k];
-      solution.py[elements_[k]] = p_[n_ + k];
+      solution.traction.x[elements_[k]] = p_[k];
+      solution.traction.y[elements_[k]] = p_[n_ + k];
     }
-    solution.newton_steps = newton_steps_;
+    solution.report.newton_steps = newton_steps_;
     return solution;
   }
 
@@ -195,13 +195,13 @@ TangSolution solve_tang(const FrictionProblem& problem, const TangOptions& optio
       [&](const FrictionProblem& given, double wanted, std::span<const double> px, std::span<const double> py) {
         FrictionSolution s = Tang(given, wanted, px, py).run(options.most_divisions, solution.divisions);
         find_residual(given, s);
-        s.status = s.residual <= wanted ? Status::ok : Status::not_converged;
-        newton_steps += s.newton_steps;
+        s.report.status = s.report.residual <= wanted ? Status::ok : Status::not_converged;
+        newton_steps += s.report.newton_steps;
         return s;
       },
       start_px, start_py);
-  solution.newton_steps = newton_steps;
-  solution.products = problem.slip_operator.products() - products_before;
+  solution.report.newton_steps = newton_steps;
+  solution.report.products = problem.slip_operator.products() - products_before;
   return solution;
 }
 

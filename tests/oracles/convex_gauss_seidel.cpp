@@ -135,23 +135,23 @@ FrictionSolution iterate(const FrictionProblem& problem, const TangentialKernel&
                          const GaussSeidelOptions& options, std::span<const double> start_px,
                          std::span<const double> start_py, int& sweeps) {
   FrictionSolution s;
-  s.px.assign(problem.bound.size(), 0.0);
-  s.py = s.px;
+  s.traction.x.assign(problem.bound.size(), 0.0);
+  s.traction.y = s.traction.x;
   for (std::size_t k = 0; k < start_px.size(); ++k)
-    if (problem.bound[k] > 0) s.px[k] = start_px[k], s.py[k] = start_py[k];
+    if (problem.bound[k] > 0) s.traction.x[k] = start_px[k], s.traction.y[k] = start_py[k];
   Sweeper sweeper(problem, kernel, options.relaxation.value_or(Relaxation::of(kernel)), options.threads);
   const double scale = bound_norm(problem);
   // The residual costs as much as a sweep, so it is asked for only when the steps have become small.
   double small = options.tolerance * scale;
   for (int k = 1; k <= options.most_sweeps; ++k) {
     ++sweeps;
-    const double step = sweeper.sweep(s.px, s.py);
+    const double step = sweeper.sweep(s.traction.x, s.traction.y);
     if (step > small && k < options.most_sweeps) continue;
     find_residual(problem, s);
-    if (s.residual <= options.tolerance) return s;
+    if (s.report.residual <= options.tolerance) return s;
     small = std::min(small, step) / 2;
   }
-  s.status = Status::not_converged;
+  s.report.status = Status::not_converged;
   return s;
 }
 
@@ -185,7 +185,7 @@ GaussSeidelSolution solve_convex_gauss_seidel(const FrictionProblem& problem, co
         return iterate(given, kernel, inner, px, py, solution.sweeps);
       },
       start_px, start_py);
-  solution.products = problem.slip_operator.products() - products_before;
+  solution.report.products = problem.slip_operator.products() - products_before;
   return solution;
 }
 

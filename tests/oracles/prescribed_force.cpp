@@ -33,8 +33,8 @@ public:
     }
     const FrictionProblem given{problem_.slip_operator, problem_.bound, cx_, cy_, problem_.element_area};
     FrictionSolution s = solve_(given, tolerance_, start_px, start_py);
-    s.constant_x = constants.x;
-    s.constant_y = constants.y;
+    s.constants.x = constants.x;
+    s.constants.y = constants.y;
     find_residual(problem_, s);
     return s;
   }
@@ -44,7 +44,7 @@ public:
     const auto of = [&](const std::optional<double>& force, const Field& p) {
       return force ? std::accumulate(p.begin(), p.end(), 0.0) - *force / problem_.element_area : 0;
     };
-    return {of(problem_.force_x, s.px), of(problem_.force_y, s.py)};
+    return {of(problem_.force_x, s.traction.x), of(problem_.force_y, s.traction.y)};
   }
 
   /// The change of the constants that by linear extrapolation makes the excess vanish. Differences are taken over
@@ -52,7 +52,8 @@ public:
   Vec2 newton_step(const FrictionSolution& s, double small) {
     const Vec2 now = excess(s);
     const auto derivative = [&](Vec2 change) {
-      const Vec2 there = excess(solve({s.constant_x + change.x, s.constant_y + change.y}, s.px, s.py));
+      const Vec2 there =
+          excess(solve({s.constants.x + change.x, s.constants.y + change.y}, s.traction.x, s.traction.y));
       return Vec2{(there.x - now.x) / small, (there.y - now.y) / small};
     };
     const Vec2 by_x = problem_.force_x ? derivative({small, 0}) : Vec2{1, 0};
@@ -79,20 +80,21 @@ FrictionSolution solve_prescribed_force(const FrictionProblem& problem, double t
   const double least =
       1e-4 * problem.slip_operator.diagonal() * *std::max_element(problem.bound.begin(), problem.bound.end());
   double small = least;
-  for (int k = 0; k < most_steps && s.residual > tolerance; ++k) {
+  for (int k = 0; k < most_steps && s.report.residual > tolerance; ++k) {
     const Vec2 step = search.newton_step(s, small);
     if (!std::isfinite(step.x) || !std::isfinite(step.y)) break;
     const double before = length(search.excess(s));
     FrictionSolution trial;
     double share = 1;
     for (int halving = 0; halving < most_halvings; ++halving, share /= 2) {
-      trial = search.solve({s.constant_x + share * step.x, s.constant_y + share * step.y}, s.px, s.py);
+      trial =
+          search.solve({s.constants.x + share * step.x, s.constants.y + share * step.y}, s.traction.x, s.traction.y);
       if (length(search.excess(trial)) < (1 - 1e-4 * share) * before) break;
     }
     s = std::move(trial);
     small = std::max(1e-2 * share * length(step), least);
   }
-  s.status = s.residual <= tolerance ? Status::ok : Status::not_converged;
+  s.report.status = s.report.residual <= tolerance ? Status::ok : Status::not_converged;
   return s;
 }
 

@@ -51,19 +51,11 @@ void mirror(ContactStep& s) {
   s.motion.creepage.spin *= -1;
 }
 
-void mirror(TangentialState& s, int mx) {
-  reverse_all(mx, s.px, s.py, s.pressure, s.friction_drop, s.slip_velocity, s.plastic_deformation);
-  negate(s.py);
-}
-
-void mirror(TangentialSolution& t, int mx) {
-  mirror(t.tractions, mx);
-  reverse_all(mx, t.bound, t.ux, t.uy, t.sx, t.sy, t.slip_direction, t.state);
-  negate(t.uy, t.sy, t.slip_direction);
-  t.forces.fy *= -1;
-  t.forces.mz *= -1;
-  t.creepage.lateral *= -1;
-  t.creepage.spin *= -1;
+void mirror(ContactSequence::State& state) {
+  auto& [grid, s] = state;
+  for (std::vector<double>* field : s.fields()) reverse_rows(*field, grid.mx);
+  negate(s.traction.y);
+  mirror(grid);
 }
 
 void mirror(NormalSolution& n, int mx) {
@@ -75,10 +67,9 @@ void mirror(Outcome& o) {
   const int mx = o.step.grid.mx;
   mirror(o.step);
   mirror(o.solution.normal, mx);
-  mirror(o.solution.tangential, mx);
+  mirror(o.solution);
   auto& friction = o.solution.slip_friction;
-  reverse_all(mx, o.solution.friction, friction.friction, friction.bound, friction.deformation, friction.yields);
-  if (o.temperature) reverse_all(mx, o.temperature->body1, o.temperature->body2);
+  reverse_all(mx, friction.friction, friction.bound, friction.deformation, friction.yields);
   o.totals.fy *= -1;
   o.totals.mz *= -1;
   o.totals.y *= -1;
@@ -156,14 +147,8 @@ Outcome mirrored(Outcome patch) {
 }
 
 void mirror_back(CarriedTractions& carried) {
-  auto& [grid, tractions] = carried.tractions;
-  mirror(tractions, grid.mx);
-  mirror(grid);
-  if (!carried.springs) return;
-  auto& [places, springs] = *carried.springs;
-  reverse_all(places.mx, springs.x, springs.y);
-  negate(springs.y);
-  mirror(places);
+  mirror(carried.tractions);
+  if (carried.springs) mirror(*carried.springs);
 }
 
 } // namespace microslip::contact_program

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace microslip::contact_program {
@@ -43,7 +42,7 @@ void add(Wrench& sum, const Wrench& part) {
 /// What the tractions on a curved patch sum to in the reference's axes, force [N] and moment [N m] about its origin.
 Wrench aggregate(const Outcome& o, const PatchFrame& frame) {
   const ElementGrid& grid = o.step.grid;
-  const auto& [px, py] = std::tie(o.solution.tangential.tractions.px, o.solution.tangential.tractions.py);
+  const auto& [px, py] = o.solution.fields.traction;
   Wrench sum;
   for (int j = 0; j < frame.my; ++j) {
     const Rotation<double> row = rotation_about_x(frame.row_turn(j));
@@ -92,7 +91,7 @@ double row_load(const Outcome& o, int row) {
 
 /// Moments of the pressure about the axes of a patch's plane [N m].
 Vec moments(const Outcome& o) {
-  Vec m{0, 0, o.solution.tangential.forces.mz};
+  Vec m{0, 0, o.solution.totals.mz};
   const ElementGrid& grid = o.step.grid;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
@@ -491,7 +490,7 @@ Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, do
     add(wheel.track, patch.track);
     add(wheel.wheelset, patch.wheelset);
     append_new(outcome.notes, o.notes);
-    if (outcome.solution.status == Status::ok) outcome.solution.status = o.solution.status;
+    if (outcome.solution.report.status == Status::ok) outcome.solution.report.status = o.solution.report.status;
   }
   wheel.placement = placement;
   outcome.wheel = std::move(wheel);

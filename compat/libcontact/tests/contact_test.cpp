@@ -30,15 +30,15 @@ protected:
     const double element = o.step.grid.element_area() * 1e6;
     EXPECT_EQ(scalars(cntc_getcontactpatchareas, 7, icp),
               (Values{t.contact * element, t.adhesion * element, t.slip * element}));
-    const auto& s = o.solution.tangential;
-    for (const auto& [code, wanted] : {std::pair{CNTC_fld_px, &s.tractions.px}, {CNTC_fld_py, &s.tractions.py}}) {
+    const SurfaceFields& f = o.solution.fields;
+    for (const auto& [code, wanted] : {std::pair{CNTC_fld_px, &f.traction.x}, {CNTC_fld_py, &f.traction.y}}) {
       const Values found = field(7, icp, code, elements(7, icp));
       ASSERT_EQ(found.size(), wanted->size());
       for (std::size_t k = 0; k < found.size(); ++k) ASSERT_EQ(found[k], (*wanted)[k] * 1e-6);
     }
     const Values slip = field(7, icp, CNTC_fld_sx, elements(7, icp));
     const bool shifts = o.step.motion.motion == ContactMotion::shift;
-    for (std::size_t k = 0; k < slip.size(); ++k) ASSERT_EQ(slip[k], s.sx[k] * (shifts ? 1e3 : 1));
+    for (std::size_t k = 0; k < slip.size(); ++k) ASSERT_EQ(slip[k], f.slip.x[k] * (shifts ? 1e3 : 1));
   }
 };
 

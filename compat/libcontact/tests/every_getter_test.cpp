@@ -96,8 +96,7 @@ private:
     const ElementGrid& g = outcome_.step.grid;
     const PrintedTotals& t = outcome_.totals;
     const double dx = g.dx * 1e3, dy = g.dy * 1e3, element = g.element_area() * 1e6;
-    const auto& [px, py] =
-        std::tie(outcome_.solution.tangential.tractions.px, outcome_.solution.tangential.tractions.py);
+    const auto& [px, py] = outcome_.solution.fields.traction;
     double traction = 0;
     for (std::size_t k = 0; k < px.size(); ++k) traction = std::max(traction, std::hypot(px[k], py[k]) * 1e-6);
     add("cntc_getreferencevelocity", {case_.rolling->veloc * 1e3});
@@ -112,9 +111,10 @@ private:
     add("cntc_getmaximumpressure", {t.peak_pressure});
     add("cntc_getmaximumtraction", {traction});
     Values temperatures(2);
-    if (outcome_.temperature) {
-      temperatures[0] = *std::ranges::max_element(outcome_.temperature->body1);
-      temperatures[1] = *std::ranges::max_element(outcome_.temperature->body2);
+    const SurfaceFields& f = outcome_.solution.fields;
+    if (outcome_.has_temperatures()) {
+      temperatures[0] = *std::ranges::max_element(f.temperature1);
+      temperatures[1] = *std::ranges::max_element(f.temperature2);
       EXPECT_DOUBLE_EQ(std::max(temperatures[0], temperatures[1]), *t.temperature);
     }
     add("cntc_getmaximumtemperature", temperatures);
@@ -156,11 +156,11 @@ private:
 
   void add_fields() {
     const auto& n = outcome_.solution.normal;
-    const auto& t = outcome_.solution.tangential;
+    const SurfaceFields& f = outcome_.solution.fields;
     const ElementGrid& g = outcome_.step.grid;
     const std::size_t count = g.count();
     Values gap = outcome_.step.gap, division(count), wx(count), wy(count), yield(count);
-    const Creepage& creepage = t.creepage;
+    const Creepage& creepage = outcome_.solution.creepage;
     const double ahead = outcome_.step.motion.spin_offset * outcome_.step.motion.step; // along the way, CHI = 0
     const bool has_layer = case_.digits.mater == Bulk::layer;
     for (std::size_t k = 0; k < count; ++k) {
@@ -174,11 +174,12 @@ private:
         yield[k] = 1e-6 * (v[2] + v[3] * outcome_.solution.slip_friction.deformation.at(k));
       }
     }
-    const Values px = scaled(t.tractions.px, 1e-6, count), py = scaled(t.tractions.py, 1e-6, count),
-                 pn = scaled(n.pressure, 1e-6, count), ux = scaled(t.ux, 1e3, count), uy = scaled(t.uy, 1e3, count),
-                 un = scaled(n.displacement, 1e3, count), sx = scaled(t.sx, 1, count), sy = scaled(t.sy, 1, count);
+    const Values px = scaled(f.traction.x, 1e-6, count), py = scaled(f.traction.y, 1e-6, count),
+                 pn = scaled(n.pressure, 1e-6, count), ux = scaled(f.displacement.x, 1e3, count),
+                 uy = scaled(f.displacement.y, 1e3, count), un = scaled(n.displacement, 1e3, count),
+                 sx = scaled(f.slip.x, 1, count), sy = scaled(f.slip.y, 1, count);
     add_field(CNTC_fld_h, gap);
-    add_field(CNTC_fld_mu, scaled(outcome_.solution.friction, 1, count));
+    add_field(CNTC_fld_mu, scaled(f.friction, 1, count));
     for (const auto& [code, values] : {std::pair{CNTC_fld_px, &px},
                                        {CNTC_fld_py, &py},
                                        {CNTC_fld_pn, &pn},
@@ -194,8 +195,8 @@ private:
     const auto plastic = plastic_deformation(case_, outcome_);
     add_field(CNTC_fld_uplsx, scaled(plastic->x, 1e3, count));
     add_field(CNTC_fld_uplsy, scaled(plastic->y, 1e3, count));
-    add_field(CNTC_fld_temp1, scaled(outcome_.temperature ? outcome_.temperature->body1 : Values(), 1, count));
-    add_field(CNTC_fld_temp2, scaled(outcome_.temperature ? outcome_.temperature->body2 : Values(), 1, count));
+    add_field(CNTC_fld_temp1, scaled(f.temperature1, 1, count));
+    add_field(CNTC_fld_temp2, scaled(f.temperature2, 1, count));
     add("cntc_gettractions_pn", pn);
     add("cntc_gettractions_px", px);
     add("cntc_gettractions_py", py);

@@ -1,6 +1,7 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/numerics/norm.hpp"
 
 #include <algorithm>
@@ -124,8 +125,7 @@ Field coefficients_of(const SlipFriction::State& state, const Field& pressure, c
 /// The slip velocity at which the iteration begins [m/s].
 Field first_slip(const ContactStep& step, const TangentialState& start) {
   if (step.slip_start == SlipStart::given && !start.slip_velocity.empty()) return start.slip_velocity;
-  const double fastest = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
-  return Field(step.grid.count(), step.slip_start == SlipStart::above ? fastest : 0.0);
+  return Field(step.grid.count(), step.slip_start == SlipStart::above ? speed_of(step.motion) : 0.0);
 }
 
 /// Time that passes in a step, or in steady rolling over an element's length [s]. A shift takes a second.
@@ -149,7 +149,7 @@ Field friction_before(const ContactStep& step, const TangentialState& previous) 
 SlipFriction slip_friction(const ContactStep& step, const TangentialState& previous) {
   SlipFriction::Passage passage;
   passage.time = time_of(step);
-  if (step.motion.motion != ContactMotion::shift) passage.speed = step.motion.rolling_speed;
+  passage.speed = speed_of(step.motion);
   passage.along_rows = step.motion.motion == ContactMotion::steady;
   passage.from_high_x = step.motion.direction == RollingDirection::forward;
   if (!passage.along_rows) {
@@ -163,11 +163,10 @@ SlipFriction slip_friction(const ContactStep& step, const TangentialState& previ
 }
 
 /// |s| V where the bodies slip [m/s]; in a shift the slip over a second.
-Field slip_velocity(const ContactStep& step, const TangentialSolution& s) {
-  const double speed = step.motion.motion == ContactMotion::shift ? 1 : step.motion.rolling_speed;
-  Field v(s.sx.size());
+Field slip_velocity(const ContactStep& step, const SurfaceFields& f) {
+  Field v(f.state.size());
   for (std::size_t k = 0; k < v.size(); ++k)
-    if (s.state[k] == CellState::slip) v[k] = speed * std::hypot(s.sx[k], s.sy[k]);
+    if (f.state[k] == CellState::slip) v[k] = speed_of(step.motion) * std::hypot(f.slip.x[k], f.slip.y[k]);
   return v;
 }
 
@@ -191,42 +190,40 @@ std::string reason_of_no_solution(const ContactStep& step, const ContactStepSolu
   return "prescribed force exceeds what the layer bears as it yields; the result shown is full sliding";
 }
 
-/// Solution without tractions: without friction or contact nothing resists.
-TangentialSolution without_tractions(const ContactStep& step) {
+/// Makes a solution one without tractions: without friction or contact nothing resists.
+void take_no_tractions(const ContactStep& step, ContactSolution& s) {
   const auto n = step.grid.count();
-  TangentialSolution s;
-  s.tractions = {Field(n), Field(n)};
-  for (auto* field : {&s.bound, &s.ux, &s.uy, &s.sx, &s.sy, &s.slip_direction}) field->assign(n, 0);
-  s.state.assign(n, CellState::exterior);
+  s.motion = step.motion.motion;
+  s.elements = Elements(step.grid);
+  s.fields.traction = s.fields.slip = s.fields.displacement = VectorField(n);
+  s.fields.bound.assign(n, 0);
+  s.fields.state.assign(n, CellState::exterior);
   s.creepage = step.motion.creepage;
-  return s;
+  s.totals = {};
+  s.report = {.status = s.report.status};
 }
 
 /// State from which the next step may go on.
 TangentialState state_after(const ContactStep& step, const ContactStepSolution& s) {
-  if (s.status == Status::invalid_input) return {};
-  TangentialState state = s.tangential.tractions;
-  state.pressure = s.normal.pressure;
+  if (s.report.status == Status::invalid_input) return {};
+  TangentialState state{.traction = s.fields.traction, .pressure = s.fields.pressure};
   if (step.frictionless) return state;
   state.friction_drop = SlipFriction(step.grid, step.friction, {}, {}, {}).static_coefficients();
-  const Field& friction = s.slip_friction.friction.empty() ? s.friction : s.slip_friction.friction;
+  const Field& friction = s.slip_friction.friction.empty() ? s.fields.friction : s.slip_friction.friction;
   for (std::size_t k = 0; k < friction.size(); ++k)
-    state.friction_drop[k] = s.normal.pressure[k] > 0 ? state.friction_drop[k] - friction[k] : 0;
-  state.slip_velocity = slip_velocity(step, s.tangential);
+    state.friction_drop[k] = state.pressure[k] > 0 ? state.friction_drop[k] - friction[k] : 0;
+  state.slip_velocity = slip_velocity(step, s.fields);
   if (step.bodies.layer.yields()) state.plastic_deformation = s.slip_friction.deformation;
   return state;
 }
 
 } // namespace
 
-TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from) {
-  if (state.px.empty() || to == from) return state;
-  TangentialState result;
-  for (const auto field :
-       {&TangentialState::px, &TangentialState::py, &TangentialState::pressure, &TangentialState::friction_drop,
-        &TangentialState::slip_velocity, &TangentialState::plastic_deformation})
-    if (!(state.*field).empty()) result.*field = moved(to, state.*field, from);
-  return result;
+TangentialState moved_to(const ElementGrid& to, TangentialState state, const ElementGrid& from) {
+  if (state.traction.x.empty() || to == from) return state;
+  for (Field* field : state.fields())
+    if (!field->empty()) *field = moved(to, *field, from);
+  return state;
 }
 
 const NormalSolution& ContactSequence::solve_normal_part(const ContactStep& step) {
@@ -289,13 +286,13 @@ ContactStepSolution ContactSequence::solve_similar(const ContactStep& step, cons
   if (!resists) return out;
   const double force = step.given ? step.given->normal_force : out.normal.normal_force;
   TangentialInput input = motion_of(step);
-  input.previous = &previous;
-  if (!start.px.empty()) input.start = &start;
+  input.previous = &previous.traction;
+  if (!start.traction.x.empty()) input.start = &start.traction;
   if (step.force_x) input.force_x = *step.force_x * force;
   if (step.force_y) input.force_y = *step.force_y * force;
   input.slip_dependent = friction.slip_dependent;
   input.pressure = out.normal.pressure;
-  out.tangential = tangential_problem(step).solve(bound, input);
+  static_cast<ContactSolution&>(out) = tangential_problem(step).solve(bound, input);
   return out;
 }
 
@@ -319,9 +316,8 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
                                                 const TangentialState& previous, const TangentialState& start) {
   ContactStepSolution out = is_coupled(step) ? solve_coupled(step, friction, previous, start)
                                              : solve_similar(step, friction, previous, start);
-  out.friction.assign(friction.coefficients.begin(), friction.coefficients.end());
-  out.status = out.normal.status;
-  if (out.status == Status::ok && !out.tangential.tractions.px.empty()) out.status = out.tangential.forces.status;
+  out.fields.friction.assign(friction.coefficients.begin(), friction.coefficients.end());
+  if (out.normal.status != Status::ok) out.report.status = out.normal.status;
   return out;
 }
 
@@ -337,16 +333,16 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
   int newton_steps = 0;
   const auto solve = [&](const ContactStep& with, const ElementFriction& friction) {
     ContactStepSolution s = solve_with(with, friction, previous, start);
-    s.tangential.products = products += s.tangential.products;
-    s.tangential.newton_steps = newton_steps += s.tangential.newton_steps;
+    s.report.products = products += s.report.products;
+    s.report.newton_steps = newton_steps += s.report.newton_steps;
     return s;
   };
   const auto finish = [&](ContactStepSolution s) {
-    s.slip_friction = law.state(slip_velocity(step, s.tangential), s.normal.pressure);
-    s.friction = coefficients_of(s.slip_friction, s.normal.pressure, at_rest);
-    s.tangential.bound = s.slip_friction.bound;
+    s.slip_friction = law.state(slip_velocity(step, s.fields), s.normal.pressure);
+    s.fields.friction = coefficients_of(s.slip_friction, s.normal.pressure, at_rest);
+    s.fields.bound = s.slip_friction.bound;
     for (std::size_t k = 0; k < at_rest.size(); ++k)
-      if (s.slip_friction.yields[k] && s.tangential.state[k] == CellState::slip) ++s.plastic_elements;
+      if (s.slip_friction.yields[k] && s.fields.state[k] == CellState::slip) ++s.plastic_elements;
     return s;
   };
   ContactStepSolution out;
@@ -354,8 +350,8 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
   if (pressure.empty()) pressure = solve_normal_part(step).pressure;
   if (!law.falls() || is_beyond(step, law, pressure)) {
     out = solve(step, {at_rest, &law});
-    if (out.tangential.tractions.px.empty()) return out;
-    if (out.status != Status::not_converged) return finish(std::move(out));
+    if (out.fields.traction.x.empty()) return out;
+    if (out.report.status != Status::not_converged) return finish(std::move(out));
   }
   ContactStep round = step, trial = step;
   round.motion.tolerance = std::max(tolerance_of_a_round, step.motion.tolerance);
@@ -364,15 +360,15 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
   for (int n = 1, next_trial = 1;; ++n) {
     const Field coefficients = coefficients_of(law.state(slip, pressure), pressure, at_rest);
     ContactStepSolution s = solve(round, {coefficients});
-    if (s.tangential.tractions.px.empty()) return s;
-    start = s.tangential.tractions;
-    start.pressure = pressure = s.normal.pressure;
-    slip = slip_velocity(step, s.tangential);
+    if (s.fields.traction.x.empty()) return s;
+    start = {.traction = s.fields.traction, .pressure = s.normal.pressure};
+    pressure = s.normal.pressure;
+    slip = slip_velocity(step, s.fields);
     const bool last = n >= most_rounds || is_spent(step.motion.budget);
     if (n < next_trial && !last) continue;
     next_trial = 2 * n;
     out = solve(trial, {at_rest, &law});
-    if (out.status != Status::not_converged || last) return finish(std::move(out));
+    if (out.report.status != Status::not_converged || last) return finish(std::move(out));
   }
 }
 
@@ -386,7 +382,7 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
   const State& origin = step.start == StepStart::repeated ? before_ : after_;
   TangentialState previous, start;
   if (step.start != StepStart::fresh) previous = moved_to(step.grid, origin.tractions, origin.grid);
-  if (step.start == StepStart::pressure) previous = {.px = {}, .py = {}, .pressure = std::move(previous.pressure)};
+  if (step.start == StepStart::pressure) previous = {.pressure = std::move(previous.pressure)};
   if (step.warm_start) start = moved_to(step.grid, after_.tractions, after_.grid);
 
   ContactStepSolution out;
@@ -397,19 +393,20 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
     out = law.is_constant() ? solve_with(step, {law.static_coefficients()}, previous, start)
                             : solve_slip_dependent(step, law, previous, start);
   }
-  if (step.frictionless || out.tangential.tractions.px.empty()) {
-    out.tangential = without_tractions(step);
+  if (step.frictionless || out.fields.traction.x.empty()) {
+    take_no_tractions(step, out);
     const bool forces_given = step.force_x.value_or(0) != 0 || step.force_y.value_or(0) != 0;
-    if (out.status == Status::ok && forces_given && !step.frictionless) {
-      out.status = out.tangential.forces.status = Status::no_solution;
-      out.tangential.residual = std::numeric_limits<double>::infinity(); // a force over none
+    if (out.report.status == Status::ok && forces_given && !step.frictionless) {
+      out.report.status = Status::no_solution;
+      out.report.residual = std::numeric_limits<double>::infinity(); // a force over none
     }
   }
-  if (out.status == Status::no_solution) out.reason = reason_of_no_solution(step, out);
+  add_normal(out, out.normal);
+  if (out.report.status == Status::no_solution) out.report.reason = reason_of_no_solution(step, out);
   out.contact_elements = out.normal.contact_elements;
   out.normal_force = step.given ? step.given->normal_force : out.normal.normal_force;
   out.adhesion_elements =
-      static_cast<int>(std::count(out.tangential.state.begin(), out.tangential.state.end(), CellState::adhesion));
+      static_cast<int>(std::count(out.fields.state.begin(), out.fields.state.end(), CellState::adhesion));
   if (step.frictionless) out.adhesion_elements = out.contact_elements;
   out.slip_elements = out.contact_elements - out.adhesion_elements - out.plastic_elements;
   before_ = {step.grid, std::move(previous)};

@@ -10,7 +10,7 @@ namespace microslip {
 
 /// Tractions on another grid: bilinear between the centres of the old elements, zero beyond them. Between grids with
 /// the same elements it hands over values as they are.
-TangentialState moved_to(const ElementGrid& to, const TangentialState& state, const ElementGrid& from);
+TangentialState moved_to(const ElementGrid& to, TangentialState state, const ElementGrid& from);
 
 /// Steps of contact, each of which may go on from the tractions that the one before has left; Status::invalid_input
 /// leaves none. Grids may differ. What does not change from step to step (transforms, the normal problem) is not

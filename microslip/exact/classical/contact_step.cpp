@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -13,16 +14,19 @@ constexpr double normal_tolerance = 1e-8;
 
 } // namespace
 
-std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution) {
+void add_temperatures(const ContactStep& step, ContactSolution& solution) {
   const TangentialInput& motion = step.motion;
-  if (!step.thermal || step.frictionless || motion.motion != ContactMotion::steady) return {};
-  const TangentialSolution& t = solution.tangential;
+  if (!step.thermal || step.frictionless || motion.motion != ContactMotion::steady) return;
+  SurfaceFields& f = solution.fields;
   std::vector<double> heat;
   heat.reserve(step.grid.count());
   for (std::size_t k = 0; k < step.grid.count(); ++k)
-    heat.push_back(-motion.rolling_speed * (t.tractions.px[k] * t.sx[k] + t.tractions.py[k] * t.sy[k]));
-  return surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal, solution.normal.pressure,
-                             heat);
+    heat.push_back(-motion.rolling_speed * (f.traction.x[k] * f.slip.x[k] + f.traction.y[k] * f.slip.y[k]));
+  SurfaceTemperature found =
+      surface_temperature(step.grid, motion.direction, motion.rolling_speed, *step.thermal, f.pressure, heat);
+  f.temperature1 = std::move(found.body1);
+  f.temperature2 = std::move(found.body2);
+  solution.highest_temperature = found.highest;
 }
 
 ElementGrid origin_of_particles(const ContactStep& step) {

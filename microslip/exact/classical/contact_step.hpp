@@ -4,8 +4,8 @@
 #include "microslip/exact/classical/tangential_problem.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 
+#include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace microslip {
@@ -16,6 +16,20 @@ enum class StepStart {
   previous, ///< those at the end of the step before
   pressure, ///< the pressure at its end, and no tractions
   repeated, ///< those that the step before started from: the same step once more
+};
+
+/// State that a step starts from: that of the step before, on the same grid in the contact's frame.
+struct TangentialState {
+  VectorField traction = {};         ///< [Pa]; empty: none
+  std::vector<double> pressure = {}; ///< p_n [Pa], which matters for dissimilar materials; empty: none
+  /// Loss of friction that depends on the slip, static minus present coefficient [-], and the slip velocity
+  /// [m/s]; empty: nothing.
+  std::vector<double> friction_drop = {}, slip_velocity = {};
+  std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
+
+  std::array<std::vector<double>*, 6> fields() {
+    return {&traction.x, &traction.y, &pressure, &friction_drop, &slip_velocity, &plastic_deformation};
+  }
 };
 
 /// A pressure that is given and not solved for.
@@ -65,23 +79,22 @@ struct ElementFriction {
   SlipFriction* slip_dependent = nullptr; ///< instead of mu p_n; mu then is that at rest
 };
 
-struct ContactStepSolution {
+/// Both problems' solution: in the fields friction is the traction bound of the elements over their pressure, empty
+/// without tractions; the frictional power is that of TangentialProblem; residual and counts of the report are those of
+/// the tangential problem, its status is that of both.
+struct ContactStepSolution : ContactSolution {
   NormalSolution normal;
-  TangentialSolution tangential;
   double normal_force = 0; ///< Fn [N]
   int contact_elements = 0, adhesion_elements = 0, slip_elements = 0;
-  Status status = Status::ok;
-  std::string reason = {};      ///< of a status that is not ok, where there is more to say than usual; else empty
-  std::vector<double> friction; ///< traction bound of the elements over their pressure [-]; empty without tractions
   /// State of friction where the bound depends on the slip, else empty.
   SlipFriction::State slip_friction;
   int plastic_elements = 0; ///< where it yields; they do not count as slip
   int alternations = 0;     ///< with Coupling::alternating: how often both problems were solved
 };
 
-/// Temperatures of a solution, from the heat -V p.s; none without thermal bodies or for other than steady
+/// Adds the temperatures of the surfaces, from the heat -V p.s; none without thermal bodies or for other than steady
 /// rolling.
-std::optional<SurfaceTemperature> temperatures_of(const ContactStep& step, const ContactStepSolution& solution);
+void add_temperatures(const ContactStep& step, ContactSolution& solution);
 /// The grid's elements where their particles were before the step: elsewhere in transient rolling only.
 ElementGrid origin_of_particles(const ContactStep& step);
 /// The motion of a step with its extra slip, which belongs to the step.

@@ -43,16 +43,6 @@ bool is_beyond(const ContactStep& step, const ElementFriction& friction, const F
   return wanted > 0 && wanted * normal >= std::accumulate(bound.begin(), bound.end(), 0.0);
 }
 
-/// Elastic energy of the tractions, sum of p.u dx dy/2 [J].
-double elastic_energy(const ElementGrid& grid, const TangentialSolution& t) {
-  Totals totals;
-  for (std::size_t k = 0; k < t.ux.size(); ++k)
-    add(totals, {.area = grid.element_area(),
-                 .traction = {t.tractions.px[k], t.tractions.py[k]},
-                 .displacement = {t.ux[k], t.uy[k]}});
-  return totals.elastic_energy;
-}
-
 } // namespace
 
 CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const ElementResponse& response,
@@ -80,12 +70,12 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
                                   Field& cx, Field& cy) {
   const auto n = grid_.count();
   const bool shift = motion.motion == ContactMotion::shift;
-  if (motion.motion == ContactMotion::steady || (previous.px.empty() && previous.pressure.empty())) return;
+  if (motion.motion == ContactMotion::steady || (previous.traction.x.empty() && previous.pressure.empty())) return;
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
   displacement_at(way_of(motion, shift ? 0 : step), motion.progress)
-      .apply({or_none(previous.px), or_none(previous.py), or_none(previous.pressure)},
+      .apply({or_none(previous.traction.x), or_none(previous.traction.y), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
   const double length = shift ? 1 : std::abs(step);
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
@@ -104,10 +94,11 @@ CoupledOperator& CoupledContact::displacement_at(Vec2 offset, const Progress& pr
 
 void CoupledContact::find_displacements(ContactStepSolution& out) {
   const auto n = grid_.count();
-  TangentialSolution& t = out.tangential;
-  t.ux.resize(n), t.uy.resize(n), out.normal.displacement.resize(n);
-  displacement_.apply({t.tractions.px, t.tractions.py, out.normal.pressure},
-                      std::array{std::span(t.ux), std::span(t.uy), std::span(out.normal.displacement)});
+  out.fields.displacement = VectorField(n);
+  out.normal.displacement.resize(n);
+  auto& [ux, uy] = out.fields.displacement;
+  displacement_.apply({out.fields.traction.x, out.fields.traction.y, out.normal.pressure},
+                      std::array{std::span(ux), std::span(uy), std::span(out.normal.displacement)});
 }
 
 /// The pressure without tractions.
@@ -125,12 +116,13 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   const double distance = signed_step(step.motion, grid_);
   ContactStepSolution out;
   NormalSolution& normal = out.normal;
-  TangentialSolution& tangential = out.tangential;
-  tangential.creepage = step.motion.creepage;
-  if (step.force_x) tangential.creepage.longitudinal = 0;
-  if (step.force_y) tangential.creepage.lateral = 0;
+  out.motion = step.motion.motion;
+  out.elements = Elements(grid_);
+  out.creepage = step.motion.creepage;
+  if (step.force_x) out.creepage.longitudinal = 0;
+  if (step.force_y) out.creepage.lateral = 0;
   Field cx(n), cy(n);
-  find_rigid_slip(grid_, motion_of(step), tangential.creepage, distance, cx, cy);
+  find_rigid_slip(grid_, motion_of(step), out.creepage, distance, cx, cy);
   add_previous(step.motion, distance, previous, cx, cy);
 
   const Field gap = gap_within(step);
@@ -143,7 +135,7 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   CoupledOperator& response = step.frictionless ? displacement_ : coupled_operator(step.motion, distance);
   if (step.motion.motion == ContactMotion::steady && !step.frictionless)
     response.expect_contact(alone.pressure, step.motion.direction);
-  const bool starts = !start.px.empty() && !start.pressure.empty();
+  const bool starts = !start.traction.x.empty() && !start.pressure.empty();
   const CoupledFrictionProblem problem{response,
                                        gap,
                                        step.load,
@@ -160,38 +152,39 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
                                  .budget = step.motion.budget,
                                  .progress = step.motion.progress};
   CoupledFrictionSolution s = newton_.solve(
-      problem, options, {start.px, start.py, starts ? std::span(start.pressure) : std::span(alone.pressure)});
-  if (s.friction.status == Status::not_converged &&
+      problem, options,
+      {start.traction.x, start.traction.y, starts ? std::span(start.pressure) : std::span(alone.pressure)});
+  if (s.friction.report.status == Status::not_converged &&
       !is_trial(step)) { // tractions that belong to a pressure are a better start
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
-    const TangentialState& better = with_pressure.tangential.tractions;
-    long products = s.friction.products + with_pressure.tangential.products;
-    int newton_steps = s.friction.newton_steps + with_pressure.tangential.newton_steps;
+    const VectorField& better = with_pressure.fields.traction;
+    long products = s.friction.report.products + with_pressure.report.products;
+    int newton_steps = s.friction.report.newton_steps + with_pressure.report.newton_steps;
     for (const bool preconditioned : {true, false}) {
-      if (s.friction.status == Status::ok || is_spent(step.motion.budget)) break;
+      if (s.friction.report.status == Status::ok || is_spent(step.motion.budget)) break;
       options.preconditioned = preconditioned;
       options.most_steps = most_newton_steps;
-      s = newton_.solve(problem, options, {better.px, better.py, alone.pressure});
-      s.friction.products = products += s.friction.products;
-      s.friction.newton_steps = newton_steps += s.friction.newton_steps;
+      s = newton_.solve(problem, options, {better.x, better.y, alone.pressure});
+      s.friction.report.products = products += s.friction.report.products;
+      s.friction.report.newton_steps = newton_steps += s.friction.report.newton_steps;
     }
   }
 
   normal.pressure = std::move(s.pressure);
   normal.approach = s.approach;
-  normal.residual = s.friction.residual;
-  normal.products = s.friction.products + alone.products;
-  normal.iterations = s.friction.newton_steps;
-  normal.status = s.friction.status == Status::no_solution ? alone.status : s.friction.status;
-  tangential.creepage.longitudinal += s.friction.constant_x;
-  tangential.creepage.lateral += s.friction.constant_y;
-  tangential.bound = normal.pressure;
-  for (std::size_t k = 0; k < n; ++k) tangential.bound[k] *= friction.coefficients[k];
-  tangential.tractions = {.px = s.friction.px, .py = s.friction.py};
+  normal.residual = s.friction.report.residual;
+  normal.products = s.friction.report.products + alone.products;
+  normal.iterations = s.friction.report.newton_steps;
+  normal.status = s.friction.report.status == Status::no_solution ? alone.status : s.friction.report.status;
+  out.creepage.longitudinal += s.friction.constants.x;
+  out.creepage.lateral += s.friction.constants.y;
+  out.fields.bound = normal.pressure;
+  for (std::size_t k = 0; k < n; ++k) out.fields.bound[k] *= friction.coefficients[k];
+  out.fields.traction = s.friction.traction;
   find_displacements(out);
   find_totals(grid_, step.gap, normal);
-  find_totals(grid_, step.motion, std::move(s.friction), tangential);
+  finish(step.motion, std::move(s.friction), out);
   return out;
 }
 
@@ -206,7 +199,7 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
   Field extra_x(n), extra_y(n), bound(n);
   coupled_operator(step.motion, distance)
       .apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
-  add_previous(step.motion, distance, {.px = {}, .py = {}, .pressure = previous.pressure}, extra_x, extra_y);
+  add_previous(step.motion, distance, {.pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
   for (std::size_t k = 0; k < n; ++k) {
     bound[k] = friction.coefficients[k] * pressure[k];
@@ -220,15 +213,15 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
     input.slip_dependent = friction.slip_dependent;
     input.pressure = pressure;
   }
-  input.previous = &previous;
+  input.previous = &previous.traction;
   input.extra_x = extra_x;
   input.extra_y = extra_y;
-  if (!start.px.empty()) input.start = &start;
+  if (!start.traction.x.empty()) input.start = &start.traction;
   if (step.force_x) input.force_x = *step.force_x * force;
   if (step.force_y) input.force_y = *step.force_y * force;
-  const long products = out.tangential.products;
-  out.tangential = tangential_->solve(bound, input);
-  out.tangential.products += products;
+  const long products = out.report.products;
+  static_cast<ContactSolution&>(out) = tangential_->solve(bound, input);
+  out.report.products += products;
 }
 
 /// Panagiotopoulos: the pressure with the tractions given, the tractions with the pressure given, and so on.
@@ -244,20 +237,19 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
   Field before(n), ux(n), uy(n), uz(n);
   long products = 0;
   for (out.alternations = 1;; ++out.alternations) {
-    if (!tractions.px.empty())
-      displacement_.apply({tractions.px, tractions.py, none}, std::array{std::span(ux), std::span(uy), std::span(uz)});
+    const auto& [px, py] = tractions.traction;
+    if (!px.empty()) displacement_.apply({px, py, none}, std::array{std::span(ux), std::span(uy), std::span(uz)});
     for (std::size_t k = 0; k < n; ++k) normal_step.gap[k] = step.gap[k] + uz[k];
     out.normal = solve_normal(normal_, normal_step);
     products += out.normal.products;
     if (out.normal.status != Status::ok) break;
     find_tangential(step, friction, out.normal.pressure, previous, tractions, out);
-    unsolved = out.tangential.forces.status == Status::not_converged ? unsolved + 1 : 0;
+    unsolved = out.report.status == Status::not_converged ? unsolved + 1 : 0;
     const double change = distance(out.normal.pressure, before);
     before = out.normal.pressure;
-    const double moved = tractions.px.empty() ? HUGE_VAL
-                                              : distance(out.tangential.tractions.px, tractions.px) +
-                                                    distance(out.tangential.tractions.py, tractions.py);
-    tractions = out.tangential.tractions;
+    const double moved =
+        px.empty() ? HUGE_VAL : distance(out.fields.traction.x, px) + distance(out.fields.traction.y, py);
+    tractions = {.traction = out.fields.traction};
     const double goal = 5 * step.motion.tolerance * norm(before);
     if (change <= goal && moved <= goal) break;
     if (out.alternations == most || unsolved == most_unsolved || is_spent(step.motion.budget)) {
@@ -266,18 +258,11 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
       break;
     }
   }
-  if (out.tangential.tractions.px.empty()) return out;
+  if (out.fields.traction.x.empty()) return out;
   find_displacements(out);
-  out.tangential.elastic_energy = elastic_energy(grid_, out.tangential);
-  NormalSolution whole;
-  whole.pressure = std::move(out.normal.pressure);
-  whole.displacement = std::move(out.normal.displacement);
-  whole.approach = out.normal.approach;
-  whole.residual = out.normal.residual;
-  whole.status = out.normal.status;
-  whole.iterations = out.alternations;
-  whole.products = products;
-  out.normal = std::move(whole);
+  out.totals = find_totals(out.elements, out.fields, out.creepage, speed_of(step.motion));
+  out.normal.iterations = out.alternations;
+  out.normal.products = products;
   find_totals(grid_, step.gap, out.normal);
   return out;
 }
@@ -295,7 +280,7 @@ std::optional<ContactStepSolution> CoupledContact::slide_fully(const ContactStep
     out = solve_alternating(step, friction, previous, {});
   else
     find_tangential(step, friction, out.normal.pressure, previous, {}, out);
-  if (out.normal.status != Status::ok || out.tangential.forces.status != Status::no_solution) return {};
+  if (out.normal.status != Status::ok || out.report.status != Status::no_solution) return {};
   return out;
 }
 
@@ -320,7 +305,7 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, const Element
   if (out.normal.status != Status::not_converged || !bodies_.are_elastic() || is_trial(step)) return out;
   ContactStepSolution other =
       solve_alternating(step, friction, previous, start); // slower, and goes where this does not
-  const bool better = other.normal.status == Status::ok && other.tangential.forces.status == Status::ok;
+  const bool better = other.normal.status == Status::ok && other.report.status == Status::ok;
   return better ? std::move(other) : std::move(out);
 }
 

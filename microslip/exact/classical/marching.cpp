@@ -19,11 +19,11 @@ int steps_to_judge(const ElementGrid& grid, std::span<const double> bound, doubl
 }
 
 /// |p - before|/|g|.
-double relative_change(const TangentialState& p, const TangentialState& before, std::span<const double> bound) {
+double relative_change(const VectorField& p, const VectorField& before, std::span<const double> bound) {
   double change = 0, size = 0;
   for (std::size_t k = 0; k < bound.size(); ++k) {
-    const double dx = p.px[k] - (before.px.empty() ? 0 : before.px[k]);
-    const double dy = p.py[k] - (before.py.empty() ? 0 : before.py[k]);
+    const double dx = p.x[k] - (before.x.empty() ? 0 : before.x[k]);
+    const double dy = p.y[k] - (before.y.empty() ? 0 : before.y[k]);
     change += dx * dx + dy * dy;
     size += bound[k] * bound[k];
   }
@@ -36,25 +36,25 @@ MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& g
                                 TangentialInput input, const MarchingLimits& limits) {
   const int interval = steps_to_judge(grid, bound, input.step > 0 ? input.step : grid.dx);
   input.motion = ContactMotion::transient;
-  TangentialState state;
+  VectorField state;
   if (input.previous) state = *input.previous;
   input.previous = &state;
   input.start = &state;
 
   MarchedSolution out;
-  TangentialState judged = state;
+  VectorField judged = state;
   while (out.steps < limits.most_steps) {
     out.last = problem.solve(bound, input);
-    state = out.last.tractions;
+    state = out.last.fields.traction;
     ++out.steps;
-    if (out.last.forces.status != Status::ok) return out;
+    if (out.last.report.status != Status::ok) return out;
     if (limits.progress && !limits.progress(double(out.steps) / limits.most_steps)) break;
     if (out.steps % interval != 0) continue;
     out.change = relative_change(state, judged, bound);
     if (out.change <= limits.change) return out;
     judged = state;
   }
-  out.last.forces.status = Status::not_converged;
+  out.last.report.status = Status::not_converged;
   return out;
 }
 

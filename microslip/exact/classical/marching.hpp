@@ -13,7 +13,7 @@ struct MarchingLimits {
 };
 
 struct MarchedSolution {
-  TangentialSolution last;
+  ContactSolution last;
   int steps = 0;
   double change = 0; ///< as in MarchingLimits, at the end
 };

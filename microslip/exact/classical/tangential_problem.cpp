@@ -27,8 +27,8 @@ void check_input(const TangentialInput& input, std::span<const double> bound, st
   for (std::size_t k = 0; k < count; ++k)
     if (!(bound[k] >= 0) || !std::isfinite(bound[k]))
       throw Error("bound[" + std::to_string(k) + "]", bound[k], "Pa", "finite and not negative");
-  for (const TangentialState* state : {input.previous, input.start})
-    if (state && !state->px.empty() && (state->px.size() != count || state->py.size() != count))
+  for (const VectorField* tractions : {input.previous, input.start})
+    if (tractions && !tractions->x.empty() && (tractions->x.size() != count || tractions->y.size() != count))
       throw Error("previous, start: must have tractions for all " + wanted + " elements");
   for (const auto extra : {input.extra_x, input.extra_y}) {
     if (!extra.empty() && extra.size() != count)
@@ -62,9 +62,9 @@ int columns_of(double step, const ElementGrid& grid) {
   return std::abs(whole) < grid.mx && std::abs(columns - whole) < rounding ? static_cast<int>(whole) : 0;
 }
 
-TractionsView tractions_of(const TangentialState* state) {
-  if (!state) return {};
-  return {state->px, state->py};
+TractionsView view_of(const VectorField* tractions) {
+  if (!tractions) return {};
+  return {tractions->x, tractions->y};
 }
 
 std::unique_ptr<SlipOperator> displacement_operator(const Bodies& bodies, const ElementGrid& grid,
@@ -121,13 +121,11 @@ std::optional<int> whole_elements(double distance, double size, int most) {
 }
 
 /// Solution of work that its progress function has ended before the first step.
-TangentialSolution nothing_found(const ElementGrid& grid, const TangentialInput& input, TangentialSolution out) {
-  const Field zero(grid.count());
-  out.ux = out.uy = zero;
-  FrictionSolution s{.px = zero, .py = zero, .sx = zero, .sy = zero, .sliding = std::vector<char>(zero.size())};
-  s.residual = 1;
-  s.status = Status::not_converged;
-  find_totals(grid, input, std::move(s), out);
+ContactSolution nothing_found(const TangentialInput& input, ContactSolution out) {
+  FrictionSolution s(out.elements.size());
+  s.report.residual = 1;
+  s.report.status = Status::not_converged;
+  finish(input, std::move(s), out);
   return out;
 }
 
@@ -170,19 +168,19 @@ SlipOperator& TangentialProblem::difference(const TangentialInput& input, double
 
 /// Finds displacements at the points `offset` further. Where these are elements' centres, by tractions that far behind
 /// at the elements.
-void TangentialProblem::find_displacements(const TangentialState& tractions, Vec2 offset, const Progress& progress,
-                                           std::span<double> ux, std::span<double> uy) {
+void TangentialProblem::find_displacements(const VectorField& tractions, Vec2 offset, const Progress& progress,
+                                           VectorField& u) {
   const auto columns = whole_elements(-offset.x, grid_.dx, grid_.mx),
              rows = whole_elements(-offset.y, grid_.dy, grid_.my);
   if (columns && rows) {
-    const auto px = moved(tractions.px, grid_, *columns, *rows), py = moved(tractions.py, grid_, *columns, *rows);
-    if (px && py) return displacement(progress).apply(*px, *py, ux, uy);
+    const auto px = moved(tractions.x, grid_, *columns, *rows), py = moved(tractions.y, grid_, *columns, *rows);
+    if (px && py) return displacement(progress).apply(*px, *py, u.x, u.y);
   }
   if (!ahead_ || offset_.x != offset.x || offset_.y != offset.y) {
     ahead_ = TangentialOperator::displacement(bodies_, grid_, offset, 1, progress);
     offset_ = offset;
   }
-  ahead_->apply(tractions.px, tractions.py, ux, uy);
+  ahead_->apply(tractions.x, tractions.y, u.x, u.y);
 }
 
 /// Steady rolling, or the first shift or step, on elements twice as long and wide, solved roughly, gives tractions and
@@ -204,9 +202,9 @@ TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<c
   on_coarse.progress = [&](double done) {
     return !(start.stopped = input.progress && !input.progress(share_of_coarser * done));
   };
-  const TangentialSolution s = coarser_->solve(mean_on_coarser(grid_, bound), on_coarse);
-  if (s.forces.status != Status::ok) return start;
-  const TractionShares shares(coarse, s.bound, s.tractions.px, s.tractions.py);
+  const ContactSolution s = coarser_->solve(mean_on_coarser(grid_, bound), on_coarse);
+  if (s.report.status != Status::ok) return start;
+  const TractionShares shares(coarse, s.fields.bound, s.fields.traction.x, s.fields.traction.y);
   start.tractions = VectorField(grid_.count());
   for (std::size_t k = 0; k < grid_.count(); ++k) {
     if (!(bound[k] > 0)) continue;
@@ -224,27 +222,27 @@ void TangentialProblem::find_free_slip(const TangentialInput& input, const Creep
   const bool shift = input.motion == ContactMotion::shift;
   find_rigid_slip(grid_, input, creepage, step, cx, cy);
   for (const EnteringElement& e : entering) cx[e.element] *= e.share, cy[e.element] *= e.share; // (R13)
-  if (input.motion == ContactMotion::steady || !input.previous || input.previous->px.empty()) return;
-  const TangentialState& before = *input.previous;
+  if (input.motion == ContactMotion::steady || !input.previous || input.previous->x.empty()) return;
+  const VectorField& before = *input.previous;
   const double length = shift ? 1 : std::abs(step);
-  Field ux(cx.size()), uy(cx.size());
+  VectorField u(cx.size());
   const Vec2 offset = way_of(input, shift ? 0 : step);
-  find_displacements(before, offset, input.progress, ux, uy);
+  find_displacements(before, offset, input.progress, u);
   if (!entering.empty()) {
-    Field here_x(cx.size()), here_y(cx.size());
-    displacement(input.progress).apply(before.px, before.py, here_x, here_y);
+    VectorField here(cx.size());
+    displacement(input.progress).apply(before.x, before.y, here.x, here.y);
     for (const EnteringElement& e : entering) { // (R16)
-      const auto at_edge = [&](const Field& u) {
-        return u[e.ahead] + e.extrapolation * (u[e.ahead] - u[e.further_ahead]);
+      const auto at_edge = [&](const Field& field) {
+        return field[e.ahead] + e.extrapolation * (field[e.ahead] - field[e.further_ahead]);
       };
-      ux[e.element] = at_edge(here_x);
-      uy[e.element] = at_edge(here_y);
+      u.x[e.element] = at_edge(here.x);
+      u.y[e.element] = at_edge(here.y);
     }
   }
-  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
+  for (std::size_t k = 0; k < cx.size(); ++k) cx[k] -= u.x[k] / length, cy[k] -= u.y[k] / length;
 }
 
-TangentialSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
+ContactSolution TangentialProblem::solve(std::span<const double> bound, const TangentialInput& input) {
   check_input(input, bound, grid_.count());
   if (!bodies_.are_elastic() && input.motion != ContactMotion::steady)
     throw Error("motion: viscoelastic bodies need steady rolling");
@@ -255,8 +253,11 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   const bool shift = input.motion == ContactMotion::shift;
   const std::size_t n = grid_.count();
 
-  TangentialSolution out;
-  out.bound.assign(bound.begin(), bound.end());
+  ContactSolution out;
+  out.motion = input.motion;
+  out.elements = Elements(grid_);
+  out.fields.bound.assign(bound.begin(), bound.end());
+  out.fields.displacement = VectorField(n);
   out.creepage = input.creepage;
   if (input.force_x) out.creepage.longitudinal = 0;
   if (input.force_y) out.creepage.lateral = 0;
@@ -274,17 +275,17 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
   FrictionStart start;
   CoarseStart coarse;
   if (input.start) {
-    start = {.px = input.start->px, .py = input.start->py};
-  } else if (!steady && input.previous && !input.previous->px.empty()) {
+    start = {.px = input.start->x, .py = input.start->y};
+  } else if (!steady && input.previous && !input.previous->x.empty()) {
     // A step changes what was there before, so that is where to begin.
-    start = {.px = input.previous->px, .py = input.previous->py};
+    start = {.px = input.previous->x, .py = input.previous->y};
   } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
     coarse = start_from_coarser(bound, input, step);
     start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
     options.progress = part(input.progress, share_of_coarser, 1);
-    if (coarse.stopped) return nothing_found(grid_, input, std::move(out));
+    if (coarse.stopped) return nothing_found(input, std::move(out));
   }
-  if (!steady) options.before = tractions_of(input.previous);
+  if (!steady) options.before = view_of(input.previous);
   SlipOperator* slip = steady ? &difference(input, step) : &displacement(input.progress);
   std::optional<StepOperator> of_step;
   if (input.motion == ContactMotion::transient) slip = &of_step.emplace(*slip, std::abs(step));
@@ -305,14 +306,14 @@ TangentialSolution TangentialProblem::solve(std::span<const double> bound, const
                                       input.slip_dependent,
                                       input.pressure},
                                      options, start);
-  out.creepage.longitudinal += s.constant_x;
-  out.creepage.lateral += s.constant_y;
-  out.ux.resize(n), out.uy.resize(n);
+  out.creepage.longitudinal += s.constants.x;
+  out.creepage.lateral += s.constants.y;
+  auto& [ux, uy] = out.fields.displacement;
   if (input.motion == ContactMotion::steady && rolling_)
-    rolling_->displacement(s.px, s.py, out.ux, out.uy);
+    rolling_->displacement(s.traction.x, s.traction.y, ux, uy);
   else
-    displacement(input.progress).apply(s.px, s.py, out.ux, out.uy);
-  find_totals(grid_, input, std::move(s), out);
+    displacement(input.progress).apply(s.traction.x, s.traction.y, ux, uy);
+  finish(input, std::move(s), out);
   return out;
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "microslip/contact/elliptic_contact.hpp"
+#include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/motion.hpp"
-#include "microslip/contact/surface_fields.hpp"
-#include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/halfspace/leading_edge.hpp"
 #include "microslip/exact/halfspace/rolling_difference.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
@@ -14,16 +12,6 @@
 #include <optional>
 
 namespace microslip {
-
-/// Tractions that a step starts from: those of the step before, on the same grid in the contact's frame.
-struct TangentialState {
-  std::vector<double> px, py;        ///< [Pa]; empty: none
-  std::vector<double> pressure = {}; ///< p_n [Pa], which matters for dissimilar materials; empty: none
-  /// Loss of friction that depends on the slip, static minus present coefficient [-], and the slip velocity
-  /// [m/s]; empty: nothing.
-  std::vector<double> friction_drop = {}, slip_velocity = {};
-  std::vector<double> plastic_deformation = {}; ///< of a layer [m]; empty: none
-};
 
 /// Input of the tangential problem.
 struct TangentialInput {
@@ -42,10 +30,12 @@ struct TangentialInput {
   /// Instead of the bound, which then is its largest; of the pressure p_n [Pa].
   SlipDependentBound* slip_dependent = nullptr;
   std::span<const double> pressure = {};
-  const TangentialState* previous = nullptr; ///< shift and transient rolling: the state before; none: no tractions
-  const TangentialState* start = nullptr;    ///< where the iteration begins; none: `previous`, else no tractions
-  /// Tolerance of TangentialSolution::residual; for a shift or a step of rolling also of the change that the step
-  /// makes, see FrictionNewton::Options::before.
+  /// Shift and transient rolling: the tractions before, of the elements in the contact's frame [Pa]; none or empty:
+  /// zero.
+  const VectorField* previous = nullptr;
+  const VectorField* start = nullptr; ///< where the iteration begins; none: `previous`, else no tractions
+  /// Tolerance of the residual, as in FrictionSolution; for a shift or a step of rolling also of the change that the
+  /// step makes, see FrictionNewton::Options::before.
   double tolerance = 1e-6;
   int most_steps = most_newton_steps;
   NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
@@ -61,26 +51,6 @@ struct TangentialInput {
 /// a/b of 0.1 to 10 and as many elements along either axis, 98 % converge; the others end with Status::not_converged.
 bool has_one_solution(const ElementGrid& grid, const TangentialInput& input);
 
-struct TangentialSolution {
-  TangentialState tractions;
-  std::vector<double> bound;          ///< g [Pa]
-  std::vector<double> ux, uy;         ///< displacement difference u1 - u2 [m]
-  std::vector<double> sx, sy;         ///< relative slip [-], for a shift the slip distance [m]; 0 outside the contact
-  std::vector<double> slip_direction; ///< angle of the slip from the x axis [rad], -pi to pi; 0 where nothing slips
-  std::vector<CellState> state;
-  ContactForces forces;
-  Creepage creepage;         ///< as given, or as found where a force is given
-  double elastic_energy = 0; ///< of the tangential tractions, sum of p.u dx dy/2 [J]
-  /// -V sum of p.s dx dy (E22) [W], not yet (E23a) as in Totals; for a shift the work, without V [J].
-  double frictional_power = 0;
-  double power_by_creepage =
-      0;                    ///< -V (xi fx + eta fy + phi mz) [W], equal to it in steady rolling as the grid is refined
-  double peak_traction = 0; ///< [Pa]
-  double residual = 0;      ///< as in FrictionSolution
-  int newton_steps = 0;
-  long products = 0;
-};
-
 /// The tangential contact problem of the exact theory (R3), (R6)-(R8), (E2), (E14) on a grid of elements. With the step
 /// dq and particles that come from x + dq: steady rolling s = w(x + dq/2) + (u(x) - u(x + dq))/dq, transient rolling
 /// the same with the previous u' instead of u(x + dq), a shift s = w + u - u'.
@@ -91,8 +61,9 @@ public:
 
   /// `bound` is g = mu p_n [Pa] at the elements, zero outside the contact. Throws Error for input out of range. Not
   /// converging and a force beyond friction are statuses; input so large that a total overflows gives
-  /// Status::invalid_input.
-  TangentialSolution solve(std::span<const double> bound, const TangentialInput& input);
+  /// Status::invalid_input. The solution has no pressures; its frictional power is the sum over the elements (E22), in
+  /// steady rolling not yet (E23a) as in Totals.
+  ContactSolution solve(std::span<const double> bound, const TangentialInput& input);
 
   /// Moves the elements: (x0, y0) becomes the first one's centre [m].
   void move_to(double x0, double y0);
@@ -110,8 +81,8 @@ private:
   CoarseStart start_from_coarser(std::span<const double> bound, const TangentialInput& input, double step);
 
 private:
-  void find_displacements(const TangentialState& tractions, Vec2 offset, const Progress& progress, std::span<double> ux,
-                          std::span<double> uy);
+  void find_displacements(const VectorField& tractions, Vec2 offset, const Progress& progress,
+                          VectorField& displacement);
   void find_free_slip(const TangentialInput& input, const Creepage& creepage, double step,
                       const std::vector<EnteringElement>& entering, std::vector<double>& cx, std::vector<double>& cy);
 

@@ -7,11 +7,44 @@
 namespace microslip {
 namespace {
 
-bool is_finite(const TangentialSolution& s) {
-  const ContactForces& f = s.forces;
-  return std::isfinite(f.fx) && std::isfinite(f.fy) && std::isfinite(f.mz) && std::isfinite(s.elastic_energy) &&
-         std::isfinite(s.frictional_power) && std::isfinite(s.power_by_creepage) &&
-         std::isfinite(s.creepage.longitudinal) && std::isfinite(s.creepage.lateral) && std::isfinite(s.residual);
+std::vector<double> scaled(std::vector<double> field, double factor) {
+  for (double& value : field) value *= factor;
+  return field;
+}
+
+/// The growth of a displacement per metre rolled along the axis, at element n of `count` that lie `stride` apart in the
+/// field: half the difference of both neighbours, at a grid's end that of one.
+double growth(const std::vector<double>& u, std::size_t k, int n, int count, std::size_t stride, double spacing) {
+  const bool first = n == 0, last = n == count - 1;
+  if (first && last) return 0;
+  const double behind = first ? u[k] : u[k - stride], ahead = last ? u[k] : u[k + stride];
+  return (behind - ahead) / ((first || last ? 1 : 2) * spacing);
+}
+
+/// -sum of p.s dx dy in steady rolling with the slip at the elements' centres, (E23a) without V [N].
+double work_on_centred_slip(const ContactSolution& s, const TangentialInput& motion) {
+  const ElementGrid& grid = s.elements.grid;
+  const double side = motion.direction == RollingDirection::forward ? 1 : -1;
+  const Vec2 direction = {side * std::cos(motion.heading), side * std::sin(motion.heading)};
+  TangentialInput at_centres = motion;
+  at_centres.spin_offset = 0;
+  std::vector<double> sx(grid.count()), sy(grid.count());
+  find_rigid_slip(grid, at_centres, s.creepage, 0, sx, sy);
+  const auto add_growth = [&](const std::vector<double>& u, std::size_t k, int i, int j, double& slip) {
+    slip += direction.x * growth(u, k, i, grid.mx, 1, grid.dx);
+    if (direction.y != 0) slip += direction.y * growth(u, k, j, grid.my, static_cast<std::size_t>(grid.mx), grid.dy);
+  };
+  const SurfaceFields& f = s.fields;
+  double work = 0;
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
+      if (f.state[k] == CellState::exterior) continue;
+      add_growth(f.displacement.x, k, i, j, sx[k]);
+      add_growth(f.displacement.y, k, i, j, sy[k]);
+      work -= (f.traction.x[k] * sx[k] + f.traction.y[k] * sy[k]) * grid.element_area();
+    }
+  return work;
 }
 
 } // namespace
@@ -39,42 +72,34 @@ void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, cons
     }
 }
 
-void find_totals(const ElementGrid& grid, const TangentialInput& input, FrictionSolution s, TangentialSolution& out) {
-  const std::size_t n = grid.count();
-  const double area = grid.element_area();
-  out.residual = s.residual;
-  out.newton_steps = s.newton_steps;
-  out.products = s.products;
-  out.state.assign(n, CellState::exterior);
-  out.slip_direction.assign(n, 0.0);
-  Totals totals;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) {
-      const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
-      if (!(out.bound[k] > 0)) continue;
-      const bool slides = s.sliding[k];
-      out.state[k] = slides ? CellState::slip : CellState::adhesion;
-      if (slides)
-        out.slip_direction[k] = std::atan2(-s.py[k], -s.px[k]); // known even where slip is as small as its residual
-      add(totals, {.x = grid.x(i),
-                   .y = grid.y(j),
-                   .area = area,
-                   .slides = slides,
-                   .traction = {s.px[k], s.py[k]},
-                   .slip = {s.sx[k], s.sy[k]},
-                   .displacement = {out.ux[k], out.uy[k]}});
-    }
-  const double speed = input.motion == ContactMotion::shift ? 1 : input.rolling_speed;
-  ContactForces& f = out.forces;
-  f = {totals.fx, totals.fy, totals.mz, totals.adhesion_area, totals.slip_area, s.status};
-  out.elastic_energy = totals.elastic_energy;
-  out.peak_traction = totals.peak_traction;
-  out.frictional_power = speed * totals.frictional_power;
-  out.power_by_creepage = power_by_creepage(totals, out.creepage, speed);
-  out.tractions = {std::move(s.px), std::move(s.py)};
-  out.sx = std::move(s.sx);
-  out.sy = std::move(s.sy);
-  if (f.status != Status::no_solution && !is_finite(out)) f.status = Status::invalid_input;
+double speed_of(const TangentialInput& input) {
+  return input.motion == ContactMotion::shift ? 1 : input.rolling_speed;
+}
+
+void finish(const TangentialInput& input, FrictionSolution s, ContactSolution& out) {
+  SurfaceFields& f = out.fields;
+  f.traction = std::move(s.traction);
+  f.slip = std::move(s.slip);
+  f.state.assign(f.bound.size(), CellState::exterior);
+  for (std::size_t k = 0; k < f.bound.size(); ++k)
+    if (f.bound[k] > 0) f.state[k] = s.sliding[k] ? CellState::slip : CellState::adhesion;
+  out.totals = find_totals(out.elements, f, out.creepage, speed_of(input));
+  out.report = s.report;
+  const bool has_numbers =
+      is_finite(out.totals) && std::isfinite(s.report.residual + out.creepage.longitudinal + out.creepage.lateral);
+  if (s.report.status != Status::no_solution && !has_numbers) out.report.status = Status::invalid_input;
+}
+
+void add_normal(ContactSolution& s, const NormalSolution& normal, double load) {
+  s.fields.pressure = scaled(normal.pressure, load);
+  s.fields.gap = scaled(normal.gap, load);
+  s.approach = normal.approach * load;
+  add(s.totals, s.elements, s.fields.pressure);
+}
+
+void find_centred_power(const TangentialInput& input, ContactSolution& s) {
+  if (s.motion == ContactMotion::steady)
+    s.totals.frictional_power = input.rolling_speed * work_on_centred_slip(s, input);
 }
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/classical/tangential_problem.hpp"
+#include "microslip/exact/normal/normal_problem.hpp"
 #include "microslip/vec2.hpp"
 
 #include <span>
@@ -18,9 +19,18 @@ Vec2 way_of(const TangentialInput& input, double step);
 void find_rigid_slip(const ElementGrid& grid, const TangentialInput& input, const Creepage& creepage, double step,
                      std::span<double> cx, std::span<double> cy);
 
-/// Fills in what follows from a solution and from the bound, the displacements and the creepage in `out`: tractions,
-/// slip, states, forces, energy, power (E22). Totals that are not finite give Status::invalid_input.
-void find_totals(const ElementGrid& grid, const TangentialInput& input, FrictionSolution solution,
-                 TangentialSolution& out);
+/// By which slip is a velocity: V [m/s], or 1 for a shift.
+double speed_of(const TangentialInput& input);
+
+/// Fills in what follows from a solution and from the elements, the bound, the displacements and the creepage in `out`:
+/// tractions, slip, states, totals with the power (E22), report. Totals that are not finite give Status::invalid_input.
+void finish(const TangentialInput& input, FrictionSolution solution, ContactSolution& out);
+
+/// Adds pressure, gap and approach, those of `normal` times `load` for a normal problem that was solved for 1 N.
+void add_normal(ContactSolution& solution, const NormalSolution& normal, double load = 1);
+
+/// Gives steady rolling the frictional power on the slip at the elements' centres, (E23a), which converges better than
+/// that on the slip of the equations.
+void find_centred_power(const TangentialInput& input, ContactSolution& solution);
 
 } // namespace microslip

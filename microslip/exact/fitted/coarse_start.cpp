@@ -5,11 +5,10 @@
 namespace microslip {
 
 VectorField start_from_coarser(const FittedContact& coarse, std::span<const double> coarse_bound,
-                               const FrictionSolution& solution, const FittedContact& fine,
-                               std::span<const double> bound) {
+                               const VectorField& tractions, const FittedContact& fine, std::span<const double> bound) {
   TractionShares shares(coarse.grid);
   for (std::size_t k = 0; k < coarse.elements.size(); ++k)
-    shares.add(coarse.elements[k].row, coarse.elements[k].centre(), coarse_bound[k], {solution.px[k], solution.py[k]});
+    shares.add(coarse.elements[k].row, coarse.elements[k].centre(), coarse_bound[k], {tractions.x[k], tractions.y[k]});
   VectorField start;
   for (std::size_t k = 0; k < fine.elements.size(); ++k) {
     const FittedElement& e = fine.elements[k];

@@ -32,19 +32,16 @@ ContactSolution contact_solution(const FittedContact& fitted, const SecondOrderS
     e.area[cell] = element.width() * grid.dy;
     f.bound[cell] = load.bound[k];
     f.pressure[cell] = fitted.load_share[k] * load.normal_force;
-    f.traction.x[cell] = side * friction.px[k], f.traction.y[cell] = friction.py[k];
-    f.slip.x[cell] = side * friction.sx[k], f.slip.y[cell] = friction.sy[k];
-    f.displacement.x[cell] = side * found.ux[k], f.displacement.y[cell] = found.uy[k];
+    f.traction.x[cell] = side * friction.traction.x[k], f.traction.y[cell] = friction.traction.y[k];
+    f.slip.x[cell] = side * friction.slip.x[k], f.slip.y[cell] = friction.slip.y[k];
+    f.displacement.x[cell] = side * found.displacement.x[k], f.displacement.y[cell] = found.displacement.y[k];
     f.state[cell] = friction.sliding[k] ? CellState::slip : CellState::adhesion;
   }
   out.creepage = {side * found.creepage.longitudinal, found.creepage.lateral, side * found.creepage.spin};
   out.approach = load.approach;
   out.totals = find_totals(e, f, out.creepage, load.rolling_speed);
   out.totals.frictional_power = load.rolling_speed * found.frictional_work;
-  out.report = {.status = friction.status,
-                .residual = friction.residual,
-                .newton_steps = friction.newton_steps,
-                .products = friction.products};
+  out.report = friction.report;
   return out;
 }
 

@@ -86,10 +86,10 @@ SecondOrderSolution NestedRolling::solve(double capacity, SecondOrderInput input
       return !(stopped = input.progress && !input.progress(share_of_coarser * done));
     };
     const SecondOrderSolution coarse = coarser_->solve(capacity, std::move(on_coarser), estimate);
-    if (coarse.friction.status == Status::ok) {
+    if (coarse.friction.report.status == Status::ok) {
       near = coarse.creepage;
-      tractions = start_from_coarser(coarser_->contact(), coarser_->bound(capacity, input.variation), coarse.friction,
-                                     contact(), bound);
+      tractions = start_from_coarser(coarser_->contact(), coarser_->bound(capacity, input.variation),
+                                     coarse.friction.traction, contact(), bound);
     }
   }
   Start start = this->start(bound, input, near, estimate);

@@ -30,7 +30,7 @@ public:
 
   double area() const { return fastsim_.contact_area(); }
 
-  GridSolution solve(Creepage creepage) const {
+  ContactSolution solve(Creepage creepage) const {
     creepage.longitudinal -= creepage.spin * centre_.y; // at the centre
     creepage.lateral += creepage.spin * centre_.x;
     const auto [a, b] = fastsim_.equivalent_axes();
@@ -82,11 +82,12 @@ RollingEstimate estimate_by_fastsim(const CombinedMaterial& material, const Fitt
   return {.tractions =
               [material, rows = input.variation](const FittedContact& fitted, std::span<const double> fitted_bound,
                                                  const Creepage& creepage) {
-                const GridSolution s = FastsimOnCells(material, fitted, fitted_bound, rows).solve(creepage);
+                const VectorField p =
+                    FastsimOnCells(material, fitted, fitted_bound, rows).solve(creepage).fields.traction;
                 VectorField tractions;
                 for (const FittedElement& e : fitted.elements) {
-                  tractions.x.push_back(s.px[e.cell]);
-                  tractions.y.push_back(s.py[e.cell]);
+                  tractions.x.push_back(p.x[e.cell]);
+                  tractions.y.push_back(p.y[e.cell]);
                 }
                 return tractions;
               },
@@ -95,7 +96,7 @@ RollingEstimate estimate_by_fastsim(const CombinedMaterial& material, const Fitt
             constexpr double tolerance = 1e-4;
             const FastsimOnCells fastsim(material, contact, bound, rows);
             const FoundCreepage found =
-                find_creepage([&](const Creepage& w) { return fastsim.solve(w).forces; }, {force_x, force_y}, given,
+                find_creepage([&](const Creepage& w) { return fastsim.solve(w).forces(); }, {force_x, force_y}, given,
                               capacity, capacity / stiffness, tolerance);
             if (found.status != Status::ok) return {};
             return found.creepage;

@@ -50,7 +50,8 @@ public:
 
   void linearise(std::span<const double> bound, const FrictionSolution& s, CentredSlip<float> slip) {
     slip_ = std::move(slip);
-    for (std::size_t k = 0; k < n_; ++k) friction_.set(k, s.px[k] - rho_ * s.sx[k], s.py[k] - rho_ * s.sy[k], bound[k]);
+    for (std::size_t k = 0; k < n_; ++k)
+      friction_.set(k, s.traction.x[k] - rho_ * s.slip.x[k], s.traction.y[k] - rho_ * s.slip.y[k], bound[k]);
   }
   void respond(std::span<const float> v, std::span<float> slip) {
     product_.apply(v.first(n_), v.subspan(n_), slip.first(n_), slip.subspan(n_));

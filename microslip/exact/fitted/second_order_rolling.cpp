@@ -60,12 +60,12 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
     first = newton_.solve(problem(operator_), {.tolerance = tolerance, .progress = part(input.progress, 0, 0.3)},
                           input.start);
     out.centred = first.sliding;
-    start.px = first.px, start.py = first.py, start.constants = Vec2{first.constant_x, first.constant_y};
+    start.px = first.traction.x, start.py = first.traction.y, start.constants = first.constants;
   } else {
     out.centred.assign(input.centred.begin(), input.centred.end());
   }
   FrictionSolution& s = out.friction;
-  if (first.status != Status::ok) {
+  if (first.report.status != Status::ok) {
     s = std::move(first);
     return;
   }
@@ -74,8 +74,8 @@ void SecondOrderRolling::solve_twice(std::span<const double> bound, const Second
   at_centres.move(cy);
   CentredOperator centred(operator_, std::move(at_centres));
   s = newton_.solve(problem(centred), {.tolerance = input.tolerance, .progress = part(input.progress, 0.3, 1)}, start);
-  s.newton_steps += first.newton_steps;
-  s.products += first.products;
+  s.report.newton_steps += first.report.newton_steps;
+  s.report.products += first.report.products;
 }
 
 SecondOrderSolution::SecondOrderSolution(const SecondOrderInput& input, std::size_t elements)
@@ -85,26 +85,25 @@ SecondOrderSolution::SecondOrderSolution(const SecondOrderInput& input, std::siz
 }
 
 void SecondOrderSolution::add_found_creepages() {
-  creepage.longitudinal += friction.constant_x;
-  creepage.lateral += friction.constant_y;
+  creepage.longitudinal += friction.constants.x;
+  creepage.lateral += friction.constants.y;
 }
 
 SecondOrderSolution SecondOrderRolling::solve(std::span<const double> bound, const SecondOrderInput& input) {
   SecondOrderSolution out(input, bound.size());
   solve_twice(bound, input, out);
   out.add_found_creepages();
-  const FrictionSolution& s = out.friction;
-  out.frictional_work = work_on_rigid_slip(contact_, out.creepage, input.variation, s.px, s.py);
+  const auto& [px, py] = out.friction.traction;
+  out.frictional_work = work_on_rigid_slip(contact_, out.creepage, input.variation, px, py);
   Field sx(bound.size()), sy(sx);
-  operator_.apply(s.px, s.py, sx, sy);
-  out.ux = operator_.ux();
-  out.uy = operator_.uy();
+  operator_.apply(px, py, sx, sy);
+  out.displacement = {operator_.ux(), operator_.uy()};
   if (input.variation.displacement)
     for (std::size_t k = 0; k < bound.size(); ++k) {
       const FittedElement& e = contact_.elements[k];
       const Vec2 more = input.variation.displacement(e.point, contact_.grid.y(e.row));
-      out.ux[k] += more.x;
-      out.uy[k] += more.y;
+      out.displacement.x[k] += more.x;
+      out.displacement.y[k] += more.y;
     }
   return out;
 }

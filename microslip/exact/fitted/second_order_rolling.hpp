@@ -26,9 +26,9 @@ struct SecondOrderInput {
 };
 
 struct SecondOrderSolution {
-  FrictionSolution friction;  ///< tractions, slip and state of each element
-  std::vector<char> centred;  ///< 1: the element's slip is that at its centre, as CentredSlip has it
-  std::vector<double> ux, uy; ///< displacement difference [m]
+  FrictionSolution friction; ///< tractions, slip and state of each element
+  std::vector<char> centred; ///< 1: the element's slip is that at its centre, as CentredSlip has it
+  VectorField displacement;  ///< difference [m]
   Creepage creepage;
   double frictional_work = 0; ///< per metre rolled [N]
 

@@ -56,13 +56,13 @@ TransientRolling::TransientRolling(const CombinedMaterial& material, FittedConta
 }
 
 void TransientRolling::restart() {
-  for (Field* field : {&px_, &py_, &ahead_x_, &ahead_y_, &slip_x_, &slip_y_}) field->clear();
+  tractions_ = ahead_ = slip_ = {};
 }
 
 /// Slip, in the step before, of the particles that are an element ahead now; zero for those that were not in contact.
 Vec2 TransientRolling::slip_before(std::size_t element) const {
-  if (slip_x_.empty() || contact_.elements[element].leads) return {};
-  return {slip_x_[element + 1], slip_y_[element + 1]};
+  if (slip_.x.empty() || contact_.elements[element].leads) return {};
+  return {slip_.x[element + 1], slip_.y[element + 1]};
 }
 
 /// Solves with the slip of the step, roughly, then with that at the step's end where elements slide: from the means s
@@ -71,7 +71,7 @@ void TransientRolling::solve_twice(std::span<const double> bound, const SecondOr
                                    SecondOrderSolution& out) {
   Field cx(bound.size()), cy(cx);
   find_rigid_slip(contact_, out.creepage, input.variation, cx, cy);
-  for (std::size_t k = 0; k < ahead_x_.size(); ++k) cx[k] -= ahead_x_[k], cy[k] -= ahead_y_[k];
+  for (std::size_t k = 0; k < ahead_.x.size(); ++k) cx[k] -= ahead_.x[k], cy[k] -= ahead_.y[k];
   const FrictionProblem problem{.slip_operator = operator_,
                                 .bound = bound,
                                 .cx = cx,
@@ -82,13 +82,13 @@ void TransientRolling::solve_twice(std::span<const double> bound, const SecondOr
                                 .constant_share = {},
                                 .area_share = area_share_};
   FrictionSolution& s = out.friction;
-  const bool twice = !slip_x_.empty();
+  const bool twice = !slip_.x.empty();
   const double tolerance = twice ? std::max(tolerance_of_first, input.tolerance) : input.tolerance;
-  const TractionsView before{px_, py_};
+  const TractionsView before{tractions_.x, tractions_.y};
   s = newton_.solve(problem,
                     {.tolerance = tolerance, .before = before, .progress = part(input.progress, 0, twice ? 0.5 : 1)},
-                    {.px = px_, .py = py_});
-  if (!twice || s.status != Status::ok) return;
+                    {.px = before.px, .py = before.py});
+  if (!twice || s.report.status != Status::ok) return;
   out.centred = s.sliding;
   for (std::size_t k = 0; k < bound.size(); ++k) {
     if (!out.centred[k]) continue;
@@ -97,21 +97,22 @@ void TransientRolling::solve_twice(std::span<const double> bound, const SecondOr
   }
   const FrictionSolution first = std::move(s);
   s = newton_.solve(problem, {.tolerance = input.tolerance, .before = before, .progress = part(input.progress, 0.5, 1)},
-                    {.px = first.px, .py = first.py, .constants = Vec2{first.constant_x, first.constant_y}});
-  s.newton_steps += first.newton_steps;
-  s.products += first.products;
+                    {.px = first.traction.x, .py = first.traction.y, .constants = first.constants});
+  s.report.newton_steps += first.report.newton_steps;
+  s.report.products += first.report.products;
 }
 
 /// The means over the step, for the next one; in the solution that at the end where it was solved for.
 void TransientRolling::take_slip(SecondOrderSolution& out) {
-  Field sx = out.friction.sx, sy = out.friction.sy;
-  for (std::size_t k = 0; k < sx.size(); ++k) {
+  auto& [end_x, end_y] = out.friction.slip;
+  VectorField mean = out.friction.slip;
+  for (std::size_t k = 0; k < mean.x.size(); ++k) {
     if (!out.centred[k]) continue;
     const Vec2 earlier = slip_before(k);
-    sx[k] += earlier.x / 3, sy[k] += earlier.y / 3;
-    out.friction.sx[k] *= 1.5, out.friction.sy[k] *= 1.5;
+    mean.x[k] += earlier.x / 3, mean.y[k] += earlier.y / 3;
+    end_x[k] *= 1.5, end_y[k] *= 1.5;
   }
-  slip_x_ = std::move(sx), slip_y_ = std::move(sy);
+  slip_ = std::move(mean);
 }
 
 SecondOrderSolution TransientRolling::step(std::span<const double> bound, const SecondOrderInput& input) {
@@ -119,13 +120,12 @@ SecondOrderSolution TransientRolling::step(std::span<const double> bound, const 
   solve_twice(bound, input, out);
   out.add_found_creepages();
   take_slip(out);
-  px_ = out.friction.px, py_ = out.friction.py;
-  ahead_x_.resize(bound.size()), ahead_y_.resize(bound.size());
+  tractions_ = out.friction.traction;
+  ahead_ = VectorField(bound.size());
   Field sx(bound.size()), sy(sx);
-  operator_.apply(px_, py_, sx, sy);
-  operator_.find_slip_ahead(ahead_x_, ahead_y_);
-  out.ux = operator_.ux();
-  out.uy = operator_.uy();
+  operator_.apply(tractions_.x, tractions_.y, sx, sy);
+  operator_.find_slip_ahead(ahead_.x, ahead_.y);
+  out.displacement = {operator_.ux(), operator_.uy()};
   return out;
 }
 

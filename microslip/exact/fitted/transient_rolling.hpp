@@ -73,9 +73,9 @@ private:
   FrictionNewton newton_;
   std::vector<double> area_share_;
   // After the step before; empty: at rest without tractions.
-  std::vector<double> px_, py_;           ///< tractions [Pa]
-  std::vector<double> ahead_x_, ahead_y_; ///< find_slip_ahead
-  std::vector<double> slip_x_, slip_y_;   ///< means over the step
+  VectorField tractions_; ///< [Pa]
+  VectorField ahead_;     ///< find_slip_ahead
+  VectorField slip_;      ///< means over the step
 };
 
 } // namespace microslip

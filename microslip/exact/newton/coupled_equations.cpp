@@ -238,10 +238,8 @@ double CoupledEquations::strictness() const {
 
 CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, std::span<const double> response) {
   find_bounds(v, response);
-  CoupledFrictionSolution out;
+  CoupledFrictionSolution out{FrictionSolution(n_), Field(n_)};
   FrictionSolution& s = out.friction;
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy, &out.pressure}) field->assign(n_, 0.0);
-  s.sliding.assign(n_, 0);
   out.approach = delta_ ? delta_unit_ * v[*delta_] : problem_.load.value;
   for (std::size_t k = 0; k < n_; ++k) {
     const Point at = point(v, response, k);
@@ -249,14 +247,14 @@ CoupledFrictionSolution CoupledEquations::solution(std::span<const double> v, st
     out.pressure[k] = at.z_normal;
     const double bound = problem_.slip_dependent ? bound_[k] : problem_.friction[k] / unit_ * at.z_normal;
     const DiskProjection on_disk = project_on_disk(at.zx, at.zy, bound);
-    s.px[k] = unit_ * on_disk.scale * at.zx;
-    s.py[k] = unit_ * on_disk.scale * at.zy;
-    s.sx[k] = response[k];
-    s.sy[k] = response[n_ + k];
+    s.traction.x[k] = unit_ * on_disk.scale * at.zx;
+    s.traction.y[k] = unit_ * on_disk.scale * at.zy;
+    s.slip.x[k] = response[k];
+    s.slip.y[k] = response[n_ + k];
     s.sliding[k] = on_disk.outside;
   }
-  if (force_[0]) s.constant_x = constant_unit_ * v[*force_[0]];
-  if (force_[1]) s.constant_y = constant_unit_ * v[*force_[1]];
+  if (force_[0]) s.constants.x = constant_unit_ * v[*force_[0]];
+  if (force_[1]) s.constants.y = constant_unit_ * v[*force_[1]];
   return out;
 }
 

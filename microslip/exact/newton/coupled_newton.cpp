@@ -25,7 +25,7 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
     CoupledFrictionSolution s = equations.solution(x, response); // for the approach
     s.pressure.assign(start.pressure.begin(), start.pressure.end());
     s.friction = std::move(*sliding);
-    s.friction.products = problem.coupled_operator.products() - products_before;
+    s.friction.report.products = problem.coupled_operator.products() - products_before;
     return s;
   }
   const double wanted = options.tolerance * equations.scale();
@@ -39,10 +39,10 @@ CoupledFrictionSolution CoupledNewton::solve(const CoupledFrictionProblem& probl
     done = equations.evaluate(x, response, f) <= limits.goal;
   }
   CoupledFrictionSolution s = equations.solution(x, response);
-  s.friction.residual = equations.scale() > 0 ? equations.strictness() * state.norm / equations.scale() : 0;
-  s.friction.newton_steps = state.steps;
-  s.friction.products = problem.coupled_operator.products() - products_before;
-  s.friction.status = state.norm <= limits.goal ? Status::ok : Status::not_converged;
+  s.friction.report.residual = equations.scale() > 0 ? equations.strictness() * state.norm / equations.scale() : 0;
+  s.friction.report.newton_steps = state.steps;
+  s.friction.report.products = problem.coupled_operator.products() - products_before;
+  s.friction.report.status = state.norm <= limits.goal ? Status::ok : Status::not_converged;
   return s;
 }
 

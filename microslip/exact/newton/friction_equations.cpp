@@ -140,22 +140,20 @@ void FrictionEquations::precondition(std::span<double> unknowns) {
 
 FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, std::span<const double> slip) {
   find_bounds(unknowns, slip);
-  FrictionSolution s;
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(problem_.bound.size(), 0.0);
-  s.sliding.assign(problem_.bound.size(), 0);
+  FrictionSolution s(problem_.bound.size());
   for (std::size_t k = 0; k < n_; ++k) {
     const double zx = unknowns[k] - rho_ * slip[k], zy = unknowns[n_ + k] - rho_ * slip[n_ + k];
     const DiskProjection on_disk = project_on_disk(zx, zy, g_[k]);
-    s.px[elements_[k]] = on_disk.scale * zx;
-    s.py[elements_[k]] = on_disk.scale * zy;
-    s.sx[elements_[k]] = slip[k];
-    s.sy[elements_[k]] = slip[n_ + k];
+    s.traction.x[elements_[k]] = on_disk.scale * zx;
+    s.traction.y[elements_[k]] = on_disk.scale * zy;
+    s.slip.x[elements_[k]] = slip[k];
+    s.slip.y[elements_[k]] = slip[n_ + k];
     s.sliding[elements_[k]] = on_disk.outside;
   }
   for (std::size_t i = 0; i < forces_.size(); ++i)
-    (forces_[i] == 0 ? s.constant_x : s.constant_y) = unit_[i] * unknowns[2 * n_ + i];
+    (forces_[i] == 0 ? s.constants.x : s.constants.y) = unit_[i] * unknowns[2 * n_ + i];
   Field f(size());
-  s.residual = scale_ > 0 ? evaluate(strictness() * rho_, unknowns, slip, f) / scale_ : 0;
+  s.report.residual = scale_ > 0 ? evaluate(strictness() * rho_, unknowns, slip, f) / scale_ : 0;
   return s;
 }
 

@@ -53,9 +53,9 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
       state.norm = other.norm, x = std::move(other_x), slip = std::move(other_slip);
   }
   FrictionSolution s = equations.solution(x, slip);
-  s.newton_steps = steps;
-  s.products = problem.slip_operator.products() - products_before;
-  s.status = state.norm <= goal ? Status::ok : Status::not_converged;
+  s.report.newton_steps = steps;
+  s.report.products = problem.slip_operator.products() - products_before;
+  s.report.status = state.norm <= goal ? Status::ok : Status::not_converged;
   return s;
 }
 

@@ -16,7 +16,7 @@ inline constexpr int most_newton_steps = 100;
 class FrictionNewton {
 public:
   struct Options {
-    double tolerance = 1e-6; ///< of FrictionSolution::residual
+    double tolerance = 1e-6; ///< of the residual of FrictionSolution
     int most_steps = most_newton_steps;
     NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not

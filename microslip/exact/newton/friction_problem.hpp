@@ -1,8 +1,9 @@
 #pragma once
 
+#include "microslip/contact/solver_report.hpp"
+#include "microslip/contact/vector_field.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/exact/newton/slip_dependent_bound.hpp"
-#include "microslip/status.hpp"
 #include "microslip/vec2.hpp"
 
 #include <array>
@@ -28,14 +29,14 @@ struct FrictionProblem {
 };
 
 struct FrictionSolution {
-  std::vector<double> px, py;            ///< tractions [Pa]
-  std::vector<double> sx, sy;            ///< slip c + D p, with the constants
-  std::vector<char> sliding;             ///< 1 in slip, 0 in adhesion and outside the contact
-  double constant_x = 0, constant_y = 0; ///< added to cx, cy where a force is given
-  double residual = 0;                   ///< |p - P_g(p - rho s)| over |g| (E21), 2-norms over the elements
-  int newton_steps = 0;
-  long products = 0;
-  Status status = Status::ok;
+  VectorField traction;      ///< [Pa]
+  VectorField slip;          ///< c + D p, with the constants
+  std::vector<char> sliding; ///< 1 in slip, 0 in adhesion and outside the contact
+  Vec2 constants;            ///< added to cx, cy where a force is given
+  SolverReport report;       ///< the residual is |p - P_g(p - rho s)| over |g| (E21), 2-norms over the elements
+
+  FrictionSolution() = default;
+  explicit FrictionSolution(std::size_t elements) : traction(elements), slip(elements), sliding(elements) {}
 };
 
 /// Tractions that are stored elsewhere [Pa]; empty: zero.

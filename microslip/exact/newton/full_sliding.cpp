@@ -9,14 +9,12 @@ namespace {
 
 /// Tractions as large as the bound along (fx, fy), whose size is `wanted`.
 FrictionSolution sliding_along(double fx, double fy, double wanted, double capacity, std::span<const double> bound) {
-  FrictionSolution s;
-  for (auto* field : {&s.px, &s.py, &s.sx, &s.sy}) field->assign(bound.size(), 0.0);
-  s.sliding.assign(bound.size(), 0);
-  s.status = Status::no_solution;
-  s.residual = wanted / capacity - 1;
+  FrictionSolution s(bound.size());
+  s.report.status = Status::no_solution;
+  s.report.residual = wanted / capacity - 1;
   for (std::size_t k = 0; k < bound.size(); ++k) {
-    s.px[k] = bound[k] * fx / wanted;
-    s.py[k] = bound[k] * fy / wanted;
+    s.traction.x[k] = bound[k] * fx / wanted;
+    s.traction.y[k] = bound[k] * fy / wanted;
     s.sliding[k] = bound[k] > 0;
   }
   return s;

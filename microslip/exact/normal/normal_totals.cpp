@@ -7,6 +7,9 @@ namespace microslip {
 
 void find_totals(const ElementGrid& grid, std::span<const double> undeformed, NormalSolution& s) {
   s.gap.resize(grid.count());
+  s.normal_force = s.elastic_energy = s.peak_pressure = 0;
+  s.contact_elements = 0;
+  s.border = {};
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
       const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
