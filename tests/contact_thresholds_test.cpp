@@ -60,6 +60,7 @@ const std::map<std::string, double> thresholds = {
     {"depth of the wheel in the rail, times its radius", S::deepest},
     {"weight with which parts act on each other, exponent", S::blending},
     {"element sizes are doubled until there are less than NPOT_MAX, from which on", S::least_limit},
+    {"elements of a patch whose sizes are not doubled (T = 1, 2) at most", S::most_elements},
     {"element sizes are not doubled along sides of at most", S::few_elements},
     {"plane off vertical by at least, rad", S::off_vertical},
     {"D = 4: extent beyond the overlap, times its own", S::curved_share},

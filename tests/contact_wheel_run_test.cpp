@@ -161,6 +161,20 @@ TEST_F(WheelOnPlane, OnALargeRollerIsAWheelOnARail) {
 
 /// Off the middle of a convex rail, so that patches are inclined and yawed; planar, with the slip of the true surfaces,
 /// and conformal.
+/// A prismatic rail is the same everywhere, so a wheel deflected far along it has the same patch there.
+TEST_F(WheelOnPlane, FarAlongTheTrackPatchesAreNoLonger) {
+  const auto patch = [&](const char* dx) {
+    const std::string flexible = std::string(" ") + dx + " 0 0 0 0 0\n 0 0 0 0 0 0\n";
+    const auto outcomes = run(with(first_wheel, " 0022033", " 0022035") + flexible);
+    return outcomes.at(0).wheel->patches.at(0);
+  };
+  const WheelPatch near = patch("0"), far = patch("5000.");
+  EXPECT_NEAR(far.location.track.x - near.location.track.x, 5000, 1e-6);
+  EXPECT_EQ(far.solution->step.grid.mx, near.solution->step.grid.mx);
+  EXPECT_EQ(far.solution->step.grid.my, near.solution->step.grid.my);
+  EXPECT_NEAR(far.solution->totals.fn / near.solution->totals.fn, 1, 1e-6);
+}
+
 /// Under yaw a wheel's lowest point lies ahead of or behind its axle, where a small roller has no surface any more.
 TEST(ContactWheelRun, OnARollerThatDoesNotReachTheContactAllNumbersAreFinite) {
   const std::string profiles = MICROSLIP_SOURCE_DIR "/examples/profiles/";
@@ -665,6 +679,10 @@ TEST_F(WheelOnPlane, SearchesOfPointsWithoutNumberAreRefused) {
       std::vector<std::string>{"DX = 0.2, DS = 0.2, NOMRADW = 1e+06 mm: the contact is searched by brute force at "
                                "833335 x 266 points, must be at most 2e+07"});
   EXPECT_EQ(reasons(" 0052033", " 1e-8 1e-8 1.", " 100.").size(), 1u);
+  const auto of_shift = refusal(with(first_wheel, {{" 1203000", " 1201000"}, {" .2 .2 1.", " 1e-3 .01 1."}}));
+  ASSERT_EQ(of_shift.size(), 1u);
+  EXPECT_NE(of_shift[0].find(" elements with DX = 0.001, DS = 0.01 mm: must be at most 500000; is"), std::string::npos)
+      << of_shift[0];
 }
 
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {

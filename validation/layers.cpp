@@ -166,13 +166,13 @@ void report_coated_sphere(Report& report, const char* name, double surface, doub
   ContactStep step = sphere_on(body, square(half_side * a0, 201), sphere, force);
   step.frictionless = true;
   const ContactStepSolution s = ContactSequence().solve(step);
-  const double found = s.normal.peak_pressure / p0;
+  const double found = s.totals.peak_pressure / p0;
   if (peak > 0)
     report.near(fmt::format("{}: largest pressure [p0]", name), "{:.4f}", found, "{:.3f}", peak, 5e-3 * peak);
   else
     report.remark(fmt::format("{}: largest pressure [p0]", name), fmt::format("{:.4f}", found), "almost 2", "in words");
   report.near("  radius of contact [a0]", "{:.4f}",
-              contact_radius(step.grid, s.normal.pressure, s.normal.peak_pressure) / a0, "{:.3f}", radius,
+              contact_radius(step.grid, s.normal.pressure, s.totals.peak_pressure) / a0, "{:.3f}", radius,
               5e-3 * radius);
 }
 
@@ -190,8 +190,8 @@ double slope_over_springs(Report& report, double thickness_over_a) {
   for (const double sign : {1.0, -1.0}) { // the pressure displaces the surface along it, too
     step.motion.creepage = {sign * creepage, 0, 0};
     const ContactStepSolution s = sequence.solve(step);
-    if (s.status != Status::ok) report.figure("  status", to_string(s.status), "ok", false);
-    difference -= sign * s.tangential.forces.fx;
+    if (s.report.status != Status::ok) report.figure("  status", to_string(s.report.status), "ok", false);
+    difference -= sign * s.totals.fx;
     radius = std::sqrt(s.contact_elements * step.grid.element_area() / std::numbers::pi);
   }
   return difference / (2 * creepage) / (8 * std::pow(radius, 3) * layer.shear_modulus / (3 * thickness));
@@ -241,7 +241,7 @@ void report_viscoelastic_layer(Report& report) {
   for (const double speed : {0.01, 0.1, 1.0, 10.0}) {
     const ContactStepSolution s = roll_on_polymer(grid, polymer, speed);
     report.line(fmt::format("  V = {:5} m/s: approach {:.4f} mm, the pressure's resultant lies {:.4f} mm ahead", speed,
-                            1e3 * s.normal.approach, 1e3 * lead_of(grid, s)));
+                            1e3 * s.approach, 1e3 * lead_of(grid, s)));
   }
 }
 
@@ -291,7 +291,7 @@ void report_thin_viscoelastic_layers(Report& report) {
     step.response.table = layered_table({rigid_body, {{{h, material}}, {rigid}}, speed}, step.grid);
     step.frictionless = true;
     const ContactStepSolution s = ContactSequence().solve(step);
-    if (s.status != Status::ok) report.figure("  status", to_string(s.status), "ok", false);
+    if (s.report.status != Status::ok) report.figure("  status", to_string(s.report.status), "ok", false);
     before = std::exchange(here, {s.normal_force / springs.force, lead_of(step.grid, s) / springs.lead});
     report.line(
         fmt::format("  h = {:4} a: force {:.4f}, how far ahead it acts {:.4f}", thickness, here.force, here.lead));
@@ -349,8 +349,8 @@ void report_random_contacts(Report& report) {
   double steps = 0, products = 0;
   for (int n = 0; n < contacts; ++n) {
     const ContactStepSolution s = ContactSequence().solve(random_step(draw, square(1.6 * patch, 20)));
-    solved += s.status == Status::ok ? 1 : 0;
-    steps += s.tangential.newton_steps, products += static_cast<double>(s.tangential.products);
+    solved += s.report.status == Status::ok ? 1 : 0;
+    steps += s.report.newton_steps, products += static_cast<double>(s.report.products);
   }
   report.count("solved", solved, contacts);
   report.line(

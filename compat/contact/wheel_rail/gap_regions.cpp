@@ -43,8 +43,8 @@ double crossing(double outside, double inside) {
 
 GapRegion region_of(const GapLine& g, const Interval& i, double curvature) {
   GapRegion r;
-  r.x0 = 0.999;
-  r.x1 = -0.999;
+  r.x0 = std::numeric_limits<double>::infinity(); // also of wheels that are deflected far along the track
+  r.x1 = -r.x0;
   for (std::size_t k = i.first; k <= i.last; ++k) {
     if (g.gap[k] > 0) continue;
     const double half = std::sqrt(-g.gap[k] / curvature), weight = weight_of(-g.gap[k], curvature);

@@ -1,6 +1,7 @@
 #include "compat/contact/wheel_rail/patch_frame.hpp"
 
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
+#include "compat/contact/words.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -81,11 +82,13 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
     if (x.count > few) x = Range(x_low, x_high, f.dx *= 2);
     if (s.count > few) s = Range(std::min(s_low, s_high), std::max(s_low, s_high), f.ds *= 2);
   }
-  constexpr double most_elements = 2e7; // beyond that the bodies lie in one another
-  if (!(double(x.count) * s.count < most_elements))
-    throw Error("wheel and rail overlap over " + std::to_string((x_high - x_low) * per_m) + " x " +
-                std::to_string((s_high - s_low) * per_m) +
-                " mm, more elements than there may be; is the wheel's height right?");
+  const double elements = double(x.count) * s.count;
+  const double allowed = limited ? SearchThresholds::most_asked_for : SearchThresholds::most_elements;
+  if (!(elements <= allowed))
+    throw Error("wheel and rail overlap over " + short_number((x_high - x_low) / mm) + " x " +
+                short_number((s_high - s_low) / mm) + " mm, " + short_number(elements) +
+                " elements with DX = " + short_number(f.dx / mm) + ", DS = " + short_number(f.ds / mm) +
+                " mm: must be at most " + short_number(allowed) + "; is the wheel's height right?");
   f.mx = x.count;
   f.my = s.count;
   f.x0 = (x.first - 0.5) * f.dx;

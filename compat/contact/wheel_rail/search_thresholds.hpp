@@ -37,6 +37,9 @@ struct SearchThresholds {
   static constexpr double off_vertical = 1e-3;
   /// NPOT_MAX counts from this on; elements are not enlarged along a side of at most so many.
   static constexpr int least_limit = 100, few_elements = 10;
+  /// Elements of a patch at most where they are not enlarged, with T = 1 and 2, and by NPOT_MAX. Ours: solutions take
+  /// seconds, or minutes if NPOT_MAX asks for it.
+  static constexpr double most_elements = 5e5, most_asked_for = 2e7;
 
   /// Elements that a patch with D = 4 may have beyond the overlap, on either side: the overlap's extent from the
   /// reference times the first number, and so many; those beyond the last one that lies within the overlap.
