@@ -85,9 +85,8 @@ void set_creepages(ContactProblem& p, double x, double y, double spin) {
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
@@ -103,14 +102,14 @@ int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* r
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.approach = real("pen", pen) * p.units.length();
-    p.data.digits.norm = microslip::contact_program::Normal::approach;
+    p.data.digits.norm = Normal::approach;
   });
 }
 
 int cntc_setnormalforce(int* ire, int* icp, double* fn) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.normal_force = real("fn", fn);
-    p.data.digits.norm = microslip::contact_program::Normal::force;
+    p.data.digits.norm = Normal::force;
   });
 }
 
@@ -127,3 +126,6 @@ int cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* 
   return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_extra_slip(p, reals("wx", lenarr, wx), reals("wy", lenarr, wy)); });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact
