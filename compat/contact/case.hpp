@@ -142,7 +142,9 @@ struct Case {
   std::optional<PotentialContact> potential = {};
   NormalLoad formed = {}; ///< PEN or FN when the potential contact was formed
   Geometry geometry = {};
-  std::vector<double> extra_slip = {}; ///< wx, wy of each element (E = 9) [-], in a shift [m]
+  /// wx, wy of each element (E = 9), as in the file, [-] or in a shift [mm]: what it is depends on the case that keeps
+  /// it.
+  std::vector<double> extra_slip = {};
   ExtraSlip extra = ExtraSlip::none;   ///< never keep
   std::optional<HeatData> heat = {};   ///< of H = 3 now or before
   SubsFile subs_file = SubsFile::none; ///< of S = 2 or 3 now or before

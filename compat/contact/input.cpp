@@ -186,8 +186,7 @@ void InputReader::read_friction_by_rows(Case& c) {
 void InputReader::read_extra_slip(Case& c) {
   const Digits& d = c.digits;
   if (d.exrhs != ExtraSlip::keep) c.extra = d.exrhs;
-  if (d.exrhs == ExtraSlip::by_element)
-    c.extra_slip = words_.reals("EXRHS", 2 * c.potential->elements(), unit_of_slip(d));
+  if (d.exrhs == ExtraSlip::by_element) c.extra_slip = words_.reals("EXRHS", 2 * c.potential->elements());
   if (c.extra != ExtraSlip::by_element) c.extra_slip.clear();
 }
 

@@ -74,7 +74,7 @@ private:
     if (!case_.potential->is_hertzian()) add_geometry();
     if (case_.friction.by_row)
       for (const auto& set : case_.friction.sets) add_friction_set(set);
-    if (case_.extra == ExtraSlip::by_element) add_list(case_.extra_slip, unit_of_slip(d));
+    if (case_.extra == ExtraSlip::by_element) add_list(case_.extra_slip);
     add_points();
   }
 

@@ -343,6 +343,7 @@ void set_motion(const Case& c, ContactStep& step) {
 void set_extra_slip(const Case& c, ContactStep& step) {
   if (c.extra == ExtraSlip::none) return;
   const ElementGrid& grid = step.grid;
+  const double unit = unit_of_slip(c.digits);
   const bool shifts = c.digits.tang == Tangential::shift;
   const Vec2 ahead = shifts ? Vec2{} : way_of(step.motion, step.motion.spin_offset * signed_step(step.motion, grid));
   step.extra_slip_x.assign(grid.count(), 0);
@@ -353,7 +354,7 @@ void set_extra_slip(const Case& c, ContactStep& step) {
       if (c.extra == ExtraSlip::without_spin_y) step.extra_slip_y[k] = -c.phi * (grid.x(i) + ahead.x - c.spin_x);
       if (c.extra == ExtraSlip::without_spin_x) step.extra_slip_x[k] = c.phi * (grid.y(j) + ahead.y - c.spin_y);
       if (c.extra == ExtraSlip::by_element)
-        step.extra_slip_x[k] = c.extra_slip[2 * k], step.extra_slip_y[k] = c.extra_slip[2 * k + 1];
+        step.extra_slip_x[k] = unit * c.extra_slip[2 * k], step.extra_slip_y[k] = unit * c.extra_slip[2 * k + 1];
     }
 }
 

@@ -13,7 +13,7 @@ inline constexpr double per_m = 1e3, mega = 1e-6;
 /// Unit of a number in CONTACT's files, by the power of the millimetre in it: 1 of lengths and velocities, -1 of
 /// curvatures and stiffnesses, -2 of pressures. All else, N, s, K, W and kg, is as in SI.
 struct Unit {
-  constexpr Unit(int power_of_mm, bool angle = false) : power(power_of_mm), is_angle(angle) {}
+  constexpr Unit(int power_of_mm, bool in_degrees = false) : power(power_of_mm), is_angle(in_degrees) {}
 
   /// In SI.
   constexpr double value() const {
@@ -21,9 +21,12 @@ struct Unit {
     return powers[power + 3];
   }
 
+  static const Unit plain, angle, length, per_length;
+
   int power;
   bool is_angle; ///< which files may give in degrees
 };
+inline constexpr Unit Unit::plain = 0, Unit::angle = {0, true}, Unit::length = 1, Unit::per_length = -1;
 
 using UnitList = std::vector<Unit>;
 

@@ -2,7 +2,9 @@
 #include "compat/libcontact/call.hpp"
 #include "compat/libcontact/result_files.hpp"
 
-using namespace microslip::libcontact;
+namespace microslip::libcontact {
+
+extern "C" {
 
 int cntc_calculate(int* ire, int* icp, int* ierror) {
   const Call call = problem_call(__func__, ire, icp);
@@ -39,3 +41,6 @@ int cntc_getcalculationtime(int* ire, int* icp, double* tcpu, double* twall) {
 int cntc_resetcalculationtime(int* ire, int* icp) {
   return guarded(either_call(__func__, ire, icp), [&](ContactProblem& p) { p.time = {}; });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

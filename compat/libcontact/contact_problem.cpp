@@ -242,8 +242,12 @@ Case ContactProblem::completed() const {
   c.load =
       by_force ? NormalLoad{NormalLoad::Given::force, normal_force} : NormalLoad{NormalLoad::Given::approach, approach};
   c.formed = c.load;
-  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{creep_x}) : ForceRatio{ratio_x};
-  c.y = d.force == Prescribed::force_x_and_y ? SlipOrForce(ForceRatio{ratio_y}) : Slip{creep_y};
+  const auto& [x, y, spin, length] = creepages;
+  const bool shifts = d.tang == Tangential::shift;
+  const double unit = shifts ? length : 1;
+  c.x = d.force == Prescribed::creepages ? SlipOrForce(Slip{unit * x}) : ForceRatio{ratio_x};
+  c.y = d.force == Prescribed::force_x_and_y ? SlipOrForce(ForceRatio{ratio_y}) : Slip{unit * y};
+  c.phi = shifts ? spin : spin * (1 / length);
   return c;
 }
 

@@ -40,6 +40,13 @@ struct Contact {
   const Outcome& outcome;
 };
 
+/// CKSI, CETA and CPHI as they were given, with the unit of lengths then: whether they are those of a shift is known
+/// when it is solved.
+struct GivenCreepages {
+  double x = 0, y = 0, spin = 0;
+  double length = contact_program::mm;
+};
+
 /// A profile that was given by its points.
 struct GivenProfile {
   std::vector<ProfilePoint> points = {};
@@ -97,7 +104,7 @@ public:
   double z = 0, vertical_force = 0;      ///< of a wheel: Z_WS [m] and FZ [N], of which N takes one,
   double vpitch = 0, force_x = 0;        ///< and VPITCH_WS [rad/s] and FX_WS [N], of which F takes one
   double approach = 0, normal_force = 0; ///< of module 3: PEN [m] and FN [N], of which N takes one,
-  double creep_x = 0, creep_y = 0;       ///< and CKSI and CETA,
+  GivenCreepages creepages;              ///< and CKSI and CETA,
   double ratio_x = 0, ratio_y = 0;       ///< or FX and FY over FSTAT FN, of which F takes some
   double time_step = default_of("DT");   ///< [s]
   GivenProfile given_rail, given_wheel;  ///< no points where the profile has a file

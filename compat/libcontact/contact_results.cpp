@@ -144,10 +144,8 @@ double largest_traction(const Outcome& o) {
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
-using namespace microslip::contact_program;
+extern "C" {
 
 int cntc_getparameters(int* ire, int* icp, int* itask, int* lenarr, double* values) {
   const auto find = [&](ContactProblem& p) { return parameters(p, p.contact(*icp), integer("itask", itask)); };
@@ -271,3 +269,6 @@ int cntc_getsensitivities(int* ire, int* icp, int* lenout, int* lenin, double* s
           found[o + i * static_cast<std::size_t>(outputs)] = table[o][i] * of_input[i] / of_output[o];
   });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -65,29 +65,18 @@ void set_distance(ContactProblem& p, int method, std::span<const double> v) {
 
 void set_extra_slip(ContactProblem& p, std::span<const double> wx, std::span<const double> wy) {
   if (!p.data.potential) throw Refusal(CNTC_err_discr, "there is no potential contact");
-  const double unit = unit_of_slip(p.data.digits);               // of a shift in mm, whatever the units
   std::vector<double> slip(2 * p.data.potential->elements(), 0); // elements beyond the arrays have none
   for (std::size_t k = 0; k < wx.size() && 2 * k < slip.size(); ++k) {
-    slip[2 * k] = unit * wx[k];
-    slip[2 * k + 1] = unit * wy[k];
+    slip[2 * k] = wx[k]; // of a shift in mm, whatever the units
+    slip[2 * k + 1] = wy[k];
   }
   p.data.extra_slip = std::move(slip);
   p.data.extra = ExtraSlip::by_element;
 }
 
-/// Creepages, or with T = 1 the distances of a shift.
-void set_creepages(ContactProblem& p, double x, double y, double spin) {
-  const bool shifts = p.data.digits.tang == Tangential::shift;
-  const double unit = shifts ? p.units.length() : 1;
-  p.creep_x = unit * x;
-  p.creep_y = unit * y;
-  p.data.phi = shifts ? spin : spin / p.units.length();
-}
-
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
@@ -103,14 +92,14 @@ int cntc_sethertzcontact(int* ire, int* icp, int* ipotcn, int* nparam, double* r
 int cntc_setpenetration(int* ire, int* icp, double* pen) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.approach = real("pen", pen) * p.units.length();
-    p.data.digits.norm = microslip::contact_program::Normal::approach;
+    p.data.digits.norm = Normal::approach;
   });
 }
 
 int cntc_setnormalforce(int* ire, int* icp, double* fn) {
   return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
     p.normal_force = real("fn", fn);
-    p.data.digits.norm = microslip::contact_program::Normal::force;
+    p.data.digits.norm = Normal::force;
   });
 }
 
@@ -119,11 +108,15 @@ int cntc_setundeformeddistc(int* ire, int* icp, int* ibase, int* nparam, double*
 }
 
 int cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, double* phi) {
-  return guarded(contact_call(__func__, ire, icp),
-                 [&](ContactProblem& p) { set_creepages(p, real("vx", vx), real("vy", vy), real("phi", phi)); });
+  return guarded(contact_call(__func__, ire, icp), [&](ContactProblem& p) {
+    p.creepages = {real("vx", vx), real("vy", vy), real("phi", phi), p.units.length()};
+  });
 }
 
 int cntc_setextrarigidslip(int* ire, int* icp, int* lenarr, double* wx, double* wy) {
   return guarded(contact_call(__func__, ire, icp),
                  [&](ContactProblem& p) { set_extra_slip(p, reals("wx", lenarr, wx), reals("wy", lenarr, wy)); });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -131,9 +131,8 @@ template <class... Fields> int fields(const char* call, int* ire, int* icp, int*
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_getfielddata(int* ire, int* icp, int* ifld, int* lenarr, double* fld) {
   return answered(patch_call(__func__, ire, icp), into(results(lenarr, fld)),
@@ -162,3 +161,6 @@ int cntc_getelementdivision(int* ire, int* icp, int* lenarr, int* eldiv) {
       found[k] = division_of(c.outcome, k);
   });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

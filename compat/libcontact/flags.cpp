@@ -191,9 +191,8 @@ template <class Deal> int each_flag(const Call& call, std::span<const int> codes
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_setflags(int* ire, int* icp, int* lenflg, int* params, int* values) {
   const Call call = problem_call(__func__, ire, icp);
@@ -226,3 +225,6 @@ int cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* value
       if (code != 0 && !has(known, code)) throw Refusal(CNTC_err_other, "there are no data " + std::to_string(code));
   });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

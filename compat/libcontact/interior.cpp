@@ -96,9 +96,8 @@ std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, d
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, int* nz, double* xparam, double* yparam,
                   double* zparam) {
@@ -143,3 +142,6 @@ int subs_getresults(int* ire, int* icp, int* iblk, int* lenarr, int* ncol, int* 
       }
   });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -74,9 +74,8 @@ void read_wheel(ContactProblem& p, const std::filesystem::path& path) {
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_initializefirst(int* ifcver, int* ierror, int*, const char* c_wrkdir, const char* c_outdir,
                          const char* c_expnam, int* len_wrkdir, int* len_outdir, int* len_expnam) {
@@ -150,3 +149,6 @@ int cntc_finalize(int* ire) {
 int cntc_finalizelast(void) {
   return guarded(__func__, [&] { Registry::instance().remove_all(); });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -179,9 +179,8 @@ std::vector<double> profile_values(ContactProblem& p, const Request& r, bool num
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_getprofilevalues(int* ire, int* itask, int* nints, int* iparam, int* nreals, double* rparam, int* lenarr,
                           double* values) {
@@ -208,3 +207,6 @@ int cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, int
                               double* values) {
   return cntc_getprofilevalues(ire, itask, nints, iparam, nreals, rparam, lenarr, values);
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

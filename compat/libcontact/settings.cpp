@@ -219,9 +219,8 @@ void set_rectangle(ContactProblem& p, int method, std::span<const double> v) {
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam) {
   return guarded(problem_call(__func__, ire, icp), [&](ContactProblem& p) {
@@ -284,3 +283,6 @@ int cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
     p.ratio_y = y / size;
   });
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

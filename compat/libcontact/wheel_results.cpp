@@ -102,9 +102,8 @@ int get_zero_filled(const Call& call, const int* length, double* values,
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_getwheelsetposition(int* ire, int* lenarr, double* values) {
   const auto find = [](ContactProblem& p) -> std::vector<double> {
@@ -136,3 +135,6 @@ int cntc_getcontactlocation(int* ire, int* icp, int* lenarr, double* values) {
 int cntc_getglobalforces(int* ire, int* icp, int* lenarr, double* values) {
   return get_zero_filled({__func__, ire, icp, Module::wheel, Scope::either}, lenarr, values, global_forces);
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -196,14 +196,13 @@ void set_flexibility(ContactProblem& p, int method, std::span<const double> v) {
 }
 
 } // namespace
-} // namespace microslip::libcontact
 
-using namespace microslip::libcontact;
+extern "C" {
 
 int cntc_setverticalforce(int* ire, double* fz) {
   return guarded(wheel_call(__func__, ire), [&](ContactProblem& p) {
     p.vertical_force = real("fz", fz);
-    p.data.digits.norm = microslip::contact_program::Normal::force;
+    p.data.digits.norm = Normal::force;
   });
 }
 
@@ -246,3 +245,6 @@ int cntc_setwheelsetvelocity(int* ire, int* ewheel, int* nparam, double* rparam)
 int cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, double* rparam) {
   return set_by(wheel_call(__func__, ire), set_flexibility, "ewheel", ewheel, "rparam", nparam, rparam);
 }
+
+} // extern "C"
+} // namespace microslip::libcontact

@@ -104,6 +104,7 @@ Case patch_case(const Case& c, const PatchFrame& frame, const UndeformedDistance
   }
   p.extra = motion.extra.empty() ? ExtraSlip::none : ExtraSlip::by_element;
   p.extra_slip = motion.extra;
+  for (double& slip : p.extra_slip) slip /= unit_of_slip(p.digits);
   return p;
 }
 

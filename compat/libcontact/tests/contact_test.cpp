@@ -113,6 +113,25 @@ TEST_F(ContactProblems, RollSteadily) {
   EXPECT_NEAR(force, 1000, 1e-6 * 1000);
 }
 
+/// Creepages and slip of the elements are those of a shift if it is one, whichever call comes first.
+TEST_F(ContactProblems, ShiftAsFarInAnyOrderOfCalls) {
+  const auto forces = [](int icp, bool first) {
+    int ire = 7, count = 441;
+    Values wx(441, 1e-4), wy(441, -2e-4);
+    EXPECT_EQ(set_up_sphere(7, icp), 0);
+    EXPECT_EQ(set_flag(7, icp, CNTC_ic_tang, first ? 1 : 3), 0);
+    EXPECT_EQ(set(cntc_setcreepages, 7, icp, 5e-4, 1e-4, 1e-4), 0);
+    EXPECT_EQ(cntc_setextrarigidslip(&ire, &icp, &count, wx.data(), wy.data()), 0);
+    EXPECT_EQ(set_flag(7, icp, CNTC_ic_tang, 1), 0);
+    EXPECT_EQ(calculate(7, icp), 0);
+    return scalars(cntc_getcontactforces, 7, icp);
+  };
+  const Values found = forces(1, true);
+  EXPECT_GT(std::abs(found[1]), 20);
+  EXPECT_LT(std::abs(found[1]), 290) << "it does not slide";
+  EXPECT_EQ(forces(2, false), found);
+}
+
 /// Of a shift the deformation is against the slip and along the traction; of one more only its length is known.
 TEST_F(ContactProblems, HaveLayersThatYield) {
   ASSERT_EQ(set_up_sphere(7, 1), 0);
