@@ -118,6 +118,29 @@ TEST(ContactSequence, OnlyRollingHasAHeading) {
   EXPECT_EQ(ContactSequence().solve(step).report.status, Status::ok);
 }
 
+/// Fields and totals are those of both problems, also where nothing resists.
+TEST(ContactSequence, ASolutionHasBothProblems) {
+  for (const bool frictionless : {false, true})
+    for (const double dissimilarity : {0.0, 0.1}) {
+      ContactStep step = sphere(grid_of(18, -1.7e-3));
+      step.frictionless = frictionless;
+      step.bodies.material.dissimilarity = dissimilarity;
+      const ContactStepSolution s = ContactSequence().solve(step);
+      ASSERT_EQ(s.report.status, Status::ok);
+      EXPECT_EQ(s.motion, ContactMotion::shift);
+      EXPECT_EQ(s.elements.grid, step.grid);
+      EXPECT_EQ(s.fields.pressure, s.normal.pressure);
+      EXPECT_EQ(s.fields.gap, s.normal.gap);
+      EXPECT_EQ(s.approach, s.normal.approach);
+      EXPECT_EQ(s.totals.peak_pressure, s.normal.peak_pressure);
+      EXPECT_NEAR(s.totals.fx, frictionless ? 0 : -0.2 * force, 1e-8 * force);
+      const Totals summed = find_totals(s.elements, s.fields, s.creepage, 1);
+      for (const auto total : {&Totals::fx, &Totals::fy, &Totals::mz, &Totals::my, &Totals::adhesion_area,
+                               &Totals::slip_area, &Totals::frictional_power, &Totals::elastic_energy})
+        EXPECT_EQ(s.totals.*total, summed.*total);
+    }
+}
+
 TEST(ContactSequence, ARepeatedStepIsTheSame) {
   ContactSequence sequence;
   ContactStep step = sphere(grid_of(18, -1.7e-3));

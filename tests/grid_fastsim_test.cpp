@@ -118,6 +118,9 @@ TEST(GridFastsim, RigidSlip) {
   const ContactSolution moved = fastsim.solve(one, mu, {.creepage = {1e-3, 2e-3, 0.4}, .spin_centre = {2e-3, -1e-3}});
   const ContactSolution shifted = fastsim.solve(one, mu, {.creepage = {1e-3 - 0.4e-3, 2e-3 - 0.8e-3, 0.4}});
   expect_same(moved, shifted);
+  EXPECT_NEAR(moved.creepage.longitudinal, shifted.creepage.longitudinal, 1e-15);
+  EXPECT_NEAR(moved.creepage.lateral, shifted.creepage.lateral, 1e-15);
+  EXPECT_NEAR(moved.totals.power_by_creepage / shifted.totals.power_by_creepage, 1, 1e-9);
   const std::vector<double> x(grid.count(), 4e-4), y(grid.count(), -3e-4);
   const ContactSolution extra = fastsim.solve(one, mu, {.creepage = {6e-4, 2e-3, 0.4}, .extra_x = x, .extra_y = y});
   expect_same(extra, fastsim.solve(one, mu, {.creepage = {1e-3, 1.7e-3, 0.4}}));
@@ -163,6 +166,12 @@ TEST(GridFastsim, FullSlidingTakesAllThatFrictionBears) {
   EXPECT_EQ(s.totals.adhesion_area, 0);
   EXPECT_NEAR(s.totals.mz, 0, 1e-9);
   EXPECT_DOUBLE_EQ(s.fields.displacement.x[8 * 20 + 10], one.longitudinal * s.fields.traction.x[8 * 20 + 10]);
+  double energy = 0; // of the springs
+  for (std::size_t k = 0; k < grid.count(); ++k)
+    energy +=
+        0.5 * grid.element_area() *
+        (one.longitudinal * std::pow(s.fields.traction.x[k], 2) + one.lateral * std::pow(s.fields.traction.y[k], 2));
+  EXPECT_NEAR(s.totals.elastic_energy, energy, 1e-12 * energy);
 }
 
 TEST(GridFastsim, EquivalentEllipse) {
