@@ -311,11 +311,11 @@ TEST(LayeredTable, BodiesOfEqualLayersRollAsHalfSpacesDo) {
   const LayeredBodies bodies = {{{{1e-3, {steel}}, {2e-3, {steel}}}, {steel}}, {{{1e-3, {aluminium}}}, {aluminium}}};
   const ContactStepSolution plain = roll(combine(steel, aluminium), grid, {});
   const ContactStepSolution layered = roll(combine(steel, aluminium), grid, layered_table(bodies, grid));
-  ASSERT_EQ(plain.status, Status::ok);
-  ASSERT_EQ(layered.status, Status::ok);
+  ASSERT_EQ(plain.report.status, Status::ok);
+  ASSERT_EQ(layered.report.status, Status::ok);
   EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
 }
 
 TEST(LayeredTable, BodiesOfEqualViscoelasticLayersRollAsHalfSpacesDo) {
@@ -326,11 +326,11 @@ TEST(LayeredTable, BodiesOfEqualViscoelasticLayersRollAsHalfSpacesDo) {
   const LayeredBodies bodies = {{{{1e-3, material}}, material}, {{}, {steel}}, 1};
   const ContactStepSolution plain = roll(viscoelastic(rubber, creep, steel, {}, 1), grid, {});
   const ContactStepSolution layered = roll(combine(rubber, steel), grid, layered_table(bodies, grid));
-  ASSERT_EQ(plain.status, Status::ok);
-  ASSERT_EQ(layered.status, Status::ok);
+  ASSERT_EQ(plain.report.status, Status::ok);
+  ASSERT_EQ(layered.report.status, Status::ok);
   EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
   const ContactStepSolution stiff = roll(combine(rubber, steel), grid, {});
   EXPECT_LT(stiff.normal.approach, 0.9 * plain.normal.approach); // creep matters here
 }
@@ -354,8 +354,8 @@ double stiffness_over_springs(double thickness) {
   for (const double sign : {1.0, -1.0}) { // pressure displaces along the surface, too
     step.motion.creepage = {sign * xi, 0, 0};
     const ContactStepSolution s = sequence.solve(step);
-    EXPECT_EQ(s.status, Status::ok) << s.reason;
-    difference -= sign * s.tangential.forces.fx;
+    EXPECT_EQ(s.report.status, Status::ok) << s.report.reason;
+    difference -= sign * s.totals.fx;
     radius = std::sqrt(s.contact_elements * grid.element_area() / std::numbers::pi);
   }
   return difference / (2 * xi) / (8 * std::pow(radius, 3) * layer.shear_modulus / (3 * thickness));
@@ -382,11 +382,11 @@ TEST(LayeredTable, CylindersOfEqualLayersRollAsHalfSpacesDo) {
   const ContactStepSolution plain = ContactSequence().solve(step);
   step.response.table = layered_table(bodies, grid);
   const ContactStepSolution layered = ContactSequence().solve(step);
-  ASSERT_EQ(plain.status, Status::ok);
-  ASSERT_EQ(layered.status, Status::ok);
+  ASSERT_EQ(plain.report.status, Status::ok);
+  ASSERT_EQ(layered.report.status, Status::ok);
   EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.tangential.forces.fx / plain.tangential.forces.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.tangential.forces.fy / plain.tangential.forces.fy, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
 }
 
 } // namespace
