@@ -225,12 +225,12 @@ TEST(YieldingLayer, TransientRollingEndsInTheSteadyState) {
 }
 
 /// Returns the slip l >= 0 [m] with q(l) + rho l = |z|, by bisection; 0 where |z| is within the bound.
-template <class Bound> double slip_left(double size, double rho_by_distance, const Bound& bound) {
-  if (size <= bound(0)) return 0;
-  double low = 0, high = size / rho_by_distance;
+template <class Bound> double slip_left(double largest, double rho_by_distance, const Bound& bound) {
+  if (largest <= bound(0)) return 0;
+  double low = 0, high = largest / rho_by_distance;
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = 0.5 * (low + high);
-    (bound(middle) + rho_by_distance * middle < size ? low : high) = middle;
+    (bound(middle) + rho_by_distance * middle < largest ? low : high) = middle;
   }
   return high;
 }
@@ -245,23 +245,23 @@ TEST(YieldingLayer, RollingInStepsIsThatOfANaiveIteration) {
     ContactStep step = sphere(8, layer, 0);
     step.friction = {law};
     step.motion.motion = ContactMotion::transient;
-    const ElementGrid& grid = step.grid;
-    const double dq = grid.dx, speed = step.motion.rolling_speed;
-    const double relaxed = 0.4 * dq / (element_influence(steel, grid, 0, 0).xx + layer.flexibility);
+    const ElementGrid& cells = step.grid;
+    const double dq = cells.dx, speed = step.motion.rolling_speed;
+    const double relaxed = 0.4 * dq / (element_influence(steel, cells, 0, 0).xx + layer.flexibility);
     const auto ahead = [&](const Field& of, std::size_t k) { // of the particle before the step
-      return static_cast<int>(k) % grid.mx + 1 < grid.mx ? of[k + 1] : 0;
+      return static_cast<int>(k) % cells.mx + 1 < cells.mx ? of[k + 1] : 0;
     };
     ContactSequence sequence;
-    PlaneFields p{Field(grid.count()), Field(grid.count())};
-    Field deformation(grid.count());
+    PlaneFields p{Field(cells.count()), Field(cells.count())};
+    Field deformation(cells.count());
     for (const double creepage : {1e-3, 4e-3, 0.02, 0.125, 0.125, 0.2, 0.25, 0.25}) {
       step.motion.creepage = {creepage, -0.2 * creepage, 0};
       const ContactStepSolution s = sequence.solve(step);
-      ASSERT_EQ(s.status, Status::ok) << creepage;
+      ASSERT_EQ(s.report.status, Status::ok) << creepage;
       step.start = StepStart::previous;
 
-      PlaneFields before = dense_displacement(steel, grid, p.x, p.y, dq);
-      Field brought(grid.count()), slid(grid.count());
+      PlaneFields before = dense_displacement(steel, cells, p.x, p.y, dq);
+      Field brought(cells.count()), slid(cells.count());
       for (std::size_t k = 0; k < slid.size(); ++k) {
         before.x[k] += layer.flexibility * ahead(p.x, k), before.y[k] += layer.flexibility * ahead(p.y, k);
         brought[k] = ahead(deformation, k);
@@ -271,20 +271,20 @@ TEST(YieldingLayer, RollingInStepsIsThatOfANaiveIteration) {
         return law.coefficient(speed * l / dq) * s.normal.pressure[k];
       };
       for (int round = 0; round < 300; ++round) {
-        const PlaneFields now = dense_displacement(steel, grid, p.x, p.y);
+        const PlaneFields now = dense_displacement(steel, cells, p.x, p.y);
         for (std::size_t k = 0; k < slid.size(); ++k) {
           const double zx = p.x[k] - relaxed * (creepage + (now.x[k] + layer.flexibility * p.x[k] - before.x[k]) / dq);
           const double zy =
               p.y[k] - relaxed * (-0.2 * creepage + (now.y[k] + layer.flexibility * p.y[k] - before.y[k]) / dq);
-          const double size = std::hypot(zx, zy);
-          slid[k] = slip_left(size, relaxed / dq, [&](double l) { return std::min(friction(k, l), yield(k, l)); });
-          const double carried = size > 0 ? (size - relaxed / dq * slid[k]) / size : 0;
+          const double z = std::hypot(zx, zy);
+          slid[k] = slip_left(z, relaxed / dq, [&](double l) { return std::min(friction(k, l), yield(k, l)); });
+          const double carried = z > 0 ? (z - relaxed / dq * slid[k]) / z : 0;
           p.x[k] = carried * zx, p.y[k] = carried * zy;
         }
       }
       for (std::size_t k = 0; k < slid.size(); ++k) {
-        EXPECT_NEAR(s.tangential.tractions.px[k], p.x[k], 1e-6 * peak_of(s)) << creepage << ", " << k;
-        EXPECT_NEAR(s.tangential.tractions.py[k], p.y[k], 1e-6 * peak_of(s)) << creepage << ", " << k;
+        EXPECT_NEAR(s.fields.traction.x[k], p.x[k], 1e-6 * peak_of(s)) << creepage << ", " << k;
+        EXPECT_NEAR(s.fields.traction.y[k], p.y[k], 1e-6 * peak_of(s)) << creepage << ", " << k;
         const bool yields = yield(k, slid[k]) < friction(k, slid[k]);
         const double until_friction = (friction(k, slid[k]) - layer.yield_stress) / layer.hardening;
         deformation[k] = yields                ? brought[k] + slid[k]
