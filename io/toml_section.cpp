@@ -145,9 +145,9 @@ void TomlSection::allow_described(const Words& more) const {
 }
 
 void TomlSection::require_condition(const description::Input& input) const {
-  const auto& [key, words] = input.only;
-  if (key.empty() || std::find(words.begin(), words.end(), word(key)) != words.end()) return;
-  at(input.key, [&] { throw Error(full(input.key) + ": needs " + full(key) + " = " + listed(words, "or")); });
+  const description::Condition& only = input.only;
+  if (only.key.empty() || std::ranges::find(only.words, word(only.key)) != only.words.end()) return;
+  at(input.key, [&] { throw Error(full(input.key) + ": needs " + full(only.key) + " = " + listed(only.words, "or")); });
 }
 
 const description::Input& TomlSection::input(std::string_view key) const {
