@@ -31,7 +31,7 @@ inline constexpr std::array study_texts = {
     StudyText{"frictional-power", "power of the classical discretisation on refined elements, for bodies of all kinds"},
     StudyText{"hertz", "the normal problem against Hertz's closed form, and its order"},
     StudyText{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table"},
-    StudyText{"layers", "bodies with layers: responses beside closed forms, a sphere on two layers on steel"},
+    StudyText{"layers", "layered bodies beside closed forms and published figures: responses, contact, rolling"},
     StudyText{"manchester", "a wheelset of the Manchester benchmark beside CONTACT, with both theories"},
     StudyText{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies"},
     StudyText{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps"},
