@@ -146,7 +146,8 @@ void TomlSection::allow_described(const Words& more) const {
 
 void TomlSection::require_condition(const description::Input& input) const {
   const description::Condition& only = input.only;
-  if (only.key.empty() || std::ranges::find(only.words, word(only.key)) != only.words.end()) return;
+  if (only.key.empty()) return;
+  if (std::find(only.words.begin(), only.words.end(), word(only.key)) != only.words.end()) return;
   at(input.key, [&] { throw Error(full(input.key) + ": needs " + full(only.key) + " = " + listed(only.words, "or")); });
 }
 
