@@ -96,7 +96,7 @@ TEST_F(WheelOnPlane, IsASphereOnAPlane) {
   const WheelOutcome& w = *outcomes.at(0).wheel;
   ASSERT_EQ(w.patches.size(), 1u);
   const PatchLocation& l = w.patches[0].location;
-  EXPECT_NEAR(l.track.y, 200, 1e-6);
+  EXPECT_NEAR(l.track.y / mm, 200, 1e-6);
   EXPECT_NEAR(l.angle, 0, 1e-9);
   EXPECT_NEAR(w.track.force.z / hertz(0.16e-3).normal_force, 1, 0.003);
   EXPECT_NEAR(slip_of(w.patches[0].contact.x), 0, 2e-5) << "the wheel rolls";
@@ -169,7 +169,7 @@ TEST_F(WheelOnPlane, FarAlongTheTrackPatchesAreNoLonger) {
     return outcomes.at(0).wheel->patches.at(0);
   };
   const WheelPatch near = patch("0"), far = patch("5000.");
-  EXPECT_NEAR(far.location.track.x - near.location.track.x, 5000, 1e-6);
+  EXPECT_NEAR((far.location.track.x - near.location.track.x) / mm, 5000, 1e-6);
   EXPECT_EQ(far.solution->step.grid.mx, near.solution->step.grid.mx);
   EXPECT_EQ(far.solution->step.grid.my, near.solution->step.grid.my);
   EXPECT_NEAR(far.solution->totals.fn / near.solution->totals.fn, 1, 1e-6);
@@ -195,7 +195,7 @@ TEST(ContactWheelRun, OnARollerThatDoesNotReachTheContactAllNumbersAreFinite) {
       for (const WheelPatch& patch : outcome.wheel->patches) {
         const auto& at = patch.location.track;
         EXPECT_TRUE(std::isfinite(at.x + at.y + at.z));
-        beyond += std::abs(at.x) > radius;
+        beyond += std::abs(at.x) / mm > radius;
       }
     }
   EXPECT_GT(beyond, 0);
@@ -335,7 +335,7 @@ double sum_of_px(const CarriedTractions& carried) {
 
 TEST(CarriedTractions, PartsAreTheWhole) {
   const CarriedTractions whole = counted(3, 5, 0, 0);
-  const double line = 1.5;
+  const double line = 1.5 * mm;
   const auto low = part_of(whole, -1e9, line), high = part_of(whole, line, 1e9);
   EXPECT_EQ(sum_of_px(low), 1 + 2 + 3 + 4 + 5 + 6);
   const CarriedTractions sum = sum_of({low, high});
@@ -353,7 +353,7 @@ TEST(CarriedTractions, SumsReachAsFarAsTheirParts) {
   EXPECT_NEAR(grid.y0, -4e-3, 1e-15);
   EXPECT_EQ(sum_of_px(sum), sum_of_px(a) + sum_of_px(b));
   CarriedTractions moved = sum;
-  move_origin(moved, 2, -3);
+  move_origin(moved, 2 * mm, -3 * mm);
   EXPECT_NEAR(moved.tractions.grid.x0, 2e-3, 1e-15);
   EXPECT_NEAR(moved.tractions.grid.y0, -7e-3, 1e-15);
 }
@@ -526,7 +526,7 @@ TEST_F(RailOnTwoSprings, AForceThatIsNotReachedIsNotOk) {
   const std::string vertical = with(first_wheel, {{" 1203000", " 1203100"}, {" 0 0 .16 ", " 0 0 50001. "}});
   for (const auto& [text, name] :
        {std::pair(vertical, "FZ is"), std::pair(pulled, "FX_WS is"),
-        std::pair(with_springs(" 1203130", " 0 3. 50e3 0 0 0", springs_), "FY(TR) on the rail's spring is"),
+        std::pair(with_springs(" 1203130", " 0 3. 51e3 0 0 0", springs_), "FY(TR) on the rail's spring is"),
         std::pair(with_springs(" 1203030", " 0 3. 5. 0 0 0", springs_), "FZ(TR) on the rail's spring is")}) {
     SCOPED_TRACE(name);
     const Outcome reached = run(text).at(0), missed = run(strict(text)).at(0);
@@ -655,11 +655,11 @@ TEST_F(WheelOnPlane, NearMissesAreTheNextMinimaOfTheGap) {
       ASSERT_EQ(found.size(), 2u);
       if (found[0].y > found[1].y) std::swap(found[0], found[1]);
       const double middle = side[1] == '0' ? -200 : 200;
-      EXPECT_NEAR(found[0].y, middle - at, 0.08) << "steps of the search";
-      EXPECT_NEAR(found[1].y, middle + at, 0.08);
+      EXPECT_NEAR(found[0].y / mm, middle - at, 0.08) << "steps of the search";
+      EXPECT_NEAR(found[1].y / mm, middle + at, 0.08);
       for (const NearMiss& miss : found) {
-        EXPECT_NEAR(miss.gap, least, 2e-3);
-        EXPECT_NEAR(miss.x, 0, 0.2);
+        EXPECT_NEAR(miss.gap / mm, least, 2e-3);
+        EXPECT_NEAR(miss.x / mm, 0, 0.2);
       }
       EXPECT_TRUE(misses(".3").empty());
       EXPECT_TRUE(misses("-1").empty());
