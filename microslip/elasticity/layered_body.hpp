@@ -19,6 +19,8 @@ struct ViscoelasticMaterial {
 
   bool is_elastic() const { return shear_relaxation.empty() && (!bulk_relaxation || bulk_relaxation->empty()); }
   bool is_rigid() const;
+
+  friend bool operator==(const ViscoelasticMaterial&, const ViscoelasticMaterial&) = default;
 };
 
 /// G/K = 3 (1 - 2 nu)/(2 (1 + nu)), the shear modulus over the bulk modulus.
@@ -28,6 +30,8 @@ double shear_over_bulk_modulus(const Material& material);
 struct BodyLayer {
   double thickness; ///< h [m]
   ViscoelasticMaterial material;
+
+  friend bool operator==(const BodyLayer&, const BodyLayer&) = default;
 };
 
 /// A half-space or rigid core below layers.
@@ -40,6 +44,20 @@ struct LayeredBody {
   /// The material of the surface.
   const ViscoelasticMaterial& top() const { return layers.empty() ? substrate : layers.front().material; }
   bool is_elastic() const;
+
+  friend bool operator==(const LayeredBody&, const LayeredBody&) = default;
+};
+
+/// Two layered bodies in contact; half-spaces and rigid bodies are layered ones without layers.
+struct LayeredBodies {
+  LayeredBody body1, body2;
+  double speed = 0; ///< V [m/s] of steady rolling, positive along +x; not zero for viscoelastic bodies
+
+  bool are_elastic() const { return body1.is_elastic() && body2.is_elastic(); }
+  /// Half-spaces of the surfaces' materials as they are at once.
+  CombinedMaterial surfaces() const { return combine(body1.top().instantaneous, body2.top().instantaneous); }
+
+  friend bool operator==(const LayeredBodies&, const LayeredBodies&) = default;
 };
 
 /// Throws Error for a value out of range; `field` names the body.

@@ -9,6 +9,8 @@ struct Material {
 
   /// Material of Young's modulus E [Pa], > 0, infinite if rigid: G = E/(2 (1 + nu)). Throws Error if out of range.
   static Material from_young(double young_modulus, double poisson_ratio);
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// The constants of two bodies in contact, as half-space theory needs them (Kalker 1990, section 1.6; (E4)):

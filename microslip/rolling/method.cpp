@@ -38,7 +38,11 @@ struct Rule {
   bool (*is_broken)(Problem, How);
 };
 
-constexpr std::string_view needs_exact = "needs {solution.theory=exact}",
+double velocity_of(const Motion& motion) {
+  return motion.direction == RollingDirection::forward ? motion.rolling_speed : -motion.rolling_speed;
+}
+
+constexpr std::string_view needs_exact = "needs {solution.theory=exact}", layers = "body1.layers, body2.layers",
                            not_of_table = "cannot be combined with {solution.theory=table}";
 
 /// Incompatible options. Every interface reads them from here, in this order.
@@ -51,6 +55,26 @@ constexpr Rule rules[] = {
      [](Problem p, How m) { return is_exact(m) && p.friction.temperature_effect && p.bodies.layer.yields(); }},
     {"motion.kind", "must be steady with thermal data of the bodies",
      [](Problem p, How m) { return is_exact(m) && p.thermal && !is_steady(p); }},
+    // Layers
+    {layers, needs_exact, [](Problem p, How m) { return !is_exact(m) && p.layered; }},
+    {layers, "need radii of the bodies or their gap on a grid: their contact is not Hertz's ellipse",
+     [](Problem p, How) { return p.layered && std::holds_alternative<Ellipse>(p.geometry); }},
+    {layers, "cannot be combined with {case.layer}",
+     [](Problem p, How) { return p.layered && p.bodies.layer.flexibility > 0; }},
+    {layers, "cannot be combined with creep of a body as a half-space: give the relaxation of its layers and substrate",
+     [](Problem p, How) { return p.layered && !p.bodies.are_elastic(); }},
+    {layers, "viscoelastic ones need steady rolling with the speed that they are given",
+     [](Problem p, How) {
+       return p.layered && !p.layered->are_elastic() && !(is_steady(p) && p.layered->speed == velocity_of(p.motion));
+     }},
+    {"solution.elements", "must be constant for bodies with layers",
+     [](Problem p, How m) { return p.layered && elements_of(p, m) != ElementShape::constant; }},
+    {"motion.step", "must be the elements' length for bodies with layers",
+     [](Problem p, How) { return p.layered && p.motion.step != 0; }},
+    {"motion.force_longitudinal, motion.force_lateral", "need {load.normal_force} with layers",
+     [](Problem p, How) {
+       return p.layered && p.load.given == NormalLoad::Given::approach && (p.motion.force_x || p.motion.force_y);
+     }},
     // Exact theory
     {"motion.kind", "must be steady with viscoelastic bodies",
      [](Problem p, How m) { return is_exact(m) && !p.bodies.are_elastic() && !is_steady(p); }},
@@ -126,7 +150,7 @@ constexpr Rule rules[] = {
 
 bool needs_sequence(const RollingProblem& p) {
   return !is_coulomb(p) || p.friction.temperature_effect || p.thermal || p.bodies.are_coupled() ||
-         !p.bodies.are_elastic() || p.bodies.layer.flexibility > 0;
+         !p.bodies.are_elastic() || p.bodies.layer.flexibility > 0 || p.layered;
 }
 
 bool needs_classical(const RollingProblem& p) {
@@ -186,6 +210,21 @@ TangentialInput tangential_input(const RollingProblem& problem, const Method& me
   input.rolling_speed = problem.motion.rolling_speed;
   input.tolerance = method.tolerance;
   return input;
+}
+
+GapValues gap_values(const RollingProblem& problem, const Method& method) {
+  GapValues out;
+  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) out = *values;
+  const auto* formula = std::get_if<GapFormula>(&problem.geometry);
+  if (formula != nullptr) out.grid = formula->grid;
+  out.grid.shape = elements_of(problem, method);
+  if (formula == nullptr) return out;
+  const auto& [grid, gap] = *formula;
+  check(grid);
+  out.gap.resize(grid.count());
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) out.gap[static_cast<std::size_t>(j) * grid.mx + i] = gap(grid.x(i), grid.y(j));
+  return out;
 }
 
 ContactStep contact_step(const RollingProblem& problem, const Method& method, GapValues gap, const NormalLoad& load) {

@@ -68,6 +68,8 @@ ElementShape elements_of(const RollingProblem& problem, const Method& method);
 SimplifiedOptions simplified_options(const Method& method, RollingDirection direction);
 /// The motion without forces.
 TangentialInput tangential_input(const RollingProblem& problem, const Method& method);
+/// A gap on a grid as values at the centres of its elements, which have the method's shape.
+GapValues gap_values(const RollingProblem& problem, const Method& method);
 /// A step of a ContactSequence: the problem with a gap on a grid and a load instead of those it has. Forces along the
 /// surface need one that is a force.
 ContactStep contact_step(const RollingProblem& problem, const Method& method, GapValues gap, const NormalLoad& load);

@@ -5,6 +5,7 @@
 #include "microslip/contact/elliptic_contact.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/layered_body.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/exact/classical/slip_friction.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
@@ -65,6 +66,9 @@ struct RollingProblem {
   FrictionModel friction = {};
   Motion motion = {};
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
+  /// Bodies with layers, of which `bodies` are the surfaces' half-spaces (LayeredBodies::surfaces): the exact theory on
+  /// classical elements. Viscoelastic ones roll with the motion's speed.
+  std::optional<LayeredBodies> layered = {};
 };
 
 /// A Hertzian contact as a problem: `motion` is what there is beyond its creepages and its speed.

@@ -6,6 +6,7 @@
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/ellipse_solver.hpp"
+#include "microslip/rolling/layered_rolling.hpp"
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -17,22 +18,6 @@
 
 namespace microslip {
 namespace {
-
-/// A gap as values at the centres of the elements that the method takes.
-GapValues gap_values(const RollingProblem& problem, const Method& method) {
-  GapValues out;
-  if (const auto* values = std::get_if<GapValues>(&problem.geometry)) out = *values;
-  const auto* formula = std::get_if<GapFormula>(&problem.geometry);
-  if (formula != nullptr) out.grid = formula->grid;
-  out.grid.shape = elements_of(problem, method);
-  if (formula == nullptr) return out;
-  const auto& [grid, gap] = *formula;
-  check(grid);
-  out.gap.resize(grid.count());
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i) out.gap[static_cast<std::size_t>(j) * grid.mx + i] = gap(grid.x(i), grid.y(j));
-  return out;
-}
 
 /// The finest solution with the limit's forces and creepages, and the limit's error.
 ContactSolution with_limit(AccurateContact found) {
@@ -113,8 +98,22 @@ struct Solver::Kept {
   std::optional<KeptPatch> patch;
   TransformPlans plans; ///< of patches
   ContactSequence sequence;
+  LayeredRolling layered;
 
-  explicit Kept(const Method& how) : method(how), exact(how) {}
+  explicit Kept(const Method& how) : method(how), exact(how), layered(how) {}
+
+  ContactSolution solve(const RollingProblem& problem, const Progress& progress) {
+    if (problem.layered) return solve_layered(problem, progress);
+    return is_hertzian(problem) ? solve_ellipse(problem, progress) : solve_on_grid(problem, progress);
+  }
+
+  ContactSolution solve_layered(const RollingProblem& problem, const Progress& progress) {
+    try {
+      return layered.solve(problem, progress);
+    } catch (const Stopped& stopped) {
+      return solution_without_result(Status::not_converged, stopped.what());
+    }
+  }
 
   ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
     if (method.theory == Theory::table) return look_up(*method.table, elliptic_contact(problem));
@@ -187,8 +186,7 @@ const Method& Solver::method() const {
 
 ContactSolution Solver::solve(const RollingProblem& problem, const Progress& progress) {
   require_compatible(problem, kept_->method);
-  ContactSolution out =
-      is_hertzian(problem) ? kept_->solve_ellipse(problem, progress) : kept_->solve_on_grid(problem, progress);
+  ContactSolution out = kept_->solve(problem, progress);
   conclude(out, kept_->method.tolerance);
   return out;
 }
@@ -207,15 +205,16 @@ ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Prog
 GapValues Solver::deformed_gap(const RollingProblem& problem, const Progress& progress) {
   require_compatible(problem, kept_->method);
   if (kept_->method.theory != Theory::exact) throw Error("deformed gap: needs the exact theory");
-  if (is_hertzian(problem) && !kept_->method.accuracy) return kept_->exact.deformed_gap(problem, progress);
-  if (is_hertzian(problem)) {
+  const bool ellipse = is_hertzian(problem) && !problem.layered;
+  if (ellipse && !kept_->method.accuracy) return kept_->exact.deformed_gap(problem, progress);
+  if (ellipse) {
     if (kept_->finest == 0) throw Error("deformed gap: with an accuracy, of the problem last solved, and none was");
     Method on_finest = kept_->method;
     on_finest.accuracy.reset();
     on_finest.mx = on_finest.my = kept_->finest;
     return EllipseSolver(on_finest).deformed_gap(problem, progress);
   }
-  ContactSolution solution = kept_->solve_on_grid(problem, progress);
+  ContactSolution solution = kept_->solve(problem, progress);
   return {solution.elements.grid, std::move(solution.fields.gap)};
 }
 

@@ -10,14 +10,6 @@
 
 namespace microslip {
 
-/// Two layered bodies in contact; half-spaces and rigid bodies are layered ones without layers.
-struct LayeredBodies {
-  LayeredBody body1, body2;
-  double speed = 0; ///< V [m/s] of steady rolling, positive along +x; not zero for viscoelastic bodies
-
-  bool are_elastic() const { return body1.is_elastic() && body2.is_elastic(); }
-};
-
 /// Displacement differences u1 - u2 of layered bodies at the elements' centres by offset, from unit tractions on
 /// rectangular elements, or strips: that of two half-spaces of the surfaces' materials in closed form, (E7) to (E9),
 /// with their creep (B4), and what layers add. Normal tractions move body 2's surface along it the other way: uxz and

@@ -1,0 +1,117 @@
+#include "microslip/rolling/layered_rolling.hpp"
+
+#include "microslip/error.hpp"
+#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/halfspace/layered_influence.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace microslip {
+namespace {
+
+/// n elements across the contact's half-lengths a, b and as many beside it as it may be longer: it was found on 16.
+ElementGrid elements_about(double centre, double a, double b, int mx, int my) {
+  const auto with_margin = [](double length, int n, double& first, double& size, int& count) {
+    const int margin = std::max(2, (n + 11) / 12);
+    size = 2 * length / n;
+    count = n + 2 * margin;
+    first = -0.5 * (count - 1) * size;
+  };
+  ElementGrid grid;
+  with_margin(a, mx, grid.x0, grid.dx, grid.mx);
+  with_margin(b, my, grid.y0, grid.dy, grid.my);
+  grid.x0 += centre;
+  return grid;
+}
+
+/// First and last index of something along an axis.
+struct Extent {
+  int first, last;
+
+  double middle() const { return 0.5 * (first + last); }
+  int count() const { return last - first + 1; }
+  bool reaches_end_of(int elements) const { return first == 0 || last == elements - 1; }
+};
+
+struct Patch {
+  Extent x, y;
+};
+
+/// The columns and rows of a grid that have pressure; none without contact.
+std::optional<Patch> loaded_part(const ElementGrid& grid, const std::vector<double>& pressure) {
+  Patch patch{{grid.mx, -1}, {grid.my, -1}};
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i)
+      if (pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0) {
+        patch.x = {std::min(patch.x.first, i), std::max(patch.x.last, i)};
+        patch.y = {std::min(patch.y.first, j), std::max(patch.y.last, j)};
+      }
+  if (patch.x.last < 0) return std::nullopt;
+  return patch;
+}
+
+bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid) {
+  return table.mx() == grid.mx + 1 && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
+         table.is_of_strips() == grid.line;
+}
+
+} // namespace
+
+/// A step of the problem with the influence of the layered bodies' elements.
+ContactStep LayeredRolling::step_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
+  const LayeredBodies& bodies = *problem.layered;
+  if (!table_ || !(bodies_ == bodies) || !has_elements_of(*table_, gap.grid)) {
+    table_ = layered_table(bodies, gap.grid, essential_part(progress, 0, 0));
+    bodies_ = bodies;
+  }
+  ContactStep step = contact_step(problem, method_, std::move(gap), problem.load);
+  step.response.table = table_;
+  return step;
+}
+
+/// Elements about the contact of bodies with these curvatures. It begins with Hertz's ellipse of the surfaces'
+/// half-spaces; a contact that reaches the end of its elements gets twice as many lengths.
+ElementGrid LayeredRolling::grid_around_contact(const RollingProblem& problem, const GapCurvatures& curvatures,
+                                                const Progress& progress) {
+  constexpr int coarse = 16, most_rounds = 40;
+  constexpr double settled = 1.2; // change of the lengths
+  const auto& [given, load] = problem.load;
+  const CombinedMaterial surfaces = problem.layered->surfaces();
+  const HertzContact hertz = given == NormalLoad::Given::force ? hertz_from_load(curvatures, surfaces, load)
+                                                               : hertz_from_approach(curvatures, surfaces, load);
+  double a = hertz.a, b = hertz.b, centre = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
+    ContactStep step = step_on(problem, {grid, hertzian_gap(curvatures, grid)}, progress);
+    step.frictionless = true;
+    const ContactStepSolution s = ContactSequence().solve(step);
+    const std::optional<Patch> patch = loaded_part(grid, s.fields.pressure);
+    if (!patch) break;
+    const bool wider = patch->x.reaches_end_of(grid.mx), longer = patch->y.reaches_end_of(grid.my);
+    const double next_a = wider ? 2 * a : 0.5 * patch->x.count() * grid.dx,
+                 next_b = longer ? 2 * b : 0.5 * patch->y.count() * grid.dy;
+    if (!wider) centre = grid.x0 + patch->x.middle() * grid.dx;
+    const auto stays = [](double before, double after) { return after < settled * before && before < settled * after; };
+    const bool found = stays(a, next_a) && stays(b, next_b);
+    a = next_a, b = next_b;
+    if (found) return elements_about(centre, a, b, method_.mx, method_.my);
+  }
+  throw Error("layers: no contact area is found whose size is that of its elements");
+}
+
+ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
+  return solve_steps(sequence_, step_on(problem, std::move(gap), progress), problem.motion.steps, progress);
+}
+
+ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {
+  check(problem.motion);
+  const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
+  if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), progress);
+  const ElementGrid grid = grid_around_contact(problem, *curvatures, progress);
+  return solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, progress);
+}
+
+} // namespace microslip

@@ -1,0 +1,173 @@
+// Bodies with layers by the solver at the front: limits, elements that follow the contact, refusals.
+
+#include "microslip/error.hpp"
+#include "microslip/rolling/solver.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const Material stiff = {82e9, 0.28}, rubber = {1e6, 0.5};
+const ViscoelasticMaterial rigid = {{std::numeric_limits<double>::infinity(), 0}};
+
+/// Balls of 0.1 m and of 0.2 m across, of these bodies.
+RollingProblem rolling_of(const LayeredBodies& bodies, double normal_force) {
+  RollingProblem p;
+  p.geometry = GapCurvatures{5, 2.5};
+  p.layered = bodies;
+  p.bodies = bodies.surfaces();
+  p.load = {NormalLoad::Given::force, normal_force};
+  p.friction.law = FrictionLaw::coulomb(0.3);
+  p.motion.creepage = {1e-3, -5e-4, 0.2};
+  p.motion.rolling_speed = 10;
+  return p;
+}
+
+LayeredBodies steel_without_layers() {
+  return {{{}, {stiff}}, {{}, {stiff}}};
+}
+
+/// A cover of rubber on a rigid core below a rigid ball.
+LayeredBodies covered(double thickness, const PronySeries& relaxation = {}, double speed = 0) {
+  return {{{}, rigid}, {{{thickness, {rubber, relaxation}}}, rigid}, speed};
+}
+
+/// Columns and rows with pressure.
+std::pair<int, int> loaded(const ContactSolution& s) {
+  const ElementGrid& grid = s.elements.grid;
+  int columns = 0, rows = 0;
+  for (int i = 0; i < grid.mx; ++i) {
+    bool has = false;
+    for (int j = 0; j < grid.my; ++j) has = has || s.fields.pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0;
+    columns += has;
+  }
+  for (int j = 0; j < grid.my; ++j) {
+    bool has = false;
+    for (int i = 0; i < grid.mx; ++i) has = has || s.fields.pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0;
+    rows += has;
+  }
+  return {columns, rows};
+}
+
+double total(const ContactSolution& s) {
+  double sum = 0;
+  for (const double p : s.fields.pressure) sum += p;
+  return sum * s.elements.grid.element_area();
+}
+
+TEST(LayeredRolling, LayersOfTheSubstrateAreAHalfSpace) {
+  LayeredBodies bodies = steel_without_layers();
+  bodies.body2.layers = {{1e-3, {stiff}}, {4e-3, {stiff}}};
+  RollingProblem p = rolling_of(bodies, 10e3);
+  const auto gap = [](double x, double y) { return 5 * x * x + 2.5 * y * y; };
+  p.geometry = GapFormula{ElementGrid::across_ellipse(2e-3, 3e-3, 16, 20, 1), gap};
+  RollingProblem plain = p;
+  plain.layered.reset();
+  const Method method{.theory = Theory::exact, .discretisation = Discretisation::classical, .tolerance = 1e-10};
+  const ContactSolution a = Solver(method).solve(p), b = Solver(method).solve(plain);
+  ASSERT_EQ(a.report.status, Status::ok);
+  ASSERT_EQ(b.report.status, Status::ok);
+  EXPECT_NEAR(a.totals.fx, b.totals.fx, 1e-6 * 3e3);
+  EXPECT_NEAR(a.totals.fy, b.totals.fy, 1e-6 * 3e3);
+  EXPECT_NEAR(a.totals.mz, b.totals.mz, 1e-6 * 3e3 * 2e-3);
+  EXPECT_NEAR(a.approach, b.approach, 1e-6 * b.approach);
+}
+
+/// From 0.01 to 1e6 N a contact has as many elements across it as are asked for, to one or two, and Hertz's size.
+TEST(LayeredRolling, ElementsFollowTheContact) {
+  Solver solver({.theory = Theory::exact, .mx = 20, .my = 24});
+  for (const double force : {1e-2, 1.0, 1e4, 1e6}) {
+    const RollingProblem p = rolling_of(steel_without_layers(), force);
+    const ContactSolution s = solver.solve(p);
+    ASSERT_EQ(s.report.status, Status::ok) << force;
+    const HertzContact hertz = hertz_from_load({5, 2.5}, p.bodies.material, force);
+    const auto [columns, rows] = loaded(s);
+    EXPECT_NEAR(columns, 20, 2) << force;
+    EXPECT_NEAR(rows, 24, 2) << force;
+    EXPECT_NEAR(columns * s.elements.grid.dx, 2 * hertz.a, 1.5 * s.elements.grid.dx);
+    EXPECT_NEAR(rows * s.elements.grid.dy, 2 * hertz.b, 1.5 * s.elements.grid.dy);
+    EXPECT_NEAR(total(s), force, 1e-6 * force);
+    EXPECT_NEAR(s.approach / hertz.approach, 1, 2e-3);
+  }
+}
+
+/// A cover much thicker than the contact is a half-space, the thinner it is the stiffer and the smaller the contact.
+TEST(LayeredRolling, ACoverOnARigidCoreIsStiffer) {
+  Solver solver({.theory = Theory::exact, .mx = 16, .my = 16});
+  const double force = 2;
+  const HertzContact hertz = hertz_from_load({5, 2.5}, covered(1).surfaces(), force);
+  double before = 1;
+  for (const double thickness : {1.0, 1e-2, 3e-3, 1e-3, 3e-4}) {
+    const ContactSolution s = solver.solve(rolling_of(covered(thickness), force));
+    ASSERT_EQ(s.report.status, Status::ok) << thickness;
+    const double approach = s.approach / hertz.approach;
+    EXPECT_LT(approach, thickness == 1 ? 1.01 : 0.95 * before);
+    EXPECT_NEAR(total(s), force, 1e-6 * force);
+    if (thickness == 1) { EXPECT_NEAR(approach, 1, 0.01); }
+    before = approach;
+  }
+}
+
+/// A cover that relaxes: slowly it is soft, fast stiff, and between these the contact lies behind what rolls ahead.
+TEST(LayeredRolling, AViscoelasticCoverResists) {
+  const PronySeries relaxation = {{0.5, 1e-3}};
+  Solver solver({.theory = Theory::exact, .mx = 16, .my = 16});
+  const auto rolled = [&](double speed) {
+    RollingProblem p = rolling_of(covered(5e-3, relaxation, speed), 2);
+    p.motion.rolling_speed = std::abs(speed);
+    if (speed < 0) p.motion.direction = RollingDirection::backward;
+    p.friction.law = FrictionLaw::coulomb(0);
+    const ContactSolution s = solver.solve(p);
+    EXPECT_EQ(s.report.status, Status::ok) << speed;
+    return s;
+  };
+  const double slow = rolled(1e-4).approach, fast = rolled(1e4).approach;
+  EXPECT_NEAR(slow / fast, std::pow(2.0, 0.6), 0.25); // between 2^(2/3) of a half-space and a bed of springs
+  const ContactSolution s = rolled(2), back = rolled(-2);
+  EXPECT_GT(s.approach, 1.05 * fast);
+  EXPECT_LT(s.approach, 0.95 * slow);
+  const double lead = s.totals.my / 2; // [m]
+  EXPECT_GT(std::abs(lead), 0.01 * std::sqrt(s.approach / 5));
+  EXPECT_NEAR(back.totals.my, -s.totals.my, 1e-6 * std::abs(s.totals.my));
+  EXPECT_NEAR(back.approach, s.approach, 1e-9 * s.approach);
+}
+
+TEST(LayeredRolling, RefusesWhatItCannotHonour) {
+  const Method exact{.theory = Theory::exact};
+  const auto refusal = [](const RollingProblem& p, const Method& method) -> std::string {
+    try {
+      Solver(method).solve(p);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  RollingProblem p = rolling_of(steel_without_layers(), 1e3);
+  EXPECT_NE(refusal(p, {.theory = Theory::fastsim2}).find("body1.layers, body2.layers"), std::string::npos) << refusal(p, {.theory = Theory::fastsim2});
+  RollingProblem ellipse = p;
+  ellipse.geometry = Ellipse{1e-3, 1e-3};
+  EXPECT_NE(refusal(ellipse, exact).find("radii"), std::string::npos) << refusal(ellipse, exact);
+  RollingProblem between = p;
+  between.bodies.layer.flexibility = 1e-14;
+  EXPECT_NE(refusal(between, exact).find("layer"), std::string::npos);
+  RollingProblem transient = rolling_of(covered(5e-3, {{0.5, 1e-3}}, 10), 2);
+  transient.motion.kind = ContactMotion::transient;
+  EXPECT_NE(refusal(transient, exact).find("steady"), std::string::npos);
+  RollingProblem slower = rolling_of(covered(5e-3, {{0.5, 1e-3}}, 5), 2);
+  EXPECT_NE(refusal(slower, exact).find("speed"), std::string::npos);
+  RollingProblem step = p;
+  step.motion.step = 1e-5;
+  EXPECT_NE(refusal(step, exact).find("motion.step"), std::string::npos);
+  Method accurate = exact;
+  accurate.accuracy = 1e-3;
+  EXPECT_NE(refusal(p, accurate).find("accuracy"), std::string::npos);
+}
+
+} // namespace
+} // namespace microslip
