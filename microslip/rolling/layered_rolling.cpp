@@ -53,6 +53,20 @@ std::optional<Patch> loaded_part(const ElementGrid& grid, const std::vector<doub
   return patch;
 }
 
+bool is_cut_off(const ElementGrid& grid, const Patch& patch) {
+  return patch.x.reaches_end_of(grid.mx) || patch.y.reaches_end_of(grid.my);
+}
+
+/// The same elements and an eighth more on each side.
+ElementGrid wider(ElementGrid grid) {
+  const int columns = (grid.mx + 7) / 8, rows = (grid.my + 7) / 8;
+  grid.x0 -= columns * grid.dx, grid.mx += 2 * columns;
+  grid.y0 -= rows * grid.dy, grid.my += 2 * rows;
+  return grid;
+}
+
+constexpr const char* not_found = "layers: no contact area is found whose size is that of its elements";
+
 bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid) {
   return table.mx() == grid.mx + 1 && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
          table.is_of_strips() == grid.line;
@@ -99,7 +113,7 @@ ElementGrid LayeredRolling::grid_around_contact(const RollingProblem& problem, c
     a = next_a, b = next_b;
     if (found) return elements_about(centre, a, b, method_.mx, method_.my);
   }
-  throw Error("layers: no contact area is found whose size is that of its elements");
+  throw Error(not_found);
 }
 
 ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
@@ -110,8 +124,15 @@ ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progr
   check(problem.motion);
   const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
   if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), progress);
-  const ElementGrid grid = grid_around_contact(problem, *curvatures, progress);
-  return solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, progress);
+  constexpr int most_times = 8;
+  ElementGrid grid = grid_around_contact(problem, *curvatures, progress);
+  for (int time = 0; time < most_times; ++time) {
+    ContactSolution solution = solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, progress);
+    const std::optional<Patch> patch = loaded_part(grid, solution.fields.pressure);
+    if (!patch || !is_cut_off(grid, *patch)) return solution;
+    grid = wider(grid); // friction and finer elements may make the contact longer than that it was found with
+  }
+  throw Error(not_found);
 }
 
 } // namespace microslip
