@@ -121,18 +121,20 @@ struct CreepTableSource::Data {
 
   Materials materials(std::span<const double> poisson_ratios) {
     const std::scoped_lock lock(mutex);
+    Materials all; // held from here on: other threads may let go of theirs at any time
     std::vector<double> missing;
     for (const double nu : poisson_ratios)
-      if (!find(nu)) missing.push_back(nu);
-    Materials made = make_materials(nodes, missing);
+      if (!all.emplace_back(find(nu))) missing.push_back(nu);
+    const Materials made = make_materials(nodes, missing);
     const auto& known = nodes.axes.poisson_ratios;
     for (const auto& one : made)
       if (std::find(known.begin(), known.end(), one->poisson_ratio) != known.end())
         own.push_back(one);
       else
         of_others.push_back(one);
-    Materials all;
-    for (const double nu : poisson_ratios) all.push_back(find(nu));
+    auto next = made.begin();
+    for (auto& one : all)
+      if (!one) one = *next++;
     return all;
   }
 
