@@ -263,11 +263,6 @@ Method read_method(const TomlSection& solution, const CreepTables& tables, Rolli
   return method;
 }
 
-/// Negative for rolling along -x.
-double rolling_velocity(const Motion& motion) {
-  return motion.direction == RollingDirection::forward ? motion.rolling_speed : -motion.rolling_speed;
-}
-
 } // namespace
 
 RollingCase parse_case(std::string_view text, const std::string& name) {

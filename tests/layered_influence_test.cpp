@@ -305,17 +305,21 @@ ContactStepSolution roll(const Bodies& bodies, const ElementGrid& grid, std::sha
   return ContactSequence().solve(step);
 }
 
+void expect_equal(const ContactStepSolution& plain, const ContactStepSolution& layered) {
+  ASSERT_EQ(plain.report.status, Status::ok);
+  ASSERT_EQ(layered.report.status, Status::ok);
+  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
+  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
+  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
+}
+
 TEST(LayeredTable, BodiesOfEqualLayersRollAsHalfSpacesDo) {
   const Material steel{80e9, 0.28}, aluminium{26e9, 0.33};
   const ElementGrid grid = ElementGrid::across_ellipse(3.5e-3, 3.5e-3, 14, 2);
   const LayeredBodies bodies = {{{{1e-3, {steel}}, {2e-3, {steel}}}, {steel}}, {{{1e-3, {aluminium}}}, {aluminium}}};
   const ContactStepSolution plain = roll(combine(steel, aluminium), grid, {});
   const ContactStepSolution layered = roll(combine(steel, aluminium), grid, layered_table(bodies, grid));
-  ASSERT_EQ(plain.report.status, Status::ok);
-  ASSERT_EQ(layered.report.status, Status::ok);
-  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
+  expect_equal(plain, layered);
 }
 
 TEST(LayeredTable, BodiesOfEqualViscoelasticLayersRollAsHalfSpacesDo) {
@@ -326,11 +330,7 @@ TEST(LayeredTable, BodiesOfEqualViscoelasticLayersRollAsHalfSpacesDo) {
   const LayeredBodies bodies = {{{{1e-3, material}}, material}, {{}, {steel}}, 1};
   const ContactStepSolution plain = roll(viscoelastic(rubber, creep, steel, {}, 1), grid, {});
   const ContactStepSolution layered = roll(combine(rubber, steel), grid, layered_table(bodies, grid));
-  ASSERT_EQ(plain.report.status, Status::ok);
-  ASSERT_EQ(layered.report.status, Status::ok);
-  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
+  expect_equal(plain, layered);
   const ContactStepSolution stiff = roll(combine(rubber, steel), grid, {});
   EXPECT_LT(stiff.normal.approach, 0.9 * plain.normal.approach); // creep matters here
 }
@@ -382,11 +382,7 @@ TEST(LayeredTable, CylindersOfEqualLayersRollAsHalfSpacesDo) {
   const ContactStepSolution plain = ContactSequence().solve(step);
   step.response.table = layered_table(bodies, grid);
   const ContactStepSolution layered = ContactSequence().solve(step);
-  ASSERT_EQ(plain.report.status, Status::ok);
-  ASSERT_EQ(layered.report.status, Status::ok);
-  EXPECT_NEAR(layered.normal.approach / plain.normal.approach, 1, 1e-5);
-  EXPECT_NEAR(layered.totals.fx / plain.totals.fx, 1, 1e-4);
-  EXPECT_NEAR(layered.totals.fy / plain.totals.fy, 1, 1e-4);
+  expect_equal(plain, layered);
 }
 
 } // namespace

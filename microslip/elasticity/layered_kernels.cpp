@@ -6,6 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#ifdef _WIN32 // its C library has Bessel's functions, which headers leave out in standard C++
+extern "C" double j0(double);
+extern "C" double j1(double);
+#endif
+
 namespace microslip {
 namespace {
 

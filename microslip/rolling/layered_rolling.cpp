@@ -72,24 +72,20 @@ bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid) {
          table.is_of_strips() == grid.line;
 }
 
-} // namespace
-
-/// A step of the problem with the influence of the layered bodies' elements.
-ContactStep LayeredRolling::step_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
-  const LayeredBodies& bodies = *problem.layered;
-  if (!table_ || !(bodies_ == bodies) || !has_elements_of(*table_, gap.grid)) {
-    table_ = layered_table(bodies, gap.grid, essential_part(progress, 0, 0));
-    bodies_ = bodies;
-  }
-  ContactStep step = contact_step(problem, method_, std::move(gap), problem.load);
-  step.response.table = table_;
+/// A step of the problem with the influence numbers of the layered bodies' elements; its half-spaces are the sizes of
+/// displacements.
+ContactStep step_with(std::shared_ptr<const InfluenceTable> table, const RollingProblem& problem, const Method& method,
+                      GapValues gap) {
+  ContactStep step = contact_step(problem, method, std::move(gap), problem.load);
+  step.bodies = problem.layered->surfaces();
+  step.response.table = std::move(table);
   return step;
 }
 
 /// Elements about the contact of bodies with these curvatures. It begins with Hertz's ellipse of the surfaces'
 /// half-spaces; a contact that reaches the end of its elements gets twice as many lengths.
-ElementGrid LayeredRolling::grid_around_contact(const RollingProblem& problem, const GapCurvatures& curvatures,
-                                                const Progress& progress) {
+ElementGrid grid_around_contact(const RollingProblem& problem, const Method& method, const GapCurvatures& curvatures,
+                                const Progress& progress) {
   constexpr int coarse = 16, most_rounds = 40;
   constexpr double settled = 1.2; // change of the lengths
   const auto& [given, load] = problem.load;
@@ -99,34 +95,51 @@ ElementGrid LayeredRolling::grid_around_contact(const RollingProblem& problem, c
   double a = hertz.a, b = hertz.b, centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
-    ContactStep step = step_on(problem, {grid, hertzian_gap(curvatures, grid)}, progress);
+    ContactStep step = step_with(layered_table(*problem.layered, grid, essential_part(progress, 0, 0)), problem, method,
+                                 {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
     const ContactStepSolution s = ContactSequence().solve(step);
     const std::optional<Patch> patch = loaded_part(grid, s.fields.pressure);
     if (!patch) break;
-    const bool wider = patch->x.reaches_end_of(grid.mx), longer = patch->y.reaches_end_of(grid.my);
-    const double next_a = wider ? 2 * a : 0.5 * patch->x.count() * grid.dx,
-                 next_b = longer ? 2 * b : 0.5 * patch->y.count() * grid.dy;
-    if (!wider) centre = grid.x0 + patch->x.middle() * grid.dx;
+    const bool ends_in_x = patch->x.reaches_end_of(grid.mx), ends_in_y = patch->y.reaches_end_of(grid.my);
+    const double next_a = ends_in_x ? 2 * a : 0.5 * patch->x.count() * grid.dx,
+                 next_b = ends_in_y ? 2 * b : 0.5 * patch->y.count() * grid.dy;
+    if (!ends_in_x) centre = grid.x0 + patch->x.middle() * grid.dx;
     const auto stays = [](double before, double after) { return after < settled * before && before < settled * after; };
     const bool found = stays(a, next_a) && stays(b, next_b);
     a = next_a, b = next_b;
-    if (found) return elements_about(centre, a, b, method_.mx, method_.my);
+    if (found) return elements_about(centre, a, b, method.mx, method.my);
   }
   throw Error(not_found);
 }
 
+} // namespace
+
+bool LayeredRolling::is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const {
+  return found_ && found_->bodies == *problem.layered && found_->curvatures.x == curvatures.x &&
+         found_->curvatures.y == curvatures.y && found_->load.given == problem.load.given &&
+         found_->load.value == problem.load.value;
+}
+
 ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
-  return solve_steps(sequence_, step_on(problem, std::move(gap), progress), problem.motion.steps, progress);
+  const LayeredBodies& bodies = *problem.layered;
+  if (!table_ || bodies_ != bodies || !has_elements_of(*table_, gap.grid)) {
+    table_ = layered_table(bodies, gap.grid, essential_part(progress, 0, 0));
+    bodies_ = bodies;
+  }
+  return solve_steps(sequence_, step_with(table_, problem, method_, std::move(gap)), problem.motion.steps, progress);
 }
 
 ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {
   check(problem.motion);
   const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
   if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), progress);
+  if (!is_of_last(problem, *curvatures))
+    found_ = {*problem.layered, *curvatures, problem.load,
+              grid_around_contact(problem, method_, *curvatures, progress)};
   constexpr int most_times = 8;
-  ElementGrid grid = grid_around_contact(problem, *curvatures, progress);
   for (int time = 0; time < most_times; ++time) {
+    ElementGrid& grid = found_->grid;
     ContactSolution solution = solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, progress);
     const std::optional<Patch> patch = loaded_part(grid, solution.fields.pressure);
     if (!patch || !is_cut_off(grid, *patch)) return solution;

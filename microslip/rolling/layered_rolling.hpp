@@ -4,11 +4,12 @@
 #include "microslip/rolling/method.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace microslip {
 
-/// Bodies with layers in contact, by the exact theory on classical elements. Influence numbers are kept as long as
-/// bodies and elements stay.
+/// Bodies with layers in contact, by the exact theory on classical elements. Elements are kept as long as bodies,
+/// curvatures and load stay, their influence numbers as long as bodies and elements do.
 class LayeredRolling {
 public:
   explicit LayeredRolling(const Method& method) : method_(method) {}
@@ -19,12 +20,19 @@ public:
   ContactSolution solve(const RollingProblem& problem, const Progress& progress);
 
 private:
-  ContactStep step_on(const RollingProblem& problem, GapValues gap, const Progress& progress);
+  /// The elements of a contact by curvatures.
+  struct Found {
+    LayeredBodies bodies;
+    GapCurvatures curvatures;
+    NormalLoad load;
+    ElementGrid grid;
+  };
+
+  bool is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const;
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress);
-  ElementGrid grid_around_contact(const RollingProblem& problem, const GapCurvatures& curvatures,
-                                  const Progress& progress);
 
   Method method_;
+  std::optional<Found> found_;
   LayeredBodies bodies_; ///< of the table
   std::shared_ptr<const InfluenceTable> table_;
   ContactSequence sequence_;

@@ -38,10 +38,6 @@ struct Rule {
   bool (*is_broken)(Problem, How);
 };
 
-double velocity_of(const Motion& motion) {
-  return motion.direction == RollingDirection::forward ? motion.rolling_speed : -motion.rolling_speed;
-}
-
 constexpr std::string_view needs_exact = "needs {solution.theory=exact}", layers = "body1.layers, body2.layers",
                            not_of_table = "cannot be combined with {solution.theory=table}";
 
@@ -59,13 +55,12 @@ constexpr Rule rules[] = {
     {layers, needs_exact, [](Problem p, How m) { return !is_exact(m) && p.layered; }},
     {layers, "need radii of the bodies or their gap on a grid: their contact is not Hertz's ellipse",
      [](Problem p, How) { return p.layered && std::holds_alternative<Ellipse>(p.geometry); }},
-    {layers, "cannot be combined with {case.layer}",
-     [](Problem p, How) { return p.layered && p.bodies.layer.flexibility > 0; }},
-    {layers, "cannot be combined with creep of a body as a half-space: give the relaxation of its layers and substrate",
-     [](Problem p, How) { return p.layered && !p.bodies.are_elastic(); }},
+    {layers, "are in place of half-spaces, which have the creep of a body and {case.layer}",
+     [](Problem p, How) { return p.layered && p.bodies != Bodies(); }},
     {layers, "viscoelastic ones need steady rolling with the speed that they are given",
      [](Problem p, How) {
-       return p.layered && !p.layered->are_elastic() && !(is_steady(p) && p.layered->speed == velocity_of(p.motion));
+       return p.layered && !p.layered->are_elastic() &&
+              !(is_steady(p) && p.layered->speed == rolling_velocity(p.motion));
      }},
     {"solution.elements", "must be constant for bodies with layers",
      [](Problem p, How m) { return p.layered && elements_of(p, m) != ElementShape::constant; }},

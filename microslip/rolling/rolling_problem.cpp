@@ -19,6 +19,10 @@ RollingProblem rolling_problem(const EllipticContact& contact, const Motion& mot
   return problem;
 }
 
+double rolling_velocity(const Motion& motion) {
+  return motion.direction == RollingDirection::forward ? motion.rolling_speed : -motion.rolling_speed;
+}
+
 bool is_hertzian(const RollingProblem& problem) {
   return std::holds_alternative<Ellipse>(problem.geometry) || std::holds_alternative<GapCurvatures>(problem.geometry);
 }

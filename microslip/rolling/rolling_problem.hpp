@@ -58,6 +58,9 @@ struct Motion {
   int steps = 1;   ///< of transient rolling, from zero tractions on, 1 to 1,000,000; all under the same conditions
 };
 
+/// V with the sign of the direction, positive along +x [m/s].
+double rolling_velocity(const Motion& motion);
+
 /// Two bodies that roll or are shifted over each other: everything that is given, in SI units.
 struct RollingProblem {
   ContactGeometry geometry = {};
@@ -66,8 +69,8 @@ struct RollingProblem {
   FrictionModel friction = {};
   Motion motion = {};
   std::optional<ThermalBodies> thermal = {}; ///< bodies whose surfaces have temperatures
-  /// Bodies with layers, of which `bodies` are the surfaces' half-spaces (LayeredBodies::surfaces): the exact theory on
-  /// classical elements. Viscoelastic ones roll with the motion's speed.
+  /// Bodies with layers in place of `bodies`, which are left out: the exact theory on classical elements. Viscoelastic
+  /// ones roll with the motion's speed.
   std::optional<LayeredBodies> layered = {};
 };
 
