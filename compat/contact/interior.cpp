@@ -99,10 +99,10 @@ std::string subs_text(const Case& c, const std::vector<InteriorBlock>& blocks) {
     for (std::size_t k = 0; k < states.size(); ++k) {
       const auto& [ux, uy, uz, s] = states[k];
       std::vector<double> values = {
-          points.x_of(k) * per_m, points.y_of(k) * per_m, points.z_of(k) * per_m, ux * per_m, uy * per_m, uz * per_m,
-          hydrostatic(s) * mega,  von_mises(s) * mega};
+          points.x_of(k) * per_m,  points.y_of(k) * per_m, points.z_of(k) * per_m, ux * per_m, uy * per_m, uz * per_m,
+          hydrostatic(s) * per_pa, von_mises(s) * per_pa};
       if (all)
-        for (const double component : {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz}) values.push_back(component * mega);
+        for (const double component : {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz}) values.push_back(component * per_pa);
       text += row(values);
     }
   }

@@ -125,7 +125,7 @@ private:
   void add_material() {
     const MaterialData& m = *case_.material;
     const Numbers digits = {double(number(case_.digits.tang)), double(number(case_.digits.mater))};
-    const Numbers shear = {m.shear1 * mega, m.shear2 * mega};
+    const Numbers shear = {m.shear1 * per_pa, m.shear2 * per_pa};
     if (outcome_.springs) { // without POISS2: there are no more columns
       const auto& [l, slope] = *outcome_.springs;
       Numbers reduction = {1, 1, 1};
@@ -189,9 +189,9 @@ private:
     constexpr int slip = 2;
     return {outcome_.step.gap[k] * per_m,
             coefficient(k),
-            f.pressure[k] * mega,
-            f.traction.x[k] * mega,
-            f.traction.y[k] * mega,
+            f.pressure[k] * per_pa,
+            f.traction.x[k] * per_pa,
+            f.traction.y[k] * per_pa,
             case_.digits.takes_ellipse() ? 0 : outcome_.solution.normal.displacement[k] * per_m,
             f.displacement.x[k] * per_m,
             f.displacement.y[k] * per_m,
@@ -205,7 +205,7 @@ private:
     const double u = deformation.empty() ? 0 : deformation[k], p = std::hypot(px[k], py[k]);
     const double share = p > 0 ? u / p : 0;
     const double x = plastic_ ? plastic_->x[k] : share * px[k], y = plastic_ ? plastic_->y[k] : share * py[k];
-    return {outcome_.step.bodies.layer.yield_stress_after(u) * mega, x * per_m, y * per_m};
+    return {outcome_.step.bodies.layer.yield_stress_after(u) * per_pa, x * per_m, y * per_m};
   }
 
   const Case& case_;

@@ -135,9 +135,9 @@ std::string material(const Case& c, const Outcome& o) {
   const CombinedMaterial combined = combined_material(c);
   std::string text =
       "\n MATERIAL CONSTANTS\n     NU          G           AK          EPS\n" +
-      columns({combined.poisson_ratio, combined.shear_modulus * mega, combined.dissimilarity, c.solver.eps}) +
+      columns({combined.poisson_ratio, combined.shear_modulus * per_pa, combined.dissimilarity, c.solver.eps}) +
       "\n    POISS(1)    POISS(2)     GG(1)       GG(2)\n" +
-      columns({m.poisson1, m.poisson2, m.shear1 * mega, m.shear2 * mega});
+      columns({m.poisson1, m.poisson2, m.shear1 * per_pa, m.shear2 * per_pa});
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };

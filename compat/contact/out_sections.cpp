@@ -128,17 +128,17 @@ std::string element_line(const Case& c, const Outcome& o, int i, int j) {
   const std::size_t k = element(o.step.grid, i, j);
   const double x = o.step.grid.x(i) * per_m, y = o.step.grid.y(j) * per_m;
   const SurfaceFields& f = o.solution.fields;
-  const double pressure = f.pressure[k] * mega;
+  const double pressure = f.pressure[k] * per_pa;
   const double distance = (o.step.gap.empty() ? 0 : o.step.gap[k] - o.solution.normal.approach) * per_m;
-  const double px = o.step.frictionless ? 0 : f.traction.x[k] * mega;
+  const double px = o.step.frictionless ? 0 : f.traction.x[k] * per_pa;
   constexpr double rounding = 1e-10; // of the other component
-  const double py = o.step.frictionless ? 0 : without_noise(f.traction.y[k] * mega, rounding * std::abs(px));
+  const double py = o.step.frictionless ? 0 : without_noise(f.traction.y[k] * per_pa, rounding * std::abs(px));
   const double argument = std::atan2(py, px) * 180 / std::numbers::pi;
   std::string line = " " + general(x, 12, 4);
   if (o.step.frictionless)
     return line + general({distance, pressure, std::hypot(px, py)}, 12, 4) + decimal(argument, 10, 1) + "\n";
   const double unit = c.digits.tang == Tangential::shift ? per_m : 1;
-  line += general({distance, pressure, f.bound[k] * mega, std::hypot(px, py)}, 11, 3);
+  line += general({distance, pressure, f.bound[k] * per_pa, std::hypot(px, py)}, 11, 3);
   line += decimal(argument, 10, 1) + "  ";
   const RigidSlip w(c, o, x, y, k);
   const bool slides = f.state[k] == CellState::slip;
@@ -206,7 +206,7 @@ std::string out_viscoelastic(const Case& c, const char* bodies) {
     return fmt::format("   {0}({1})       {0}({2})    ", name, bodies[0], bodies[1]);
   };
   return " VISCOELASTIC MATERIAL CONSTANTS\n     NUV         GV          AKV\n" +
-         columns({shown.poisson_ratio, shown.shear_modulus * mega, shown.dissimilarity}) + "\n  " + heading("FG") +
+         columns({shown.poisson_ratio, shown.shear_modulus * per_pa, shown.dissimilarity}) + "\n  " + heading("FG") +
          heading("TC") + heading("VT") + "\n  " + general({v[0], v[1]}, 12, 4) +
          significant({v[2], v[3], speed * v[2], speed * v[3]}) + "\n";
 }
@@ -352,7 +352,7 @@ std::string out_interior(const Case& c, const Outcome& outcome) {
   for (const auto& [points, states] : outcome.interior) {
     text += fmt::format("\n SUBSURFACE STRESSES BLOCK{:3}:\n \n", ++block);
     for (const auto& [name, value, at] : interior_extremes(states))
-      text += fmt::format(" {} ={} AT (X,Y,Z) = ({},{},{})\n", names.at(name), decimal(value * mega, 10, 3),
+      text += fmt::format(" {} ={} AT (X,Y,Z) = ({},{},{})\n", names.at(name), decimal(value * per_pa, 10, 3),
                           coordinate(points.x_of(at)), coordinate(points.y_of(at)), coordinate(points.z_of(at)));
     if (c.interior_level < all_points) continue;
     text += " \n";
@@ -364,9 +364,9 @@ std::string out_interior(const Case& c, const Outcome& outcome) {
       text += "\n I,Displacement(I); Stress(I,J),J = 1,3\n";
       for (int i = 0; i < 3; ++i)
         text += fmt::format("{:3}  {}; {}\n", i + 1, general(table[i][0] * per_m, 12, 4),
-                            general({table[i][1] * mega, table[i][2] * mega, table[i][3] * mega}, 12, 4));
-      text += "  SigHyd = " + general(hydrostatic(s) * mega, 12, 4) +
-              ", SigVM = " + general(von_mises(s) * mega, 12, 4) + "\n\n";
+                            general({table[i][1] * per_pa, table[i][2] * per_pa, table[i][3] * per_pa}, 12, 4));
+      text += "  SigHyd = " + general(hydrostatic(s) * per_pa, 12, 4) +
+              ", SigVM = " + general(von_mises(s) * per_pa, 12, 4) + "\n\n";
     }
   }
   return text;

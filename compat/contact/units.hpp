@@ -7,8 +7,8 @@ namespace microslip::contact_program {
 
 // CONTACT's units in SI, in which readers leave all numbers; writers divide by them.
 inline constexpr double mm = 1e-3, per_mm = 1e3, newton_per_mm2 = 1e6, mm3_per_newton = 1e-9;
-// And SI in CONTACT's units.
-inline constexpr double per_m = 1e3, mega = 1e-6;
+// And SI in CONTACT's units: mm per m, N/mm2 per Pa.
+inline constexpr double per_m = 1e3, per_pa = 1e-6;
 
 /// Unit of a number in CONTACT's files, by the power of the millimetre in it: 1 of lengths and velocities, -1 of
 /// curvatures and stiffnesses, -2 of pressures. All else, N, s, K, W and kg, is as in SI.

@@ -338,7 +338,7 @@ GapLine GapLine::lowered(double depth) const {
   GapLine line = *this;
   for (std::size_t k = 0; k < size(); ++k) {
     if (line.z_wheel[k] != below_nothing) line.z_wheel[k] += depth;
-    if (line.gap[k] < 0.777) line.gap[k] -= depth;
+    if (line.gap[k] < no_gap) line.gap[k] -= depth;
   }
   return line;
 }

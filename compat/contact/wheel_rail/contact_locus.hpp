@@ -6,12 +6,15 @@
 
 namespace microslip::contact_program {
 
+/// A gap where there is no wheel or no rail is not below it [m].
+inline constexpr double no_gap = 0.777;
+
 /// The gap between wheel and rail, seen from above, over equally spaced y [m] of the track: at each of them that of
 /// the wheel's points next to the rail, the contact locus, which lies at x.
 struct GapLine {
   std::vector<double> x, y;
   std::vector<double> z_wheel, z_rail;
-  std::vector<double> gap;   ///< < 0: the bodies overlap; over 0.7 where one of them is missing
+  std::vector<double> gap;   ///< < 0: the bodies overlap; not below no_gap where one of them is missing
   std::vector<double> angle; ///< the rail's inclination atan2(dz, dy) [rad]
   bool overlaps = true;      ///< whether the two lie above one another anywhere
 

@@ -9,8 +9,6 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 0.777;
-
 /// The interval of overlap around a point, with a point on either side where there is none.
 struct Interval {
   std::size_t first, last;
@@ -83,7 +81,7 @@ LeastGap least_gap(const GapLine& g) {
   return least;
 }
 
-std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap, int nx, double depth) {
+std::vector<std::pair<int, int>> local_minima(const std::vector<double>& gap, int nx, double depth) {
   const int ny = static_cast<int>(gap.size()) / nx;
   const auto at = [nx](int i, int j) { return static_cast<std::size_t>(j) * nx + i; };
   std::vector<std::pair<int, int>> found;
@@ -91,7 +89,7 @@ std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap
   for (int i = 0; i < nx; ++i)
     for (int j = 0; j < ny; ++j) {
       const double here = gap[at(i, j)];
-      bool is_minimum = here < depth && here < missing;
+      bool is_minimum = here < depth && here < no_gap;
       const auto compare = [&](int other_i, int other_j, bool before) {
         if (!is_minimum || other_i < 0 || other_i >= nx || other_j < 0 || other_j >= ny) return;
         const double other = gap[at(other_i, other_j)];
@@ -116,12 +114,19 @@ std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap
   return found;
 }
 
+std::vector<std::pair<int, int>> near_misses(const std::vector<double>& gap, int nx, double depth, double farthest) {
+  std::vector<std::pair<int, int>> found;
+  for (const auto& [i, j] : local_minima(gap, nx, depth + farthest))
+    if (gap[static_cast<std::size_t>(j) * nx + i] >= depth && found.size() < SearchThresholds::most_near_misses)
+      found.emplace_back(i, j);
+  return found;
+}
+
 std::vector<NearMiss> near_misses(const GapLine& line, double farthest) {
   std::vector<NearMiss> found;
-  for (const auto& [i, j] : deepest_overlaps(line.gap, 1, farthest)) {
+  for (const auto& [i, j] : near_misses(line.gap, 1, 0, farthest)) {
     const auto k = static_cast<std::size_t>(j);
-    if (line.gap[k] >= 0 && found.size() < SearchThresholds::most_near_misses)
-      found.push_back({line.x[k], line.y[k], line.gap[k]});
+    found.push_back({line.x[k], line.y[k], line.gap[k]});
   }
   return found;
 }
@@ -129,7 +134,7 @@ std::vector<NearMiss> near_misses(const GapLine& line, double farthest) {
 std::vector<GapRegion> find_regions(const GapLine& line, double curvature) {
   std::vector<Interval> taken;
   std::vector<GapRegion> regions;
-  for (const auto& [i, j] : deepest_overlaps(line.gap, 1, 0)) {
+  for (const auto& [i, j] : local_minima(line.gap, 1, 0)) {
     const auto k = static_cast<std::size_t>(j);
     if (std::any_of(taken.begin(), taken.end(), [k](const Interval& known) { return known.holds(k); })) continue;
     taken.push_back(overlap_around(line.gap, k));

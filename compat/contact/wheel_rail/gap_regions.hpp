@@ -33,10 +33,12 @@ struct NearMiss {
 
 /// The local minima of the gap in [0, farthest), the two least at most, as in CONTACT.
 std::vector<NearMiss> near_misses(const GapLine& line, double farthest);
+/// The same of a grid as in local_minima, with the gap less `depth`: their places.
+std::vector<std::pair<int, int>> near_misses(const std::vector<double>& gap, int nx, double depth, double farthest);
 
 /// Points of a grid of nx columns, x fastest, at which the gap is below `depth` and less than at their four neighbours,
-/// from the deepest one on; those of a plateau count once.
-std::vector<std::pair<int, int>> deepest_overlaps(const std::vector<double>& gap, int nx, double depth);
+/// from the least one on; those of a plateau count once.
+std::vector<std::pair<int, int>> local_minima(const std::vector<double>& gap, int nx, double depth);
 
 /// The regions of overlap, from the deepest one on. `curvature` is half that of wheel and roller along the track
 /// [1/m].

@@ -12,7 +12,7 @@
 namespace microslip::contact_program {
 namespace {
 
-constexpr double missing = 0.999, beyond = 0.777;
+constexpr double missing = 0.999;
 
 /// Columns of the grid, an odd number.
 double columns_along(const Placement& p, double dx, bool steep) {
@@ -63,7 +63,7 @@ GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Patch
   for (int j = 0; j < ny_; ++j)
     for (int i = 0; i < nx_; ++i) {
       const RailSample& on_rail = rail_at(i, j);
-      const bool is_there = on_rail.z < beyond;
+      const bool is_there = on_rail.z < no_gap;
       const auto on_wheel =
           is_there ? wheel.height(x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)]) : std::nullopt;
       gap_.push_back(on_wheel ? on_rail.z - *on_wheel : missing);
@@ -188,16 +188,15 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
 
 std::vector<NearMiss> GapSurface::near_misses(double depth, double farthest) const {
   std::vector<NearMiss> found;
-  for (const auto& [i, j] : deepest_overlaps(gap_, nx_, depth + farthest))
-    if (gap(i, j) >= depth && found.size() < SearchThresholds::most_near_misses)
-      found.push_back({x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)], gap(i, j) - depth});
+  for (const auto& [i, j] : contact_program::near_misses(gap_, nx_, depth, farthest))
+    found.push_back({x_[static_cast<std::size_t>(i)], y_[static_cast<std::size_t>(j)], gap(i, j) - depth});
   return found;
 }
 
 std::vector<GapRegion> GapSurface::regions(double depth) const {
   std::vector<Box> taken;
   std::vector<GapRegion> found;
-  for (const auto& [i, j] : deepest_overlaps(gap_, nx_, depth)) {
+  for (const auto& [i, j] : local_minima(gap_, nx_, depth)) {
     if (std::any_of(taken.begin(), taken.end(), [i = i, j = j](const Box& b) { return b.holds(i, j); })) continue;
     taken.push_back(box_around(i, j, depth));
     found.push_back(region(taken.back(), i, depth));

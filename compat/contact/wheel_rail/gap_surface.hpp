@@ -29,7 +29,7 @@ private:
 
   double gap(int i, int j) const { return gap_[static_cast<std::size_t>(j) * nx_ + i]; }
   struct RailSample {
-    double z, angle; ///< z beyond 0.777 where there is no rail
+    double z, angle; ///< z not below no_gap where there is no rail
   };
   const RailSample& rail_at(int i, int j) const {
     const auto row = static_cast<std::size_t>(j);

@@ -49,10 +49,11 @@ std::string material(const Case& c) {
   const MaterialData& m = *c.material;
   const CombinedMaterial combined = combined_material(c);
   std::string text = "\n MATERIAL CONSTANTS\n     NU          G           AK          EPS\n  " +
-                     general(combined.poisson_ratio, 12, 4) + significant(combined.shear_modulus * mega) +
+                     general(combined.poisson_ratio, 12, 4) + significant(combined.shear_modulus * per_pa) +
                      general(combined.dissimilarity, 12, 4) + significant(c.solver.eps) +
                      "\n\n    POISS(R)    POISS(W)     GG(R)       GG(W)\n  " +
-                     general({m.poisson1, m.poisson2}, 12, 4) + significant({m.shear1 * mega, m.shear2 * mega}) + "\n";
+                     general({m.poisson1, m.poisson2}, 12, 4) + significant({m.shear1 * per_pa, m.shear2 * per_pa}) +
+                     "\n";
   const auto add = [&](const std::string& section) {
     if (!section.empty()) text += "\n" + section;
   };

@@ -230,7 +230,7 @@ void add_patch(std::vector<ComparedNumber>& numbers, int number, const WheelPatc
   add("MN", "N mm", t.mz, own.moment * per_m);
   add("FRIC.POWER", "W", t.friction, -own.frictional_power);
   add("APPROACH", "mm", t.approach, own.approach * per_m);
-  add("PMAX", "N/mm2", t.peak_pressure, own.peak_pressure * mega);
+  add("PMAX", "N/mm2", t.peak_pressure, own.peak_pressure * per_pa);
   add("CONTACT AREA", "mm2", t.contact * element, own.contact_area * per_m * per_m);
   add("SLIP AREA", "mm2", t.slip * element, own.slip_area * per_m * per_m);
 }
