@@ -47,7 +47,9 @@ std::string default_of(const Input& input) {
 /// Heading of a section, as in files.
 std::string heading(const description::InputTable& table, std::string_view section) {
   const std::vector<std::string_view> names = table.names(section);
-  return fmt::format("[{}]", fmt::join(names, "], ["));
+  const bool is_list = std::any_of(table.inputs().begin(), table.inputs().end(),
+                                   [&](const Input& input) { return input.section == section && input.is_in_list; });
+  return is_list ? fmt::format("[[{}]]", fmt::join(names, "]], [[")) : fmt::format("[{}]", fmt::join(names, "], ["));
 }
 
 } // namespace

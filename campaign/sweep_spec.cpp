@@ -5,6 +5,7 @@
 #include "io/case_file.hpp"
 #include "io/csv_line.hpp"
 #include "io/text_line.hpp"
+#include "io/toml_path.hpp"
 #include "io/units.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
@@ -371,17 +372,13 @@ void SweepSpec::put(std::size_t k, const CaseValue& value, toml::table& table) c
   for (const std::string& key : parameters_[k].keys) put(key, value, table);
 }
 
-void SweepSpec::put(const std::string& key, const CaseValue& value, toml::table& table) const {
-  toml::table* section = &table;
-  std::size_t begin = 0;
-  for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
-    const auto name = std::string_view(key).substr(begin, dot - begin);
-    auto* inside = section->insert(name, toml::table{}).first->second.as_table();
-    if (inside == nullptr) throw Error(base_name_ + ": " + key + ": " + key.substr(0, dot) + " is no table");
-    section = inside;
-    begin = dot + 1;
+void SweepSpec::put(const std::string& path, const CaseValue& value, toml::table& table) const {
+  const auto [section, key] = io::section_and_key(path);
+  try {
+    insert(io::table_at(table, section), key, value);
+  } catch (const Error& error) {
+    throw Error(base_name_ + ": " + path + ": " + error.what());
   }
-  insert(*section, std::string_view(key).substr(begin), value);
 }
 
 bool SweepSpec::has_units() const {

@@ -90,7 +90,7 @@ private:
   void add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys);
   static Axis range_of(const io::TomlSection& range);
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
-  void put(const std::string& key, const CaseValue& value, toml::table& table) const;
+  void put(const std::string& path, const CaseValue& value, toml::table& table) const;
   void convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
   [[noreturn]] void fail(const toml::source_region& location, const std::string& what) const;
 

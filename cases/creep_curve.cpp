@@ -30,15 +30,16 @@ Variable choose_variable(const EllipticContact& contact) {
 } // namespace
 
 CreepCurve creep_curve(const EllipticContact& contact, int points,
-                       const std::function<ContactForces(const EllipticContact&)>& solve) {
+                       const std::function<ContactForces(const EllipticContact&)>& solve, CurveSpan span) {
   const auto variable = choose_variable(contact);
   const auto point = contact.creepage.*variable.member;
   const auto end = std::copysign(3 * std::max(std::abs(point), variable.sliding), point);
   CreepCurve curve = {
       .variable = variable.name, .unit = variable.unit, .value = {}, .forces = {}, .point_value = point};
+  const double begin = span == CurveSpan::both_signs ? -end : 0;
   auto moved = contact;
   for (int i = 0; i < points; ++i) {
-    moved.creepage.*variable.member = end * i / (points - 1);
+    moved.creepage.*variable.member = begin + (end - begin) * i / (points - 1);
     curve.value.push_back(moved.creepage.*variable.member);
     curve.forces.push_back(solve(moved));
   }

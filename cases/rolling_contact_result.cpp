@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace microslip::cases {
@@ -81,15 +83,34 @@ CreepCurve exact_curve(RollingProblem problem, const EllipticContact& contact, M
   method.mx = std::min(method.mx, largest_curve_grid);
   method.my = std::min(method.my, largest_curve_grid);
   Solver solver(method);
-  return creep_curve(contact, exact_curve_points, [&](const EllipticContact& moved) {
+  const auto forces_of = [&](const EllipticContact& moved) {
     problem.motion.creepage = moved.creepage;
     return solver.solve(problem, progress).forces();
-  });
+  };
+  // Layers have a force without creepage.
+  return creep_curve(contact, exact_curve_points, forces_of,
+                     problem.layered ? CurveSpan::both_signs : CurveSpan::from_zero);
 }
 
 /// dq: as given, or the elements' length.
 double step_of(const io::RollingCase& input, const EllipticContact& contact) {
   return input.problem.motion.step > 0 ? input.problem.motion.step : 2 * contact.a / input.method.mx;
+}
+
+/// Half the length of the elements with pressure, whose centres along an axis are given.
+double half_length(const std::vector<double>& centres, const std::vector<double>& pressure, double element) {
+  double least = nan, largest = nan;
+  for (std::size_t e = 0; e < centres.size(); ++e)
+    if (pressure[e] > 0) least = std::fmin(least, centres[e]), largest = std::fmax(largest, centres[e]);
+  return 0.5 * (largest - least + element);
+}
+
+/// Size and force of the contact that was found, in place of those of half-spaces.
+void take_found(const ContactSolution& solution, EllipticContact& contact) {
+  const auto& [elements, pressure] = std::tie(solution.elements, solution.fields.pressure);
+  contact.a = half_length(elements.x, pressure, elements.grid.dx);
+  contact.b = half_length(elements.y, pressure, elements.grid.dy);
+  contact.normal_force = std::inner_product(pressure.begin(), pressure.end(), elements.area.begin(), 0.0);
 }
 
 /// Result on the grid that the case gives.
@@ -100,7 +121,8 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   coarser.mx = (method.mx + 1) / 2;
   coarser.my = (method.my + 1) / 2;
   RollingProblem problem = input.problem;
-  if (problem.motion.kind == ContactMotion::transient) problem.motion.step = step_of(input, contact); // on both grids
+  const bool is_transient = problem.motion.kind == ContactMotion::transient;
+  if (is_transient && !problem.layered) problem.motion.step = step_of(input, contact); // on both grids
   Solver solver(method);
   ExactResult result;
   result.contact = solver.solve(problem, part(progress, 0, 0.7));
@@ -108,7 +130,7 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, rest).gap;
-  if (coarser.mx == method.mx && coarser.my == method.my) return result;
+  if ((coarser.mx == method.mx && coarser.my == method.my) || (is_transient && problem.layered)) return result;
   result.discretisation_error = difference(contact, result.contact, Solver(coarser).solve(problem, rest));
   return result;
 }
@@ -138,6 +160,7 @@ ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, 
   auto result = input.method.accuracy ? solve_to_accuracy(input, contact, progress)
                                       : solve_on_grid(input, contact, progress, extent);
   contact.creepage = result.contact.creepage;
+  if (input.problem.layered && result.contact.totals.peak_pressure > 0) take_found(result.contact, contact);
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(io::interior_body(input, input.body1), io::interior_body(input, input.body2),
                                       result.contact, input.interior, essential_part(progress, 0.9, 0.9));
@@ -292,6 +315,7 @@ std::string simplified_name(const io::RollingCase& input) {
 }
 
 std::string hertz_assumption(const io::RollingCase& input) {
+  if (input.problem.layered) return "elastic half-spaces of the surfaces' materials, K = 0 without friction";
   const Bodies& bodies = input.problem.bodies;
   return bodies.are_elastic() && !bodies.are_coupled() ? "" : "elastic bodies of K = 0 without friction";
 }
@@ -310,8 +334,7 @@ std::string simplified_assumption(const io::RollingCase& input) {
 }
 
 ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& hertz) {
-  return contact_warnings(hertz, io::principal_radii(input.body1, input.body2),
-                          combine(input.body1.material, input.body2.material));
+  return contact_warnings(hertz, io::principal_radii(input.body1, input.body2), half_spaces(input.problem));
 }
 
 RollingContactResult solve_case(const io::RollingCase& input, const Progress& progress, ExactExtent extent) {
@@ -322,7 +345,7 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
   if (input.method.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
   if (input.method.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
-  if (input.problem.motion.kind == ContactMotion::steady && result.status == Status::ok)
+  if (input.problem.motion.kind == ContactMotion::steady && result.status == Status::ok && !input.problem.layered)
     result.simplified = solve_simplified(input, result.contact);
   SolverReport report = result.exact   ? report_of(*result.exact)
                         : result.table ? result.table->solution.report
@@ -336,7 +359,7 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
 void write_result(const io::RollingCase& input, const RollingContactResult& result, io::ResultWriter& file) {
   write_inputs(file, input.inputs, description::rolling_inputs());
   write(file, hertz_quantities(result.hertz));
-  write(file, material_quantities(combine(input.body1.material, input.body2.material)));
+  write(file, material_quantities(half_spaces(input.problem)));
   if (const auto& table = input.method.table) {
     file.scalar("table/least_ratio", table->axes().least_ratio, "-", "least a/b of the creep-force table");
     file.scalar("table/largest_ratio", table->axes().largest_ratio, "-", "largest a/b of it");
@@ -347,11 +370,13 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
     write_theory(file, "exact", exact->contact);
-    write_history(file, exact->contact.history, step_of(input, result.contact));
+    write_history(file, exact->contact.history,
+                  input.problem.layered ? exact->contact.elements.grid.dx : step_of(input, result.contact));
     write_tolerances(file, "exact", exact->discretisation_error, exact->contact, "half the elements");
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
+    if (exact->curve && !result.simplified) write_curve_point(file, *exact->curve, result.contact);
   }
   if (const auto& table = result.table) {
     write_theory(file, "table", table->solution);

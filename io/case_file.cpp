@@ -4,6 +4,7 @@
 #include "io/interior_section.hpp"
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
+#include "microslip/elasticity/shore_hardness.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -28,9 +29,42 @@ void read_radii(const TomlSection& body, BodyInput& input) {
   input.transverse_radius = body.number(radius_keys[1]);
 }
 
+/// Shares of a modulus that relax, and their times; none without either.
+PronySeries read_relaxation(const TomlSection& layer, std::string_view shares_key, std::string_view times_key) {
+  if (!layer.has(shares_key) && !layer.has(times_key)) return {};
+  const std::vector<double> shares = layer.numbers(shares_key), times = layer.numbers(times_key);
+  PronySeries series;
+  layer.at(times_key, [&] {
+    if (shares.size() != times.size())
+      throw Error(std::string(times_key) + ": has " + std::to_string(times.size()) + " numbers, " +
+                  std::string(shares_key) + " has " + std::to_string(shares.size()));
+    for (std::size_t k = 0; k < shares.size(); ++k) series.push_back({shares[k], times[k]});
+    check(std::string(shares_key), series);
+  });
+  return series;
+}
+
+Material read_layer_material(const TomlSection& layer) {
+  const auto key = layer.one_of({"young_modulus", "shear_modulus", "hardness"});
+  const double value = layer.number(key), poisson_ratio = layer.number("poisson_ratio");
+  if (key == "shear_modulus") return {value, poisson_ratio};
+  return Material::from_young(key == "hardness" ? young_modulus_of_shore_a(value) : value, poisson_ratio);
+}
+
+BodyLayer read_body_layer(const TomlSection& layer) {
+  layer.allow_described();
+  BodyLayer input{.thickness = layer.number("thickness"), .material = {read_layer_material(layer)}};
+  input.material.shear_relaxation = read_relaxation(layer, "relaxation_shares", "relaxation_times");
+  input.material.bulk_relaxation = read_relaxation(layer, "bulk_relaxation_shares", "bulk_relaxation_times");
+  return input;
+}
+
 BodyInput read_body(const TomlSection& body) {
-  body.allow_described();
+  body.allow_described({"layers"});
   BodyInput input;
+  for (const TomlSection& layer : body.sections("layers")) input.layers.push_back(read_body_layer(layer));
+  body.at("layers",
+          [&] { require_count("layers", static_cast<int>(input.layers.size()), 0, LayeredBody::most_layers); });
   const auto key = body.one_of("young_modulus", "shear_modulus");
   const double modulus = body.number(key), poisson_ratio = body.number("poisson_ratio");
   input.material =
@@ -192,6 +226,19 @@ std::optional<Ellipse> read_geometry(const TomlSection& root, RollingCase& input
   return has_ellipse ? std::optional(read_ellipse(root.required_section("ellipse"))) : std::nullopt;
 }
 
+/// What the bodies are made of: with layers one on the other, or half-spaces.
+void set_bodies(const BodyInput& body1, const BodyInput& body2, RollingProblem& problem) {
+  const double velocity = rolling_velocity(problem.motion);
+  if (body1.layers.empty() && body2.layers.empty()) {
+    problem.bodies = viscoelastic(body1.material, body1.creep, body2.material, body2.creep, velocity);
+    return;
+  }
+  const auto layered = [](const BodyInput& body) {
+    return LayeredBody{body.layers, standard_solid(body.material, body.creep)};
+  };
+  problem.layered = {layered(body1), layered(body2), velocity};
+}
+
 /// Temperatures need the data of both bodies.
 void check_thermal(const TomlSection& root, const RollingCase& input) {
   const bool has1 = input.body1.thermal.has_value(), has2 = input.body2.thermal.has_value();
@@ -310,8 +357,7 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
       problem.geometry = *ellipse;
     else
       problem.geometry = gap_curvatures(principal_radii(body1, body2));
-    problem.bodies =
-        viscoelastic(body1.material, body1.creep, body2.material, body2.creep, rolling_velocity(problem.motion));
+    set_bodies(body1, body2, problem);
     const HertzContact hertz = hertz_contact(problem);
     if (ellipse) set_radii(hertz.gap, body1, body2);
   } catch (const Error& error) {
@@ -320,6 +366,8 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   problem.bodies.layer = layer;
   check_thermal(root, input);
   if (body1.thermal && body2.thermal) problem.thermal = {*body1.thermal, *body2.thermal};
+  if (problem.layered && input.interior.count() > 0)
+    root.at("interior", [] { throw Error("[interior]: not of bodies with layers"); });
   const auto found = incompatibilities(problem, input.method);
   if (!found.empty()) refuse_where_given(root, found.front());
   // The discretisation that a file gives is that of steady rolling.

@@ -22,9 +22,10 @@ struct BodyInput {
   /// [m], in the plane of rolling: positive convex, negative concave, infinite flat. Where the ellipse is given the
   /// second body counts as flat.
   double rolling_radius = 0;
-  double transverse_radius = 0; ///< [m], in the lateral plane
-  Material material = {};
-  MaterialCreep creep = {}; ///< none: an elastic body
+  double transverse_radius = 0;       ///< [m], in the lateral plane
+  Material material = {};             ///< below the layers, if there are any
+  MaterialCreep creep = {};           ///< of it; none: an elastic body
+  std::vector<BodyLayer> layers = {}; ///< from the surface inwards
   std::optional<ThermalBody> thermal = {};
 };
 

@@ -1,6 +1,7 @@
 #include "io/case_inputs.hpp"
 
 #include "io/nearest_word.hpp"
+#include "io/toml_path.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
@@ -23,39 +24,6 @@ constexpr std::string_view bodies = description::case_kinds[0], wheel = descript
                            wheelset = description::case_kinds[2];
 /// Tells one wheel from a wheelset, which a problem is from the beginning.
 constexpr std::string_view side = "wheel.side", both = "both";
-
-/// A path's section, "" for that of the file itself, and its key.
-std::pair<std::string_view, std::string_view> parts_of(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string_view::npos) return {"", path};
-  return {path.substr(0, dot), path.substr(dot + 1)};
-}
-
-/// A section by its name, "solution.slope_reduction".
-TomlSection section_of(const TomlSection& root, std::string_view name) {
-  if (name.empty()) return root;
-  const std::size_t dot = name.find('.');
-  const TomlSection first = root.optional_section(name.substr(0, dot));
-  return dot == std::string_view::npos ? first : section_of(first, name.substr(dot + 1));
-}
-
-/// Table for writing, made where it is missing.
-toml::table& table_of(toml::table& root, std::string_view name) {
-  if (name.empty()) return root;
-  const std::size_t dot = name.find('.');
-  toml::table* const first = root.insert(name.substr(0, dot), toml::table()).first->second.as_table();
-  if (first == nullptr) throw Error(std::string(name) + ": must be a table");
-  return dot == std::string_view::npos ? *first : table_of(*first, name.substr(dot + 1));
-}
-
-/// Erases a value, and the sections that are empty then.
-void erase(toml::table& table, std::string_view path) {
-  const std::size_t dot = path.find('.');
-  const std::string_view first = path.substr(0, dot);
-  toml::table* const section = dot == std::string_view::npos ? nullptr : table.get_as<toml::table>(first);
-  if (section != nullptr) erase(*section, path.substr(dot + 1));
-  if (dot == std::string_view::npos || (section != nullptr && section->empty())) table.erase(first);
-}
 
 bool is_whole(const Input& input) {
   return input.kind == InputKind::whole || input.kind == InputKind::wholes;
@@ -116,13 +84,19 @@ void read_input(const TomlSection& section, const Input& input) {
   }
 }
 
-std::optional<CaseInputs::Value> read_from(const TomlSection& file, std::string_view kind, std::string_view path,
+/// The value under a path, from the section that it names; `read` is what that has read.
+std::optional<CaseInputs::Value> read_from(const TomlSection& section, const ReadInputs& read, std::string_view path,
                                            const Input& input) {
-  ReadInputs found;
-  const TomlSection section = section_of(file.described_by(description::inputs_of(kind), &found), parts_of(path).first);
   if (!section.has(input.key) && !input.missing && input.missing_word.empty()) return {};
   read_input(section, input);
-  return found.find(path)->second.value;
+  return read.find(path)->second.value;
+}
+
+/// The path of the first in its list, for one of a list.
+std::string path_of_first(std::string_view path, const Input* input) {
+  if (input == nullptr || !input->is_in_list) return std::string(path);
+  const auto [section, key] = section_and_key(path);
+  return std::string(section_and_key(section).first).append(".1.").append(key);
 }
 
 std::string_view kind_of(const TomlSection& root) {
@@ -133,7 +107,10 @@ std::string_view kind_of(const TomlSection& root) {
 } // namespace
 
 CaseInputs::CaseInputs(std::string_view kind, std::string name) : kind_(kind), name_(std::move(name)) {
-  if (kind_ == wheelset) table_of(given_, parts_of(side).first).insert(parts_of(side).second, both);
+  if (kind_ == wheelset) {
+    const auto [section, key] = section_and_key(side);
+    table_at(given_, section).insert(key, both);
+  }
 }
 
 CaseInputs CaseInputs::read(std::string_view text, const std::string& name) {
@@ -144,34 +121,52 @@ CaseInputs CaseInputs::read(std::string_view text, const std::string& name) {
 }
 
 const Input& CaseInputs::input(std::string_view path) const {
-  const auto& named = description::inputs_of(kind_).named();
-  const auto found = std::find_if(named.begin(), named.end(), [&](const NamedInput& n) { return n.path == path; });
-  if (found != named.end()) return *found->input;
+  const description::InputTable& table = description::inputs_of(kind_);
+  const auto [section, key] = section_and_key(path);
+  const std::string of_table = path_of_first(path, table.find(section, key));
   std::vector<std::string_view> paths;
-  for (const NamedInput& one : named) paths.push_back(one.path);
+  for (const NamedInput& one : table.named()) {
+    if (one.path == of_table) return *one.input;
+    paths.push_back(one.path);
+  }
   throw Error(name_ + ": " + printable(path) + " is no path of an input" + suggestion(path, paths));
+}
+
+toml::table& CaseInputs::table_of(std::string_view path) {
+  try {
+    return table_at(given_, section_and_key(path).first);
+  } catch (const Error& error) {
+    erase_at(given_, path);
+    throw Error(name_ + ": " + error.what());
+  }
 }
 
 void CaseInputs::set(std::string_view path, const Value& value) {
   const Input& given = input(path);
-  const auto [section, key] = parts_of(path);
+  const auto [section, key] = section_and_key(path);
   toml::table alone;
-  std::visit(Store{table_of(alone, section), key, given}, value);
-  read_from(TomlSection(alone, name_), kind_, path, given);
+  std::visit(Store{alone, key, given}, value);
+  read_input(TomlSection(alone, name_)
+                 .described_by(description::inputs_of(kind_))
+                 .inside(alone, std::string(section), given.section),
+             given);
   if (path == side && (std::get<std::string>(value) == both) != (kind_ == wheelset))
     throw Error(
         name_ + ": " + std::string(path) + ": " +
         (kind_ == wheelset ? "must be both in a problem of a wheelset" : "must be left or right, of one wheel"));
-  std::visit(Store{table_of(given_, section), key, given}, value);
+  std::visit(Store{table_of(path), key, given}, value);
 }
 
 void CaseInputs::unset(std::string_view path) {
   input(path);
-  if (path != side || kind_ != wheelset) erase(given_, path);
+  if (path != side || kind_ != wheelset) erase_at(given_, path);
 }
 
 std::optional<CaseInputs::Value> CaseInputs::get(std::string_view path) const {
-  return read_from(root(), kind_, path, input(path));
+  const Input& wanted = input(path);
+  ReadInputs read;
+  const TomlSection file = root().described_by(description::inputs_of(kind_), &read);
+  return read_from(file.at_path(section_and_key(path).first), read, path, wanted);
 }
 
 std::string CaseInputs::text() const {

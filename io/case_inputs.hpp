@@ -9,9 +9,9 @@
 
 namespace microslip::io {
 
-/// Inputs of a case by their paths, "load.normal_force", in SI units: what a program gives instead of a file. The
-/// table of inputs tells at once whether a path is there and what it may be; incompatible values the readers of
-/// cases refuse, as they do in a file. A call that throws changes nothing.
+/// Inputs of a case by their paths, "load.normal_force" or "body2.layers.1.thickness", in SI units: what a program
+/// gives instead of a file. The table of inputs tells at once whether a path is there and what it may be; incompatible
+/// values the readers of cases refuse, as they do in a file. A call that throws changes nothing.
 class CaseInputs {
 public:
   /// A number, a text or a word, a list of numbers; a number may be a text with its unit, "80 kN".
@@ -44,6 +44,8 @@ public:
 
 private:
   const description::Input& input(std::string_view path) const;
+  /// Table of a path's section, made where it is missing.
+  toml::table& table_of(std::string_view path);
 
   std::string_view kind_;
   std::string name_;

@@ -2,6 +2,7 @@
 
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "io/toml_path.hpp"
 #include "io/units.hpp"
 #include "microslip/error.hpp"
 
@@ -110,6 +111,30 @@ TomlSection TomlSection::optional_section(std::string_view name) const {
   return found;
 }
 
+std::vector<TomlSection> TomlSection::sections(std::string_view name) const {
+  std::vector<TomlSection> found;
+  const auto* node = find(name);
+  if (node == nullptr) return found;
+  const auto* list = node->as_array();
+  if (list == nullptr) wrong_type(name, *node, "a list of tables, [[" + full(name) + "]]");
+  const std::string section = section_.empty() ? std::string(name) : section_ + "." + std::string(name);
+  for (const auto& element : *list) {
+    if (!element.is_table()) wrong_type(name, element, "a list of tables, [[" + full(name) + "]]");
+    const std::string one = full(name) + "." + std::to_string(found.size() + 1);
+    found.push_back(inside(*element.as_table(), one, section));
+  }
+  return found;
+}
+
+TomlSection TomlSection::at_path(std::string_view path) const {
+  if (path.empty()) return *this;
+  const auto [name, rest, place] = first_step(path);
+  if (!place) return optional_section(name).at_path(rest);
+  const std::vector<TomlSection> list = sections(name);
+  if (*place - 1 < list.size()) return list[*place - 1].at_path(rest);
+  return TomlSection(nullptr, full(name) + "." + std::to_string(*place), *this);
+}
+
 void TomlSection::allow(const Words& keys) const {
   if (table_ == nullptr) return;
   const toml::key* unknown = nullptr;
@@ -195,11 +220,14 @@ std::string TomlSection::word(std::string_view key) const {
   return word(key, described.missing_word, described.words);
 }
 
-std::string_view TomlSection::one_of(std::string_view first, std::string_view second) const {
-  if (has(first) == has(second))
-    throw Error(line_of(second) + in_section(" ") + "needs either " + std::string(first) + " or " +
-                std::string(second));
-  return has(first) ? first : second;
+std::string_view TomlSection::one_of(std::initializer_list<std::string_view> keys) const {
+  Words there;
+  for (const std::string_view key : keys)
+    if (has(key)) there.push_back(key);
+  if (there.size() == 1) return there.front();
+  const std::string_view last = there.empty() ? *(keys.end() - 1) : there.back();
+  throw Error(line_of(last) + in_section(" ") + "needs " + (keys.size() == 2 ? "either " : "one of ") +
+              listed(Words(keys), "or"));
 }
 
 double TomlSection::finite(std::string_view key, std::string_view unit, std::optional<double> missing) const {

@@ -6,6 +6,7 @@
 #include "microslip/description/input.hpp"
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +39,10 @@ public:
   const std::string& file() const { return file_; }
   TomlSection required_section(std::string_view name) const;
   TomlSection optional_section(std::string_view name) const;
+  /// The tables of a list, [[name]], with the names name.1, name.2 ... for messages; none if it is missing.
+  std::vector<TomlSection> sections(std::string_view name) const;
+  /// A section by its path from here, "solution.slope_reduction" or "body1.layers.2"; an empty one if it is missing.
+  TomlSection at_path(std::string_view path) const;
 
   /// Section with a table of its inputs, from which the functions below that are given a key alone take unit,
   /// bounds and default. All that is read goes to `read` as well, if given. Both must outlive it.
@@ -54,8 +59,9 @@ public:
   void allow_described(const Words& more = {}) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   bool is_described(std::string_view key) const { return inputs_->find(section_, key) != nullptr; }
-  /// Returns which of two keys is there; Error if it is none or both.
-  std::string_view one_of(std::string_view first, std::string_view second) const;
+  /// Returns which of several keys is there; Error if it is none or more than one.
+  std::string_view one_of(std::initializer_list<std::string_view> keys) const;
+  std::string_view one_of(std::string_view first, std::string_view second) const { return one_of({first, second}); }
 
   double number(std::string_view key) const;
   /// None if the key is missing.

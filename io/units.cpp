@@ -23,6 +23,7 @@ constexpr UnitDefinition definitions[] = {
     {"s", nullptr},
     {"K", nullptr},
     {"rad", nullptr}, // with a separate dimension, so that 10 Hz are not 10 rad/s
+    {"ShoreA", nullptr},
     {"g", "0.001 kg"},
     {"t", "1000 kg"},
     {"lb", "0.45359237 kg"},
@@ -84,6 +85,7 @@ constexpr Choice choices[] = {
     {"W/(m K)", "50 W/(m K)", {"W/(m K)", "kW/(m K)"}},
     {"J/(kg K)", "0.45 kJ/(kg K)", {"J/(kg K)", "kJ/(kg K)"}},
     {"Pa/m", "400 MPa/mm", {"Pa/m", "MPa/m", "MPa/mm", "GPa/mm"}},
+    {"ShoreA", "60 ShoreA", {"ShoreA"}},
     {"-", "30 %", {"%"}},
 };
 

@@ -441,6 +441,7 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
   };
   check("hertzian_contact.toml", [](const io::TomlSection& root) { io::read_case(root); });
   check("two_rollers.toml", [](const io::TomlSection& root) { io::read_case(root); });
+  check("rubber_roller.toml", [](const io::TomlSection& root) { io::read_case(root); });
   check("wheel_on_rail.toml", [](const io::TomlSection& root) { io::read_wheel_rail_case(root); });
   check("wheelset_in_curve.toml", [](const io::TomlSection& root) { io::read_wheelset_case(root); });
   EXPECT_GT(count, 60u);

@@ -103,7 +103,7 @@ struct AnnotatedLine {
 };
 
 std::vector<AnnotatedLine> annotated_lines(const std::string& name) {
-  const std::regex heading(R"(^#? ?\[([\w.]+)\])"), line(R"(^#? ?(\w+) = ("[^"]*"|\S+) *# *(.*)$)"),
+  const std::regex heading(R"(^#? ?\[?\[([\w.]+)\])"), line(R"(^#? ?(\w+) = ("[^"]*"|\S+) *# *(.*)$)"),
       said(R"((^|, |\) )default( ("\w+"|[-\d.]+)|(?=[;,]|$)))");
   std::vector<AnnotatedLine> lines;
   std::istringstream text(example(name));

@@ -260,7 +260,7 @@ TEST(Program, SaysWhatHertzAndFastsim2Assume) {
 
 TEST(Program, SolvesEveryExampleWithPictures) {
   const TemporaryFolder folder;
-  for (const auto* name : {"hertzian_contact", "two_rollers", "starting_to_roll"}) {
+  for (const auto* name : {"hertzian_contact", "two_rollers", "rubber_roller", "coated_roller", "starting_to_roll"}) {
     const auto file = MICROSLIP_SOURCE_DIR "/examples/" + std::string(name) + ".toml";
     const auto outcome = run_program(folder, "solve " + file + " -o " + name);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
@@ -302,8 +302,8 @@ TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
 
 TEST(Program, InitWritesEveryExampleWithWhatItNeeds) {
   const std::filesystem::path originals = MICROSLIP_SOURCE_DIR "/examples";
-  for (const std::string name :
-       {"hertzian_contact", "two_rollers", "starting_to_roll", "wheel_on_rail", "lateral_sweep", "wheelset_in_curve"}) {
+  for (const std::string name : {"hertzian_contact", "two_rollers", "rubber_roller", "coated_roller",
+                                 "starting_to_roll", "wheel_on_rail", "lateral_sweep", "wheelset_in_curve"}) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_program(folder, "init --example " + name + " a.toml").exit_code, 0) << name;
     EXPECT_EQ(contents(folder / "a.toml"), contents(originals / (name + ".toml")));

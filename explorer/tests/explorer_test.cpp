@@ -170,8 +170,12 @@ TEST_F(ExplorerTest, TakesProfilesWithoutTheirFolders) {
 void add_keys(const toml::table& table, const std::string& before, std::set<std::string>& keys) {
   for (const auto& [key, value] : table) {
     const std::string name = before + std::string(key.str());
+    const auto* list = value.as_array();
     if (value.is_table())
       add_keys(*value.as_table(), name + ".", keys);
+    else if (list != nullptr && list->is_homogeneous<toml::table>())
+      for (std::size_t k = 0; k < list->size(); ++k)
+        add_keys(*list->get(k)->as_table(), name + "." + std::to_string(k + 1) + ".", keys);
     else
       keys.insert(name);
   }
@@ -181,6 +185,7 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
   std::size_t count = 0;
   for (const auto& [example, kind] : {std::pair{"hertzian_contact.toml", "rolling_contact"},
                                       {"two_rollers.toml", "rolling_contact"},
+                                      {"rubber_roller.toml", "rolling_contact"},
                                       {"starting_to_roll.toml", "rolling_contact"},
                                       {"wheel_on_rail.toml", "wheel_rail"},
                                       {"lateral_sweep.toml", "wheel_rail"},

@@ -71,9 +71,10 @@ InputTable::InputTable(std::vector<Input> inputs, std::vector<Shared> shared)
   for (auto first = inputs_.begin(); first != inputs_.end();) {
     const auto end = std::find_if(first, inputs_.end(), [&](const Input& i) { return i.section != first->section; });
     for (const std::string_view name : names(first->section))
-      for (auto input = first; input != end; ++input)
-        named_.push_back(
-            {std::string(name).append(name.empty() ? "" : ".").append(input->key), &*input, range_of(*input)});
+      for (auto input = first; input != end; ++input) {
+        const char* between = name.empty() ? "" : input->is_in_list ? ".1." : ".";
+        named_.push_back({std::string(name).append(between).append(input->key), &*input, range_of(*input)});
+      }
     first = end;
   }
 }
@@ -99,8 +100,11 @@ std::vector<std::string_view> InputTable::names(std::string_view section) const 
 }
 
 const Input* InputTable::find(std::string_view section, std::string_view key) const {
-  const auto found = std::find_if(inputs_.begin(), inputs_.end(),
-                                  [&](const Input& input) { return input.key == key && has(input, section); });
+  const std::string_view list = section.substr(0, section.find_last_not_of("0123456789"));
+  const bool is_one_of_list = !list.empty() && list.size() + 1 < section.size() && section[list.size()] == '.';
+  const auto found = std::find_if(inputs_.begin(), inputs_.end(), [&](const Input& input) {
+    return input.key == key && has(input, input.is_in_list && is_one_of_list ? list : section);
+  });
   return found == inputs_.end() ? nullptr : &*found;
 }
 

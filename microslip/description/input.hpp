@@ -69,6 +69,7 @@ struct Input {
   std::span<const double> missing_numbers = {}; ///< the same of a list of numbers
   Condition only = {};
   bool is_needed = false;   ///< a case without it is refused; of alternatives one is needed
+  bool is_in_list = false;  ///< its section is a list, [[body1.layers]]; paths have its place in it, from 1 on
   bool is_state = false;    ///< of a wheel's state or load, which a sweep may vary
   bool may_be_list = false; ///< a list of numbers may stand for the number
   std::span<const std::string_view> words = {};
@@ -77,7 +78,7 @@ struct Input {
 
 /// An input under one of the names that its section has in files.
 struct NamedInput {
-  std::string path; ///< "body1.rolling_radius"
+  std::string path; ///< "body1.rolling_radius"; "body1.layers.1.thickness" is that of the first in a list
   const Input* input;
   std::string range; ///< what it may be, in words: "in [0, 10]", "forward or backward"; empty for all of its kind
 };
@@ -99,7 +100,7 @@ public:
   std::vector<std::string_view> keys(std::string_view section) const;
   /// The names that a section of the table has in files.
   std::vector<std::string_view> names(std::string_view section) const;
-  /// The input of a key in a section of a file; none if there is no such key.
+  /// The input of a key in a section of a file, "body1.layers.2" if it is one in a list; none if there is no such key.
   const Input* find(std::string_view section, std::string_view key) const;
 
 private:

@@ -68,6 +68,7 @@ constexpr Input list_or(Input number) {
 struct Section {
   std::string_view name;
   std::vector<Input> inputs;
+  bool is_list = false; ///< files may have many of it
 };
 /// The inputs of all sections.
 inline std::vector<Input> lines_of(std::initializer_list<Section> sections) {
@@ -75,6 +76,7 @@ inline std::vector<Input> lines_of(std::initializer_list<Section> sections) {
   for (const Section& section : sections)
     for (Input input : section.inputs) {
       input.section = section.name;
+      input.is_in_list = section.is_list;
       all.push_back(input);
     }
   return all;

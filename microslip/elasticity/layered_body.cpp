@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace microslip {
@@ -41,6 +42,15 @@ void check(const std::string& field, const ViscoelasticMaterial& material, bool 
 
 bool ViscoelasticMaterial::is_rigid() const {
   return std::isinf(instantaneous.shear_modulus);
+}
+
+ViscoelasticMaterial standard_solid(const Material& instantaneous, const MaterialCreep& creep) {
+  require_between("creep_ratio", creep.ratio, "-", 0, std::numeric_limits<double>::max());
+  require_between("creep_time", creep.time, "s", 0, std::numeric_limits<double>::max());
+  const double relaxed = 1 + creep.ratio;
+  if (creep.ratio == 0) return {instantaneous};
+  if (creep.time == 0) return {{instantaneous.shear_modulus / relaxed, instantaneous.poisson_ratio}};
+  return {instantaneous, {{creep.ratio / relaxed, creep.time / relaxed}}};
 }
 
 double shear_over_bulk_modulus(const Material& material) {

@@ -23,6 +23,10 @@ struct ViscoelasticMaterial {
   friend bool operator==(const ViscoelasticMaterial&, const ViscoelasticMaterial&) = default;
 };
 
+/// A standard linear solid, which relaxes from G to G/(1 + f): the share f/(1 + f) with the time T/(1 + f), the bulk
+/// modulus likewise.
+ViscoelasticMaterial standard_solid(const Material& instantaneous, const MaterialCreep& creep);
+
 /// G/K = 3 (1 - 2 nu)/(2 (1 + nu)), the shear modulus over the bulk modulus.
 double shear_over_bulk_modulus(const Material& material);
 

@@ -27,8 +27,12 @@ bool is_hertzian(const RollingProblem& problem) {
   return std::holds_alternative<Ellipse>(problem.geometry) || std::holds_alternative<GapCurvatures>(problem.geometry);
 }
 
+CombinedMaterial half_spaces(const RollingProblem& problem) {
+  return problem.layered ? problem.layered->surfaces() : problem.bodies.material;
+}
+
 HertzContact hertz_contact(const RollingProblem& problem) {
-  const CombinedMaterial& material = problem.bodies.material;
+  const CombinedMaterial material = half_spaces(problem);
   const auto& [given, value] = problem.load;
   const bool force = given == NormalLoad::Given::force;
   if (const auto* ellipse = std::get_if<Ellipse>(&problem.geometry)) {
@@ -53,7 +57,7 @@ EllipticContact elliptic_contact(const RollingProblem& problem) {
 }
 
 EllipticContact elliptic_contact(const RollingProblem& problem, const HertzContact& hertz) {
-  const CombinedMaterial& material = problem.bodies.material;
+  const CombinedMaterial material = half_spaces(problem);
   return {.a = hertz.a,
           .b = hertz.b,
           .shear_modulus = material.shear_modulus,

@@ -80,7 +80,10 @@ RollingProblem rolling_problem(const EllipticContact& contact, const Motion& mot
 /// Returns whether the bodies touch in an ellipse, so that Hertz's theory and the simplified theory hold.
 bool is_hertzian(const RollingProblem& problem);
 
-/// The ellipse of a Hertzian problem, of elastic bodies without friction. Throws Error for a problem that is not
+/// Elastic half-spaces of the bodies' materials; of bodies with layers those of their surfaces' materials.
+CombinedMaterial half_spaces(const RollingProblem& problem);
+
+/// The ellipse of a Hertzian problem, of half_spaces without friction. Throws Error for a problem that is not
 /// Hertzian and for numbers out of range.
 HertzContact hertz_contact(const RollingProblem& problem);
 
