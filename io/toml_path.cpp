@@ -15,8 +15,9 @@ toml::table* entry_of(toml::table& root, const PathStep& step) {
   if (list == nullptr) throw Error(std::string(step.name) + ": must be a list of tables");
   const std::size_t place = *step.place;
   if (place < 1 || place > list->size() + 1)
-    throw Error(std::string(step.name) + "." + std::to_string(place) + ": there " + (list->size() == 1 ? "is " : "are ") +
-                std::to_string(list->size()) + ", the next one is " + std::to_string(list->size() + 1));
+    throw Error(std::string(step.name) + "." + std::to_string(place) + ": there " +
+                (list->size() == 1 ? "is " : "are ") + std::to_string(list->size()) + ", the next one is " +
+                std::to_string(list->size() + 1));
   if (place > list->size()) list->push_back(toml::table());
   return list->get(place - 1)->as_table();
 }

@@ -74,8 +74,8 @@ TEST(LayeredCase, IsTheProblemOfLayeredBodies) {
 }
 
 TEST(LayeredCase, CreepOfTheBodyIsThatOfWhatLiesBelowItsLayers) {
-  const io::RollingCase input =
-      io::parse_case(changed("young_modulus = inf", "young_modulus = 8e6\ncreep_ratio = 3\ncreep_time = 0.1"), "r.toml");
+  const io::RollingCase input = io::parse_case(
+      changed("young_modulus = inf", "young_modulus = 8e6\ncreep_ratio = 3\ncreep_time = 0.1"), "r.toml");
   const ViscoelasticMaterial& below = input.problem.layered->body2.substrate;
   EXPECT_EQ(below.shear_relaxation, (PronySeries{{0.75, 0.025}}));
   EXPECT_FALSE(below.bulk_relaxation);
@@ -84,8 +84,10 @@ TEST(LayeredCase, CreepOfTheBodyIsThatOfWhatLiesBelowItsLayers) {
 TEST(LayeredCase, MistakesHaveTheirPlaceInTheList) {
   expect_refused("thickness = 0.002", "thickness = -0.002",
                  "r.toml:18: body2.layers.2.thickness = -0.002 [m]: must be positive and finite");
-  expect_refused("thickness = 0.002", "thicknes = 0.002", "r.toml:18: body2.layers.2.thicknes: unknown key; did you mean thickness?");
-  expect_refused("hardness = \"60 ShoreA\"", "hardness = \"60 ShoreD\"", "unknown unit \"ShoreD\"; did you mean ShoreA?");
+  expect_refused("thickness = 0.002", "thicknes = 0.002",
+                 "r.toml:18: body2.layers.2.thicknes: unknown key; did you mean thickness?");
+  expect_refused("hardness = \"60 ShoreA\"", "hardness = \"60 ShoreD\"",
+                 "unknown unit \"ShoreD\"; did you mean ShoreA?");
   expect_refused("hardness = \"60 ShoreA\"", "hardness = 99", "body2.layers.1.hardness = 99 [ShoreA]: must be in [");
   expect_refused("hardness = \"60 ShoreA\"", "hardness = 60\nyoung_modulus = 5e6",
                  "[body2.layers.1] needs one of young_modulus, shear_modulus or hardness");
@@ -96,13 +98,15 @@ TEST(LayeredCase, MistakesHaveTheirPlaceInTheList) {
   expect_refused("[[body2.layers]]\nthickness = 0.002", "[body3]\nthickness = 0.002", "unknown key");
   expect_refused("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]", "are in place of half-spaces");
   expect_refused("theory = \"exact\"", "theory = \"fastsim2\"", "needs solution.theory");
-  expect_refused("rolling_speed = 2\n", "rolling_speed = 2\nkind = \"transient\"\n", "viscoelastic ones need steady rolling");
+  expect_refused("rolling_speed = 2\n", "rolling_speed = 2\nkind = \"transient\"\n",
+                 "viscoelastic ones need steady rolling");
   std::string many = roller;
   for (int k = 0; k < 20; ++k) many += "[[body1.layers]]\nthickness = 1\nyoung_modulus = 1e9\npoisson_ratio = 0\n";
   EXPECT_NO_THROW(io::parse_case(many, "r.toml"));
   many += "[[body1.layers]]\nthickness = 1\nyoung_modulus = 1e9\npoisson_ratio = 0\n";
   expect_words([&] { io::parse_case(many, "r.toml"); }, "must be in [0, 20]");
-  const std::string one = roller.substr(roller.find("[[body2.layers]]"), roller.rfind("[[") - roller.find("[[body2.layers]]"));
+  const std::string one =
+      roller.substr(roller.find("[[body2.layers]]"), roller.rfind("[[") - roller.find("[[body2.layers]]"));
   std::string table = changed(roller.substr(roller.rfind("[["), roller.find("[load]") - roller.rfind("[[")), "");
   table.replace(table.find(one), one.size(), "[body2.layers]\nthickness = 1\n");
   expect_words([&] { io::parse_case(table, "r.toml"); },

@@ -54,10 +54,12 @@ std::string Incompatibility::reason(KeyStyle style) const {
 }
 
 std::string Incompatibility::message(KeyStyle style) const {
-  std::string fields;
+  std::string fields, before;
   for (std::string_view rest = field; !rest.empty();) { // "friction.memory_distance, friction.memory_speed"
     const auto comma = rest.find(", ");
-    fields += (fields.empty() ? "" : ", ") + key(rest.substr(0, comma), style);
+    // Without its section a key of both bodies stands once.
+    if (const std::string name = key(rest.substr(0, comma), style); name != before)
+      fields += (fields.empty() ? "" : ", ") + name, before = name;
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
   }
   return fields + ": " + reason(style);

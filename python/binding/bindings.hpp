@@ -6,6 +6,7 @@ namespace microslip::python {
 
 // Each adds the classes and functions of a part to the module, in this order: later ones use the types of earlier ones.
 void bind_elasticity(pybind11::module_& module);
+void bind_layered_bodies(pybind11::module_& module);
 void bind_friction(pybind11::module_& module);
 void bind_contact(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);

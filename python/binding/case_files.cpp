@@ -32,7 +32,7 @@ template <class T> struct ReadOnly : T {};
 template <>
 inline constexpr auto fields<io::BodyInput> =
     members<&io::BodyInput::rolling_radius, &io::BodyInput::transverse_radius, &io::BodyInput::material,
-            &io::BodyInput::creep, &io::BodyInput::thermal>;
+            &io::BodyInput::creep, &io::BodyInput::layers, &io::BodyInput::thermal>;
 template <>
 inline constexpr auto fields<cases::DiscretisationError> =
     members<&cases::DiscretisationError::fx, &cases::DiscretisationError::fy, &cases::DiscretisationError::mz,
@@ -138,7 +138,8 @@ void bind_case(py::module_& module) {
           "Creepages [-], [-] and spin [1/m].");
   auto body = py::class_<io::BodyInput>(module, "Body", "One of the two bodies of a case file.");
   add_fields(body, {"Radius in the plane of rolling [m].", "Radius in the lateral plane [m].", "Its Material.",
-                    "Its MaterialCreep; the ratio is 0 for an elastic body.", "Its ThermalBody, or None."});
+                    "Its MaterialCreep; the ratio is 0 for an elastic body.",
+                    "List of BodyLayer, from the surface inwards.", "Its ThermalBody, or None."});
   add_value(body);
 
   auto rolling_case = py::class_<Case, std::shared_ptr<Case>>(

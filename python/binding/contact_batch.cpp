@@ -90,6 +90,8 @@ ContactBatch::ContactBatch(const RollingProblem& like, const ContactArrays& arra
   problem_ = like;
   if (!like.bodies.are_elastic() && gives({"shear_modulus", "poisson_ratio", "dissimilarity"}))
     throw Error("shear_modulus, poisson_ratio, dissimilarity: viscoelastic bodies have their own");
+  if (like.layered && gives({"a", "b", "shear_modulus", "poisson_ratio", "dissimilarity"}))
+    throw Error("a, b, shear_modulus, poisson_ratio, dissimilarity: bodies with layers have their own");
 }
 
 EllipticContact ContactBatch::operator[](std::size_t i) const {
@@ -101,6 +103,11 @@ EllipticContact ContactBatch::operator[](std::size_t i) const {
 
 RollingProblem ContactBatch::problem(std::size_t i) const {
   RollingProblem out = rolling_problem((*this)[i], problem_.motion);
+  if (problem_.layered) {
+    out.bodies = {};
+    out.layered = problem_.layered;
+    if (!out.layered->are_elastic()) out.layered->speed = rolling_velocity(out.motion);
+  }
   out.bodies.retarded = problem_.bodies.retarded;
   out.bodies.layer = problem_.bodies.layer;
   out.friction.memory = problem_.friction.memory;

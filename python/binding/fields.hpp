@@ -3,6 +3,7 @@
 #include "binding/grid.hpp"
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/layered_body.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
 #include "microslip/friction/temperature_effect.hpp"
 #include "microslip/interior/interior_peak.hpp"
@@ -62,6 +63,16 @@ template <> inline constexpr auto fields<MaterialCreep> = members<&MaterialCreep
 template <> inline constexpr auto fields<Retardation> = members<&Retardation::ratio, &Retardation::distance>;
 template <> inline constexpr auto fields<RetardedPart> = members<&RetardedPart::material, &RetardedPart::retardation>;
 template <> inline constexpr auto fields<Bodies> = members<&Bodies::material, &Bodies::retarded, &Bodies::layer>;
+template <> inline constexpr auto fields<PronyTerm> = members<&PronyTerm::share, &PronyTerm::time>;
+template <>
+inline constexpr auto fields<ViscoelasticMaterial> =
+    members<&ViscoelasticMaterial::instantaneous, &ViscoelasticMaterial::shear_relaxation,
+            &ViscoelasticMaterial::bulk_relaxation>;
+template <> inline constexpr auto fields<BodyLayer> = members<&BodyLayer::thickness, &BodyLayer::material>;
+template <> inline constexpr auto fields<LayeredBody> = members<&LayeredBody::layers, &LayeredBody::substrate>;
+template <>
+inline constexpr auto fields<LayeredBodies> =
+    members<&LayeredBodies::body1, &LayeredBodies::body2, &LayeredBodies::speed>;
 template <>
 inline constexpr auto fields<ThermalBody> = members<&ThermalBody::bulk_temperature, &ThermalBody::conductivity,
                                                     &ThermalBody::density, &ThermalBody::heat_capacity>;

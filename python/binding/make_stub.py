@@ -32,6 +32,11 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
     "measure": 'Literal["von_mises", "tresca", "hydrostatic"]',
     "kind": 'Literal["rail", "wheel"]',
     "body": "Literal[1, 2]",
+    "of": "tuple[float, float]",
+    "ViscoelasticMaterial.shear_relaxation": "list[PronyTerm | tuple[float, float]]",
+    "ViscoelasticMaterial.bulk_relaxation": "list[PronyTerm | tuple[float, float]] | None",
+    "BodyLayer.material": "Material | ViscoelasticMaterial",
+    "LayeredBody.substrate": "Material | ViscoelasticMaterial",
     "friction": "FrictionLaw | float",
     "WheelRail.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
     "WheelsetOnTrack.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
@@ -71,7 +76,7 @@ OF_FASTSIM = ("bound", "flexibility", "coefficients", "slope_reduction")
 # Those that are no keys of case files; the first two a problem must have.
 NEEDED = ("bodies", "friction")
 TYPES_OF_OBJECTS = {
-    "bodies": "Bodies | CombinedMaterial",
+    "bodies": "Bodies | CombinedMaterial | LayeredBodies",
     "friction": "FrictionLaw | float",
     "gap": "GapCurvatures | ArrayLike | None",
     "grid": "ElementGrid | None",
@@ -82,7 +87,7 @@ TYPES_OF_OBJECTS = {
 }
 # What properties have where keywords take more.
 TYPES_OF_VALUES = {
-    ("RollingProblem", "bodies"): "Bodies",
+    ("RollingProblem", "bodies"): "Bodies | LayeredBodies",
     ("RollingProblem", "friction"): "FrictionLaw",
     ("RollingProblem", "gap"): "GapCurvatures | NDArray[numpy.float64] | None",
     ("Method", "grid"): "int | tuple[int, int]",

@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, module) {
   bind_build(module);
   module.attr("__version__") = std::string(microslip::build_info().version);
   bind_elasticity(module);
+  bind_layered_bodies(module);
   bind_friction(module);
   bind_contact(module);
   bind_grid(module);

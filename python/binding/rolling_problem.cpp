@@ -43,8 +43,9 @@ py::object heat_of(Problem p) {
 }
 
 constexpr Keyword<RollingProblem> problem_keywords[] = {
-    {"", "bodies", [](Problem p) { return py::cast(p.bodies); },
-     "[-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones"},
+    {"", "bodies", [](Problem p) { return p.layered ? py::cast(*p.layered) : py::cast(p.bodies); },
+     "[-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones, or "
+     "LayeredBodies"},
     {"ellipse", "a", [](Problem p) { return geometry<Ellipse>(p) ? py::cast(geometry<Ellipse>(p)->a) : py::none(); }},
     {"ellipse", "b", [](Problem p) { return geometry<Ellipse>(p) ? py::cast(geometry<Ellipse>(p)->b) : py::none(); }},
     {"", "gap", gap_of,
@@ -117,10 +118,13 @@ ContactGeometry geometry_from(const GivenKeywords& given) {
 RollingProblem problem_from(const py::dict& keywords) {
   const GivenKeywords given("RollingProblem", keywords, known_of(problem_keywords));
   RollingProblem problem{.geometry = geometry_from(given),
-                         .bodies = given.as<Bodies>("bodies"),
                          .load = io::read_load(given.section("load")),
                          .friction = {.law = friction_from(given.object("friction"))},
                          .motion = io::read_motion(given.section("motion"))};
+  if (given.has("bodies") && py::isinstance<LayeredBodies>(given.object("bodies")))
+    problem.layered = given.as<LayeredBodies>("bodies");
+  else
+    problem.bodies = given.as<Bodies>("bodies");
   const io::TomlSection friction = given.section("friction");
   problem.friction.memory = {friction.number("memory_distance"), friction.number("memory_speed")};
   if (given.has("temperature_effect"))

@@ -66,8 +66,24 @@ class Body:
     def creep(self) -> MaterialCreep:
         """Its MaterialCreep; the ratio is 0 for an elastic body."""
     @property
+    def layers(self) -> list[BodyLayer]:
+        """List of BodyLayer, from the surface inwards."""
+    @property
     def thermal(self) -> ThermalBody | None:
         """Its ThermalBody, or None."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class BodyLayer:
+    """A layer of constant thickness, bonded to what is below it."""
+    def __init__(self, thickness: float, material: ViscoelasticMaterial) -> None:
+        """Made from the thickness h [m], > 0, and a Material or ViscoelasticMaterial."""
+    @property
+    def thickness(self) -> float:
+        """h [m]."""
+    @property
+    def material(self) -> ViscoelasticMaterial:
+        """Its ViscoelasticMaterial."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -970,6 +986,43 @@ class InteriorStates:
         """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
         attrs what result it is, and the version; needs xarray."""
 
+class LayeredBodies:
+    """Two bodies with layers in contact, in place of half-spaces, for the exact theory on classical elements."""
+    def __init__(self, body1: LayeredBody, body2: LayeredBody, rolling_velocity: float = 0.0) -> None:
+        """Made from two LayeredBody and the velocity V [m/s] of steady rolling, which viscoelastic ones
+        need: positive along +x, negative with direction 'backward'."""
+    @property
+    def body1(self) -> LayeredBody:
+        """The LayeredBody that forces act on."""
+    @property
+    def body2(self) -> LayeredBody:
+        """The other LayeredBody."""
+    @property
+    def rolling_velocity(self) -> float:
+        """V [m/s]."""
+    @property
+    def are_elastic(self) -> bool:
+        """Whether no material of them relaxes."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class LayeredBody:
+    """A half-space or rigid core below layers."""
+    def __init__(self, substrate: ViscoelasticMaterial, layers: list[BodyLayer] = []) -> None:
+        """Made from what is below, a Material or ViscoelasticMaterial, of infinite modulus a rigid core, and
+        up to 20 BodyLayer [m] from the surface inwards. Error for values out of range."""
+    @property
+    def layers(self) -> list[BodyLayer]:
+        """List of BodyLayer, from the surface inwards."""
+    @property
+    def substrate(self) -> ViscoelasticMaterial:
+        """The ViscoelasticMaterial below them."""
+    @property
+    def is_elastic(self) -> bool:
+        """Whether no material of it relaxes."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class LineContact:
     """Two cylinders with parallel axes, per unit length."""
     @property
@@ -1244,6 +1297,24 @@ class ProfileReport:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class PronyTerm:
+    """A term of a Prony series: a share of the modulus at short times relaxes as exp(-t/tau)."""
+    @overload
+    def __init__(self, share: float, time: float) -> None:
+        """Made from the share g [-], > 0, and tau [s], > 0; a tuple of both stands for it. The sum of a
+        series' shares is below 1. Values are checked where they are used."""
+    @overload
+    def __init__(self, of: tuple[float, float]) -> None:
+        """The same from (g [-], tau [s])."""
+    @property
+    def share(self) -> float:
+        """g [-]."""
+    @property
+    def time(self) -> float:
+        """tau [s]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class RollingCase:
     """What a case file says; read_case and parse_case make them."""
     @property
@@ -1312,13 +1383,13 @@ class RollingContactResult:
 class RollingProblem:
     """Two bodies that roll or are shifted over each other: all that is given, by the keys of case files."""
     @overload
-    def __init__(self, contact: EllipticContact, /, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> None:
+    def __init__(self, contact: EllipticContact, /, *, bodies: Bodies | CombinedMaterial | LayeredBodies = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> None:
         """That of an EllipticContact, whose numbers solvers check, with keywords beyond it or in place of its
         own ones [SI units]."""
     @overload
-    def __init__(self, *, bodies: Bodies | CombinedMaterial, a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float, memory_distance: float | None = 0.0, memory_speed: float | None = 0.0, temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = 'steady', creepage_longitudinal: float | None = 0.0, force_longitudinal: float | None = ..., creepage_lateral: float | None = 0.0, force_lateral: float | None = ..., spin: float | None = 0.0, shift_longitudinal: float | None = 0.0, shift_lateral: float | None = 0.0, rotation: float | None = 0.0, rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = 'forward', step: float | None = ..., steps: int | None = 1) -> None:
+    def __init__(self, *, bodies: Bodies | CombinedMaterial | LayeredBodies, a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float, memory_distance: float | None = 0.0, memory_speed: float | None = 0.0, temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = 'steady', creepage_longitudinal: float | None = 0.0, force_longitudinal: float | None = ..., creepage_lateral: float | None = 0.0, force_lateral: float | None = ..., spin: float | None = 0.0, shift_longitudinal: float | None = 0.0, shift_lateral: float | None = 0.0, rotation: float | None = 0.0, rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = 'forward', step: float | None = ..., steps: int | None = 1) -> None:
         """By keywords. Error for numbers out of range and what is missing.
-            bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones
+            bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones, or LayeredBodies
             a [m]: semi-axis of the ellipse of contact along the rolling direction, in place of all radii; positive
             b [m]: its lateral semi-axis; positive
             gap [m]: in place of a and b, GapCurvatures or the distance h of the bodies at the centres of the grid's elements, shape (my, mx)
@@ -1343,12 +1414,12 @@ class RollingProblem:
             direction [-]: rolling along +x or along -x; forward or backward; default 'forward'
             step [m]: distance rolled in a step; left out: the elements' length; positive
             steps [-]: number of steps of transient rolling; in [1, 1e+06]; default 1"""
-    def replace(self, *, bodies: Bodies | CombinedMaterial = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> RollingProblem:
+    def replace(self, *, bodies: Bodies | CombinedMaterial | LayeredBodies = ..., a: float | None = ..., b: float | None = ..., gap: GapCurvatures | ArrayLike | None = ..., grid: ElementGrid | None = ..., normal_force: float | None = ..., approach: float | None = ..., friction: FrictionLaw | float = ..., memory_distance: float | None = ..., memory_speed: float | None = ..., temperature_effect: TemperatureEffect | None = ..., thermal: tuple[ThermalBody, ThermalBody] | None = ..., kind: Literal["shift", "transient", "steady"] | None = ..., creepage_longitudinal: float | None = ..., force_longitudinal: float | None = ..., creepage_lateral: float | None = ..., force_lateral: float | None = ..., spin: float | None = ..., shift_longitudinal: float | None = ..., shift_lateral: float | None = ..., rotation: float | None = ..., rolling_speed: float | None = ..., direction: Literal["forward", "backward"] | None = ..., step: float | None = ..., steps: int | None = ...) -> RollingProblem:
         """Copy with other keywords [SI units]; None removes one. A force replaces a creepage, an
         approach in place of the force, and so on."""
     @property
-    def bodies(self) -> Bodies:
-        """bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones"""
+    def bodies(self) -> Bodies | LayeredBodies:
+        """bodies [-]: the CombinedMaterial of two bodies, or Bodies with a layer between them or viscoelastic ones, or LayeredBodies"""
     @property
     def a(self) -> float | None:
         """a [m]: semi-axis of the ellipse of contact along the rolling direction, in place of all radii; positive"""
@@ -1829,6 +1900,29 @@ class Track:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class ViscoelasticMaterial:
+    """A linearly viscoelastic, isotropic material, or an elastic one."""
+    @overload
+    def __init__(self, instantaneous: Material, shear_relaxation: list[PronyTerm] = [], bulk_relaxation: list[PronyTerm] | None = None) -> None:
+        """Made from the Material of short times, with G [Pa] and nu [-], and the PronyTerm lists [-, s] of
+        its shear and bulk modulus, of any length. Without one for the bulk modulus that relaxes as the
+        shear modulus does, and Poisson's ratio is constant; with an empty one it is elastic. A Material
+        stands for an elastic one."""
+    @overload
+    def __init__(self, elastic: Material) -> None:
+        """An elastic one."""
+    @property
+    def instantaneous(self) -> Material:
+        """The Material at t = 0 of a relaxation."""
+    @property
+    def shear_relaxation(self) -> list[PronyTerm]:
+        """List of PronyTerm of the shear modulus."""
+    @property
+    def bulk_relaxation(self) -> list[PronyTerm] | None:
+        """The same of the bulk modulus, or None."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class WearMap:
     """Wear coefficients of Archard's law over sliding speed and pressure, by default the middles of the ranges that
     KTH measured for dry wheel and rail steels (Jendel 2002)."""
@@ -2153,7 +2247,7 @@ class WheelRailDerivativeArrays:
     @property
     def variables(self) -> tuple[str, ...]:
         """Names of its columns: the numbers of a state and vertical_force [SI units]."""
-    def derivative(self, of: str, by: str) -> Any:
+    def derivative(self, of: tuple[float, float], by: str) -> Any:
         """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
     @property
     def solution(self) -> WheelRailArrays:
@@ -2173,7 +2267,7 @@ class WheelRailDerivatives:
     @property
     def variables(self) -> tuple[str, ...]:
         """Names of its columns: the numbers of a state and vertical_force [SI units]."""
-    def derivative(self, of: str, by: str) -> Any:
+    def derivative(self, of: tuple[float, float], by: str) -> Any:
         """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
     @property
     def solution(self) -> WheelRailSolution:
@@ -2475,7 +2569,7 @@ class WheelsetDerivatives:
     @property
     def variables(self) -> tuple[str, ...]:
         """Names of its columns: numbers of the state and prescribed forces [SI units]."""
-    def derivative(self, of: str, by: str) -> Any:
+    def derivative(self, of: tuple[float, float], by: str) -> Any:
         """One column of one row by their names [SI units]: derivative("force_y", "lateral")."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
@@ -2712,9 +2806,17 @@ def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
 def shear_excess(solution: ContactSolution, shear_yield_strength: float) -> NDArray[numpy.float64]:
     """Traction of each element less the yield strength in shear [Pa], shape (my, mx)."""
 
+def shore_a_of_young_modulus(young_modulus: float) -> float:
+    """Shore A hardness [-] of rubber of a Young's modulus [Pa], the inverse of young_modulus_of_shore_a.
+    Error for one whose hardness is not in [20, 90]."""
+
 def solve_case(case: RollingCase) -> RollingContactResult:
     """Solves a RollingCase by the theory it asks for, and beside exact theory or table by FASTSIM2, SI
     units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status."""
+
+def standard_solid(instantaneous: Material, creep: MaterialCreep) -> ViscoelasticMaterial:
+    """The ViscoelasticMaterial of a standard linear solid, from its Material and MaterialCreep [-, s].
+    Error for constants out of range."""
 
 def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, shear_yield_strength: float) -> float:
     """Traction coefficient [-] less shear_yield_strength [Pa] over peak_pressure [Pa] (Ekberg et al. 2002)."""
@@ -2752,3 +2854,7 @@ def wear_rate_r8t(t_gamma_per_area: float) -> float:
 def worn_area_british_rail(t_gamma: float, diameter: float) -> float:
     """Cross-section that a wheel of the diameter [m] loses per metre rolled [m], with T-gamma [N]
     (Pearce & Sherratt 1991)."""
+
+def young_modulus_of_shore_a(hardness: float) -> float:
+    """Young's modulus [Pa] of rubber of a Shore A hardness [-], 20 to 90, by Gent's relation (1958):
+    an estimate, by which others are up to twice as stiff. Error out of that range."""

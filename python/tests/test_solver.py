@@ -8,7 +8,7 @@ import numpy as np
 
 import microslip
 from tests.compiled import contact, load_tests_if_compiled
-from tests.test_case_files import CASE
+from tests.test_case_files import CASE, EXAMPLES
 
 
 class SolverTest(unittest.TestCase):
@@ -112,6 +112,29 @@ class SolverTest(unittest.TestCase):
         for constants in ({"shear_modulus": 80e9}, {"poisson_ratio": [0.2, 0.3]}):
             with self.assertRaisesRegex(microslip.Error, "bodies have their own"):
                 solver.solve_batch(rubber, 1e-3, **constants)
+
+    def test_layers_are_those_of_case_files(self):
+        roller = microslip.read_case(EXAMPLES / "rubber_roller.toml")
+        self.assertEqual(len(roller.body2.layers), 1)
+        steel = microslip.Material.from_young(210e9, 0.28)
+        young = microslip.young_modulus_of_shore_a(60)
+        self.assertAlmostEqual(microslip.shore_a_of_young_modulus(young), 60, places=9)
+        rubber = microslip.ViscoelasticMaterial(microslip.Material.from_young(young, 0.499), [(0.15, 0.5e-3), (0.1, 20e-3)], [])
+        cover = microslip.LayeredBody(steel, [microslip.BodyLayer(15e-3, rubber)])
+        bodies = microslip.LayeredBodies(microslip.LayeredBody(steel), cover, 5.0)
+        self.assertEqual(roller.problem.bodies, bodies)
+        problem = microslip.RollingProblem(bodies=bodies, gap=microslip.gap_curvatures(0.1, 0.15, np.inf, 20), normal_force=4e3,
+                                           friction=0.6, force_longitudinal=-400, rolling_speed=5)
+        self.assertEqual(roller.problem, problem)
+        solver = microslip.Solver(theory="exact", grid=(16, 8))
+        with self.subTest("the same numbers in a batch"):
+            like = problem.replace(creepage_longitudinal=-0.02)
+            batch = solver.solve_batch(like, [-0.02, -0.01])
+            self.assertEqual(batch.forces.fx[0], solver.solve(like).fx)
+        with self.assertRaisesRegex(microslip.Error, "bodies with layers have their own"):
+            solver.solve_batch(like, -0.02, shear_modulus=1e6)
+        with self.assertRaisesRegex(microslip.Error, 'layers: needs theory="exact"'):
+            microslip.Solver(theory="fastsim2").solve(like)
 
     def test_options_reach_the_case_files(self):
         # A case with everything that the exact theory takes, and the same solver made by hand.

@@ -16,6 +16,16 @@ def unlike():
     return microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
 
 
+def rubber():
+    """A material that relaxes."""
+    return microslip.ViscoelasticMaterial(microslip.Material.from_young(4e6, 0.49), [(0.2, 1e-3), microslip.PronyTerm(0.1, 0.1)], [])
+
+
+def covered():
+    """Rubber on a rigid core."""
+    return microslip.LayeredBody(microslip.Material.from_young(np.inf, 0.3), [microslip.BodyLayer(0.01, rubber())])
+
+
 def values():
     """An object of every class of values, by the name of its class."""
     hertz, pair = wheel_on_rail()
@@ -35,6 +45,7 @@ def values():
         microslip.MaterialCreep(1.0, 1e-3), microslip.InterfaceLayer(1e-14), microslip.InterfaceLayer(1e-14, 1e8, -2e9),
         microslip.Bodies(unlike(), microslip.InterfaceLayer(1e-14)),
         microslip.viscoelastic(steel, microslip.MaterialCreep(1.0, 1e-3), steel, microslip.MaterialCreep(0, 0), 10.0),
+        rubber(), microslip.PronyTerm(0.2, 1e-3), microslip.BodyLayer(0.01, rubber()), covered(), microslip.LayeredBodies(covered(), covered(), 2.0),
         microslip.ThermalBody(20.0, 50.0, 7850.0, 450.0), microslip.TemperatureEffect(-0.1, 100.0, 600.0),
         microslip.Fastsim2().solve(contact()), microslip.Fastsim2().differentiate(contact()), microslip.Fastsim2(6, 5).fields(contact()),
         solved, solved.history[0], solver.differentiate(contact()), microslip.Solver(theory="exact", accuracy=0.05).solve(contact()),
