@@ -80,7 +80,7 @@ double integral_error(const LayeredBody& body, double speed) {
   double largest = 0;
   for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {-1, 1}, {3, 4}}) {
     InfluenceRows rows(std::abs(i) + 1, j + 1);
-    add_layers(body, speed, sides, {}, rows);
+    RolledLayers(body).add(speed, sides, {}, rows);
     const Influence found = rows.at(i, j), exact = layered_integral(body, speed, sides, i, j, speed == 0 ? 600 : 400);
     for (const auto part :
          {&Influence::xx, &Influence::xy, &Influence::yy, &Influence::zz, &Influence::xz, &Influence::yz})
