@@ -72,7 +72,8 @@ TEST(Nip, DrivesSupplyWhatIsLost) {
   const PronySeries relaxation = {{0.4, 2e-3}, {0.2, 2e-2}};
   for (const double speed : {1.0, -1.0})
     for (const double creepage : {-0.01, 0.0, 0.02}) {
-      RollingProblem p = nip_of_rollers(covered(5e-3, hard, {{0.3, 1e-3}}), covered(3e-3, rubber, relaxation), 2e3, speed);
+      RollingProblem p =
+          nip_of_rollers(covered(5e-3, hard, {{0.3, 1e-3}}), covered(3e-3, rubber, relaxation), 2e3, speed);
       p.motion.creepage.longitudinal = creepage;
       const Solved s = solve(p);
       EXPECT_GT(s.nip.hysteresis_power, 0);
@@ -124,7 +125,8 @@ TEST(Nip, AFreeRollerHasNoDrive) {
       const FreeRoller free = roll_without_torque(solver, p, radii, driven);
       ASSERT_EQ(free.solution.report.status, Status::ok) << free.solution.report.reason;
       const Nip nip = nip_of(p, free.solution, radii);
-      const auto [own, others] = driven == Roller::body1 ? std::pair{nip.body1, nip.body2} : std::pair{nip.body2, nip.body1};
+      const auto [own, others] =
+          driven == Roller::body1 ? std::pair{nip.body1, nip.body2} : std::pair{nip.body2, nip.body1};
       EXPECT_NEAR(own.drive, 0, 1e-6 * nip.traction_capacity);
       EXPECT_NEAR(others.drive, nip.hysteresis_power + nip.slip_power, 0.01 * others.drive); // V is 1 m/s
       EXPECT_LT(free.speed_ratio, 1); // it lags, since its hysteresis brakes it

@@ -10,8 +10,8 @@
 namespace microslip {
 namespace {
 
-/// Boussinesq's flat punch of radius b, E = (1 - nu^2) F/(2 b d), nu = 1/2, with the spring and the stroke of ASTM D2240
-/// and the mean diameter of its cone's frustum, 0.79 mm at the tip and 1.27 mm behind it.
+/// Boussinesq's flat punch of radius b, E = (1 - nu^2) F/(2 b d), nu = 1/2, with the spring and the stroke of ASTM
+/// D2240 and the mean diameter of its cone's frustum, 0.79 mm at the tip and 1.27 mm behind it.
 TEST(ShoreHardness, IsAPunchOnAHalfSpace) {
   for (const double shore : {20.0, 35.0, 50.0, 60.0, 75.0, 90.0}) {
     const double force = 0.55 + 0.075 * shore, diameter = 0.5 * (0.79e-3 + 1.27e-3), depth = 2.5e-3 * (1 - shore / 100);

@@ -9,6 +9,7 @@
 #include "validation/layer_on_half_space.hpp"
 #include "validation/layered_integral.hpp"
 #include "validation/report.hpp"
+#include "validation/rollers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -372,6 +373,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   if (options.progress && !options.progress(0.6)) return false;
   report_viscoelastic_layer(report);
   report_thin_viscoelastic_layers(report);
+  report_rollers(report);
   report_random_contacts(report);
   return report.all_met();
 }

@@ -5,7 +5,7 @@
 namespace microslip {
 namespace {
 
-constexpr double scale = 0.0981e6 / 0.137505; // [Pa]
+constexpr double scale = 0.0981e6 / 0.137505;  // [Pa]
 constexpr double preload = 56, load = 7.62336; // of the spring: at S = 0, per unit of S [gf]
 constexpr double depth = 2.54;                 // of the indentation, per unit of 100 - S [0.01 mm]
 

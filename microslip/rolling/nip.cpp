@@ -143,8 +143,7 @@ Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const
   return nip;
 }
 
-FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii,
-                               Roller driven) {
+FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven) {
   constexpr int most_solves = 10;
   constexpr double settled = 1e-6; // of the force, over mu Fn
   RollingProblem p = problem;

@@ -21,7 +21,8 @@ struct RollerRadii {
 
 /// What a nip asks of one roller.
 struct RollerState {
-  /// Power that pressure takes from it [W], -V integral of p_n du_n/dx: of an elastic body what its tractions give back.
+  /// Power that pressure takes from it [W], -V integral of p_n du_n/dx: of an elastic body what its tractions give
+  /// back.
   double pressure_power = 0;
   /// Torque over the radius that its drive must supply to keep it turning [N]: +-Fx and the pressure's power over its
   /// surface speed.
@@ -32,10 +33,10 @@ struct RollerState {
   double strain = 0;      ///< indentation over the cover's thickness [-], 0 without a cover
 };
 
-/// Results of steady rolling as users of rollers name them. Of a grid that is longer than the contact; lengths are known
-/// to an element. A cover are the layers that are softer than a tenth of the substrate's shear modulus; its strain, the
-/// indentation over its thickness, is the usual measure of rollers: the mean over the thickness where it is thin beside
-/// the nip, less than the largest strain where it is thick.
+/// Results of steady rolling as users of rollers name them. Of a grid that is longer than the contact; lengths are
+/// known to an element. A cover are the layers that are softer than a tenth of the substrate's shear modulus; its
+/// strain, the indentation over its thickness, is the usual measure of rollers: the mean over the thickness where it is
+/// thin beside the nip, less than the largest strain where it is thick.
 struct Nip {
   double width = 0;             ///< length of the contact along x [m]
   double peak_pressure = 0;     ///< [Pa]
@@ -53,13 +54,13 @@ struct Nip {
 };
 
 /// Results of a nip from the solution of a problem with layered bodies; half-spaces are those without layers. With
-/// sigma = +-1 the direction of rolling, V1 = V (1 - sigma xi/2) and V2 = V (1 + sigma xi/2) the rollers' surface speeds,
-/// u_n the displacement inwards and D_i the pressure's power of body i, drives are sigma Fx + D_1/V1 and -sigma Fx +
-/// D_2/V2, and their power is hysteresis_power + slip_power. Derivatives are central differences, which take nothing from
-/// elastic bodies. Pressure acts across the surface as it is deformed, so that it turns no rigid roller, whose radius is
-/// the surface's: D_i = 0. Throws Error without layered bodies, for other than steady rolling, for a solution without
-/// contact, and for radii that do not fit the problem's curvatures to 1e-6. It takes influence numbers of
-/// each body that is not rigid.
+/// sigma = +-1 the direction of rolling, V1 = V (1 - sigma xi/2) and V2 = V (1 + sigma xi/2) the rollers' surface
+/// speeds, u_n the displacement inwards and D_i the pressure's power of body i, drives are sigma Fx + D_1/V1 and -sigma
+/// Fx + D_2/V2, and their power is hysteresis_power + slip_power. Derivatives are central differences, which take
+/// nothing from elastic bodies. Pressure acts across the surface as it is deformed, so that it turns no rigid roller,
+/// whose radius is the surface's: D_i = 0. Throws Error without layered bodies, for other than steady rolling, for a
+/// solution without contact, and for radii that do not fit the problem's curvatures to 1e-6. It takes influence numbers
+/// of each body that is not rigid.
 Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii);
 
 /// Steady rolling in which one roller has no torque.
@@ -72,10 +73,10 @@ struct FreeRoller {
   ContactSolution solution;
 };
 
-/// The speed ratio at which a roller turns without torque, neither by its drive nor by a bearing: the longitudinal force
-/// balances its D_i, in steps that begin with Fx = 0, which is all for elastic bodies up to terms of the order of the strain.
-/// The problem's load is a force. Throws Error as nip_of and Solver::solve do; where friction cannot turn the roller the
-/// solution's status says so. Cost: two to four solves.
+/// The speed ratio at which a roller turns without torque, neither by its drive nor by a bearing: the longitudinal
+/// force balances its D_i, in steps that begin with Fx = 0, which is all for elastic bodies up to terms of the order of
+/// the strain. The problem's load is a force. Throws Error as nip_of and Solver::solve do; where friction cannot turn
+/// the roller the solution's status says so. Cost: two to four solves.
 FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven);
 
 /// Surface speed of a roller, V (1 -+ sigma xi/2) [m/s].
