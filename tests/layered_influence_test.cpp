@@ -47,7 +47,7 @@ double surface_diagonal(const LayeredBody& body) {
 
 void expect_direct(const LayeredBody& body, double speed, int i, int j, int directions, double tolerance) {
   InfluenceRows rows(std::abs(i) + 1, j + 1);
-  add_layers(body, speed, sides, {}, rows);
+  RolledLayers(body).add(speed, sides, {}, rows);
   const LayeredInfluence whole({body, rigid_body, speed}, sides, 1, 1);
   expect_near(rows.at(i, j), validation::layered_integral(body, speed, sides, i, j, directions),
               tolerance * whole.at(0, 0).zz);
@@ -220,7 +220,7 @@ TEST(LayeredInfluence, StripsOnAViscoelasticStackAreTheFourierIntegral) {
   const LayeredBody body{{{0.5, {polymer, {{0.5, 1}}}}}, {core, {{0.2, 3}}}};
   const double speed = 0.3, far = 7;
   InfluenceRows rows(6, 1);
-  add_layers(body, speed, {sides.dx, sides.dy, far}, {}, rows);
+  RolledLayers(body).add(speed, {sides.dx, sides.dy, far}, {}, rows);
   const GaussLegendre rule(16);
   const auto direct = [&](int i) { // without its constant: of the displacement less that of i = 0
     Influence sum{};

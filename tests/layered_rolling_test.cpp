@@ -103,7 +103,11 @@ TEST(LayeredRolling, KeptElementsChangeNothing) {
   Solver solver({.theory = Theory::exact, .mx = 12, .my = 12});
   RollingProblem p = rolling_of(covered(3e-3), 2), other = p;
   other.motion.creepage = {-2e-3, 1e-3, 0};
-  for (const RollingProblem& problem : {p, other, rolling_of(covered(1e-3), 2), rolling_of(covered(1e-3), 5), p}) {
+  RollingProblem rollers = p;
+  rollers.geometry = GapCurvatures{5, 0};
+  RollingProblem lighter = p, slower = rolling_of(covered(3e-3, {{0.5, 1e-3}}, 10), 5);
+  lighter.load.value = 0.2;
+  for (const RollingProblem& problem : {lighter, p, rollers, other, rolling_of(covered(1e-3), 2), slower, p}) {
     const ContactSolution kept = solver.solve(problem), anew = Solver(solver.method()).solve(problem);
     EXPECT_EQ(kept.elements.grid, anew.elements.grid);
     EXPECT_EQ(kept.fields.traction.x, anew.fields.traction.x);
@@ -187,6 +191,75 @@ TEST(LayeredRolling, RandomStacksAreSolvedWithinTheirElements) {
   }
 }
 
+/// Rollers with parallel axes, R = 0.1 m, a cover below a rigid one or of any bodies.
+RollingProblem rollers_of(const LayeredBodies& bodies, double normal_force) {
+  RollingProblem p = rolling_of(bodies, normal_force);
+  p.geometry = GapCurvatures{5, 0};
+  p.motion.creepage.spin = 0;
+  return p;
+}
+
+/// Rollers by their radii are those of the same gap on strips.
+TEST(LayeredRolling, RollersAreTheirGapOnStrips) {
+  const LayeredBodies on_steel = {{{}, {stiff}}, {{{2e-3, {{1e6, 0.45}}}}, {stiff}}};
+  LayeredBodies relaxing = covered(3e-3, {{0.4, 1e-3}, {0.2, 1e-4}}, 10);
+  for (const LayeredBodies& bodies : {on_steel, covered(3e-3), relaxing}) {
+    RollingProblem p = rollers_of(bodies, 2e3);
+    Solver solver({.theory = Theory::exact, .mx = 40, .tolerance = 1e-10});
+    const ContactSolution s = solver.solve(p);
+    ASSERT_EQ(s.report.status, Status::ok);
+    const auto [columns, rows] = loaded(s);
+    EXPECT_NEAR(columns, 40, 4);
+    EXPECT_EQ(rows, 1);
+    EXPECT_NEAR(total(s), 2e3, 1e-6 * 2e3);
+    p.geometry = GapFormula{s.elements.grid, [](double x, double) { return 5 * x * x; }};
+    const ContactSolution of_gap = Solver(solver.method()).solve(p);
+    EXPECT_NEAR(of_gap.totals.fx, s.totals.fx, 1e-8 * 2e3);
+    EXPECT_NEAR(of_gap.totals.fy, s.totals.fy, 1e-8 * 2e3);
+    EXPECT_NEAR(of_gap.totals.my, s.totals.my, 1e-8 * 2e3 * 5e-3);
+    if (bodies.body1.substrate.is_rigid()) {
+      EXPECT_NEAR(of_gap.approach / s.approach, 1, 1e-8);
+    }
+  }
+}
+
+/// Layers of the substrate's material: Hertz's line contact and Carter's force by creepage.
+TEST(LayeredRolling, RollersOfEqualLayersAreHertzsAndCarters) {
+  LayeredBodies bodies = steel_without_layers();
+  bodies.body1.layers = bodies.body2.layers = {{3e-4, {stiff}}, {1e-3, {stiff}}};
+  const double force = 1e6, mu = 0.3;
+  const LineContact hertz = line_contact_from_load(5, bodies.surfaces(), force);
+  RollingProblem p = rollers_of(bodies, force);
+  Solver solver({.theory = Theory::exact, .mx = 200});
+  for (const double share : {0.2, 0.6}) { // of the creepage from which all slides
+    p.motion.creepage = {share * mu * hertz.half_width / 0.1, 0, 0};
+    const ContactSolution s = solver.solve(p);
+    ASSERT_EQ(s.report.status, Status::ok);
+    EXPECT_NEAR(loaded(s).first * s.elements.grid.dx, 2 * hertz.half_width, 2 * s.elements.grid.dx);
+    EXPECT_NEAR(s.totals.peak_pressure / hertz.peak_pressure, 1, 1e-3);
+    EXPECT_NEAR(-s.totals.fx / (mu * force), 1 - std::pow(1 - share, 2), 5e-3);
+  }
+}
+
+/// A thin incompressible cover flows between its core and a rigid roller, p'' = -3 G (delta - A x^2)/h^3: without
+/// friction p = G A (a^2 - x^2)^2/(4 h^3), the force is 4 G A a^5/(15 h^3) and delta = A a^2/3.
+TEST(LayeredRolling, AThinIncompressibleCoverFlows) {
+  const double a = 5e-3, curvature = 5;
+  const auto over_thin = [&](double h) {
+    RollingProblem p = rollers_of(covered(h), 0);
+    p.load = {NormalLoad::Given::approach, curvature * a * a / 3};
+    p.friction.law = FrictionLaw::coulomb(0);
+    const ContactSolution s = Solver({.theory = Theory::exact, .mx = 200}).solve(p);
+    EXPECT_EQ(s.report.status, Status::ok);
+    const double thin = rubber.shear_modulus * curvature * std::pow(a, 4) / std::pow(h, 3);
+    return std::pair(total(s) / (4 * thin * a / 15), s.totals.peak_pressure / (thin / 4));
+  };
+  const auto [force, peak] = over_thin(0.1 * a);
+  const auto [force_of_half, peak_of_half] = over_thin(0.05 * a);
+  EXPECT_NEAR((4 * force_of_half - force) / 3, 1, 0.01); // differences fall as (h/a)^2
+  EXPECT_NEAR((4 * peak_of_half - peak) / 3, 1, 0.01);
+}
+
 TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   const Method exact{.theory = Theory::exact};
   const auto refusal = [](const RollingProblem& p, const Method& method) -> std::string {
@@ -214,6 +287,12 @@ TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   RollingProblem step = p;
   step.motion.step = 1e-5;
   EXPECT_NE(refusal(step, exact).find("motion.step"), std::string::npos);
+  RollingProblem along = p;
+  along.geometry = GapCurvatures{0, 5};
+  EXPECT_NE(refusal(along, exact), "");
+  RollingProblem flat = p;
+  flat.geometry = GapCurvatures{0, 0};
+  EXPECT_NE(refusal(flat, exact).find("curvature"), std::string::npos) << refusal(flat, exact);
   Method accurate = exact;
   accurate.accuracy = 1e-3;
   EXPECT_NE(refusal(p, accurate).find("accuracy"), std::string::npos);

@@ -9,6 +9,7 @@
 #include "validation/layer_on_half_space.hpp"
 #include "validation/layered_integral.hpp"
 #include "validation/report.hpp"
+#include "validation/rollers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ double integral_error(const LayeredBody& body, double speed) {
   double largest = 0;
   for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {-1, 1}, {3, 4}}) {
     InfluenceRows rows(std::abs(i) + 1, j + 1);
-    add_layers(body, speed, sides, {}, rows);
+    RolledLayers(body).add(speed, sides, {}, rows);
     const Influence found = rows.at(i, j), exact = layered_integral(body, speed, sides, i, j, speed == 0 ? 600 : 400);
     for (const auto part :
          {&Influence::xx, &Influence::xy, &Influence::yy, &Influence::zz, &Influence::xz, &Influence::yz})
@@ -372,6 +373,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   if (options.progress && !options.progress(0.6)) return false;
   report_viscoelastic_layer(report);
   report_thin_viscoelastic_layers(report);
+  report_rollers(report);
   report_random_contacts(report);
   return report.all_met();
 }

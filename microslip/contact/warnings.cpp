@@ -49,6 +49,12 @@ constexpr std::array<WarningInfo, warning_count> table = {{
      "the rail's profile looks like a wheel's, or the wheel's like a rail's: are the files exchanged, or is z "
      "mirrored?",
      true},
+    {large_strain, "large_strain", 0.15, "how far a roller's cover is pressed in over its thickness [-]",
+     "a roller's cover is pressed in by more than 15 % of its thickness: strains are not small, rubber gets stiffer "
+     "than "
+     "computed"},
+    {thick_cover, "thick_cover", 0.2, "thickness of a roller's cover, or half the nip's width, over its radius [-]",
+     "a roller's cover or half the nip is beyond a fifth of its radius: covers are computed as plane layers"},
 }};
 
 constexpr bool is_in_order() {

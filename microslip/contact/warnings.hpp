@@ -26,8 +26,10 @@ enum class Warning : std::uint8_t {
   wheel_lifted,
   derailed,
   exchanged_profile,
+  large_strain, ///< from here on of rollers
+  thick_cover,
 };
-inline constexpr std::size_t warning_count = 15;
+inline constexpr std::size_t warning_count = 17;
 
 /// A line of the table of warnings: where each begins and what it says. All checks read their limits here.
 struct WarningInfo {

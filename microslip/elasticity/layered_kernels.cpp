@@ -1,10 +1,11 @@
 #include "microslip/elasticity/layered_kernels.hpp"
 
-#include "microslip/elasticity/spectrum_table.hpp"
 #include "microslip/numerics/hankel_nodes.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #ifdef _WIN32 // its C library has Bessel's functions, which headers leave out in standard C++
 extern "C" double j0(double);
@@ -29,28 +30,34 @@ void add_wave(const WaveNode& wave, double r, std::span<const SurfaceResponse<do
   }
 }
 
-PanelPolynomials kernels_of(const LayeredSpectrum& spectrum, double thickness, double reach) {
-  const double farthest = reach + thickness;
-  const SpectrumTable table(spectrum, thickness, farthest);
-  const std::size_t functions = kinds * spectrum.parts();
+} // namespace
+
+LayeredKernels::LayeredKernels(LayeredSpectrum spectrum, double thickness)
+    : spectrum_(std::move(spectrum)), thickness_(thickness), table_(spectrum_, thickness),
+      of_distance_(0, panel_width, kinds * spectrum_.parts()) {}
+
+LayeredKernels::LayeredKernels(LayeredSpectrum spectrum, double thickness, double reach)
+    : LayeredKernels(std::move(spectrum), thickness) {
+  extend(reach);
+}
+
+void LayeredKernels::extend(double reach) {
+  const double farthest = reach + thickness_;
+  const std::size_t functions = kinds * parts();
   const PanelPolynomials::Values at_nodes = [&](std::span<const double, PanelPolynomials::nodes> t,
                                                 std::span<double> values) {
-    std::vector<SurfaceResponse<double>> responses(spectrum.parts());
-    const auto r = [&](double at) { return thickness * std::sinh(at); };
-    for (const WaveNode& wave : hankel_nodes(r(t.front()), r(t.back()), table.k_max())) {
-      table.find(wave.wavenumber, responses);
+    std::vector<SurfaceResponse<double>> responses(parts());
+    const auto r = [&](double at) { return thickness_ * std::sinh(at); };
+    for (const WaveNode& wave : hankel_nodes(r(t.front()), r(t.back()), table_.k_max())) {
+      table_.find(wave.wavenumber, responses);
       for (std::size_t node = 0; node < t.size(); ++node)
         add_wave(wave, r(t[node]), responses, values.data() + node * functions);
     }
   };
-  return {0, std::asinh(farthest / thickness), panel_width, functions, at_nodes};
+  const double end = std::asinh(farthest / thickness_) + panel_width;
+  table_.extend(spectrum_, thickness_ * std::sinh(end));
+  of_distance_.extend(end - panel_width, at_nodes);
 }
-
-} // namespace
-
-LayeredKernels::LayeredKernels(const LayeredSpectrum& spectrum, double thickness, double reach)
-    : thickness_(thickness), times_(spectrum.times().begin(), spectrum.times().end()),
-      of_distance_(kernels_of(spectrum, thickness, reach)) {}
 
 void LayeredKernels::evaluate(double r, std::span<PointKernel> parts) const {
   static_assert(sizeof(PointKernel) == kinds * sizeof(double));

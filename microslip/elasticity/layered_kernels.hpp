@@ -1,10 +1,10 @@
 #pragma once
 
 #include "microslip/elasticity/layered_spectrum.hpp"
+#include "microslip/elasticity/spectrum_table.hpp"
 #include "microslip/numerics/panel_polynomials.hpp"
 
 #include <span>
-#include <vector>
 
 namespace microslip {
 
@@ -21,19 +21,25 @@ struct PointKernel {
 /// half-space's displacement at the distance hypot(h, r).
 class LayeredKernels {
 public:
-  /// Kernels of a spectrum whose surface layer has the thickness h [m], for distances up to `reach` [m].
-  LayeredKernels(const LayeredSpectrum& spectrum, double thickness, double reach);
+  /// Kernels of a spectrum whose surface layer has the thickness h [m], for no distances yet.
+  LayeredKernels(LayeredSpectrum spectrum, double thickness);
+  /// For distances up to `reach` [m].
+  LayeredKernels(LayeredSpectrum spectrum, double thickness, double reach);
+
+  /// Finds them for distances up to `reach` [m]; what was found before stays as it is.
+  void extend(double reach);
 
   /// Retardation times [s] of the parts 1, 2 ...; part 0 is instantaneous.
-  const std::vector<double>& times() const { return times_; }
-  std::size_t parts() const { return times_.size() + 1; }
+  std::span<const double> times() const { return spectrum_.times(); }
+  std::size_t parts() const { return spectrum_.parts(); }
   /// h [m], the scale on which kernels vary at r = 0; elsewhere it is hypot(h, r).
   double thickness() const { return thickness_; }
   void evaluate(double r, std::span<PointKernel> parts) const;
 
 private:
+  LayeredSpectrum spectrum_;
   double thickness_;
-  std::vector<double> times_;
+  SpectrumTable table_;
   PanelPolynomials of_distance_;
 };
 

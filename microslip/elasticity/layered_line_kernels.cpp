@@ -1,10 +1,10 @@
 #include "microslip/elasticity/layered_line_kernels.hpp"
 
-#include "microslip/elasticity/spectrum_table.hpp"
 #include "microslip/numerics/hankel_nodes.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -35,39 +35,47 @@ void add_limit(double logarithm, const Responses& limit, double* kernels) {
   }
 }
 
-PanelPolynomials kernels_of(const LayeredSpectrum& spectrum, double thickness, double reach, double far) {
-  const double farthest = reach + thickness;
-  const SpectrumTable table(spectrum, thickness, farthest);
-  Responses limit(spectrum.parts());
-  table.find_long(limit);
-  const std::size_t functions = kinds * spectrum.parts();
-  const PanelPolynomials::Values at_nodes = [&](std::span<const double, PanelPolynomials::nodes> t,
-                                                std::span<double> values) {
-    Responses responses(spectrum.parts());
-    const auto x = [&](double at) { return thickness * std::sinh(at); };
-    for (const WaveNode& wave : hankel_nodes(x(t.front()), x(t.back()), 2 * table.k_max())) {
-      if (wave.wavenumber < table.k_max())
-        table.find(wave.wavenumber, responses);
-      else
-        responses.assign(responses.size(), {});
-      const double fade = std::exp(-wave.wavenumber * thickness);
-      for (std::size_t node = 0; node < t.size(); ++node)
-        add_wave(wave, x(t[node]), responses, limit, fade, values.data() + node * functions);
-    }
-    for (std::size_t node = 0; node < t.size(); ++node)
-      add_limit(std::log(std::hypot(thickness, x(t[node])) / far), limit, values.data() + node * functions);
-  };
-  return {0, std::asinh(farthest / thickness), panel_width, functions, at_nodes};
-}
-
 } // namespace
 
-LayeredLineKernels::LayeredLineKernels(const LayeredSpectrum& spectrum, double thickness, double reach, double far)
-    : thickness_(thickness), parts_(spectrum.parts()), of_distance_(kernels_of(spectrum, thickness, reach, far)) {}
+LayeredLineKernels::LayeredLineKernels(LayeredSpectrum spectrum, double thickness)
+    : spectrum_(std::move(spectrum)), thickness_(thickness), table_(spectrum_, thickness), limit_(spectrum_.parts()),
+      of_distance_(0, panel_width, kinds * spectrum_.parts()) {
+  spectrum_.find_long(limit_);
+}
 
-void LayeredLineKernels::evaluate(double x, std::span<LineKernel> parts) const {
+void LayeredLineKernels::extend(double reach) {
+  const double farthest = reach + thickness_;
+  const std::size_t functions = kinds * parts();
+  const PanelPolynomials::Values at_nodes = [&](std::span<const double, PanelPolynomials::nodes> t,
+                                                std::span<double> values) {
+    Responses responses(parts());
+    const auto x = [&](double at) { return thickness_ * std::sinh(at); };
+    for (const WaveNode& wave : hankel_nodes(x(t.front()), x(t.back()), 2 * table_.k_max())) {
+      if (wave.wavenumber < table_.k_max())
+        table_.find(wave.wavenumber, responses);
+      else
+        responses.assign(responses.size(), {});
+      const double fade = std::exp(-wave.wavenumber * thickness_);
+      for (std::size_t node = 0; node < t.size(); ++node)
+        add_wave(wave, x(t[node]), responses, limit_, fade, values.data() + node * functions);
+    }
+    for (std::size_t node = 0; node < t.size(); ++node)
+      add_limit(std::log(std::cosh(t[node])), limit_, values.data() + node * functions);
+  };
+  const double end = std::asinh(farthest / thickness_) + panel_width;
+  table_.extend(spectrum_, thickness_ * std::sinh(end));
+  of_distance_.extend(end - panel_width, at_nodes);
+}
+
+void LayeredLineKernels::evaluate(double x, double far, std::span<LineKernel> parts) const {
   static_assert(sizeof(LineKernel) == kinds * sizeof(double));
   of_distance_.evaluate(std::asinh(x / thickness_), {&parts[0].normal, kinds * parts.size()});
+  const double nearer = std::log(far / thickness_) / std::numbers::pi;
+  for (std::size_t m = 0; m < parts.size(); ++m) {
+    parts[m].normal += nearer * limit_[m].nn;
+    parts[m].along += nearer * limit_[m].ll;
+    parts[m].across += nearer * limit_[m].tt;
+  }
 }
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/elasticity/layered_spectrum.hpp"
+#include "microslip/elasticity/spectrum_table.hpp"
 #include "microslip/numerics/panel_polynomials.hpp"
 
 #include <span>
@@ -22,19 +23,24 @@ struct LineKernel {
 /// `far`, where that of line_influence is 0, and that of layers on a rigid core decays.
 class LayeredLineKernels {
 public:
-  /// For a surface layer of the thickness h [m] and distances up to `reach` [m].
-  LayeredLineKernels(const LayeredSpectrum& spectrum, double thickness, double reach, double far);
+  /// For a surface layer of the thickness h [m], for no distances yet.
+  LayeredLineKernels(LayeredSpectrum spectrum, double thickness);
 
-  std::size_t parts() const { return parts_; }
+  /// Finds them for distances up to `reach` [m]; what was found before stays as it is.
+  void extend(double reach);
+
+  std::size_t parts() const { return spectrum_.parts(); }
   /// h [m], the scale on which kernels vary at x = 0.
   double thickness() const { return thickness_; }
-  /// Sets the kernels at x >= 0.
-  void evaluate(double x, std::span<LineKernel> parts) const;
+  /// Sets the kernels at x >= 0, with displacements that approach 0 at the distance `far` [m].
+  void evaluate(double x, double far, std::span<LineKernel> parts) const;
 
 private:
+  LayeredSpectrum spectrum_;
   double thickness_;
-  std::size_t parts_;
-  PanelPolynomials of_distance_;
+  SpectrumTable table_;
+  std::vector<SurfaceResponse<double>> limit_; ///< b of each part
+  PanelPolynomials of_distance_;               ///< with h for `far`
 };
 
 } // namespace microslip

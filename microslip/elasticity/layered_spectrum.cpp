@@ -8,6 +8,14 @@ const LayeredBody& checked(const LayeredBody& body) {
   return body;
 }
 
+/// The rest of the response of endlessly long waves, times k.
+template <class Number> SurfaceResponse<Number> rest_of_long_waves(const LayerStack<Number>& stack) {
+  SurfaceResponse<Number> below{};
+  if (stack.substrate) below = half_space_response(*stack.substrate);
+  const SurfaceResponse<Number> top = half_space_response(stack.top());
+  return {below.nn - top.nn, below.ll - top.ll, below.tt - top.tt, below.ln - top.ln};
+}
+
 } // namespace
 
 LayeredSpectrum::LayeredSpectrum(const LayeredBody& body)
@@ -16,11 +24,20 @@ LayeredSpectrum::LayeredSpectrum(const LayeredBody& body)
 }
 
 void LayeredSpectrum::find(double k, std::span<SurfaceResponse<double>> rest) const {
-  rest[0] = rest_of_response(instantaneous_, k);
+  find_parts([k](const auto& stack) { return rest_of_response(stack, k); }, rest);
+}
+
+void LayeredSpectrum::find_long(std::span<SurfaceResponse<double>> rest) const {
+  find_parts([](const auto& stack) { return rest_of_long_waves(stack); }, rest);
+}
+
+template <class Response>
+void LayeredSpectrum::find_parts(const Response& of, std::span<SurfaceResponse<double>> rest) const {
+  rest[0] = of(instantaneous_);
   if (stacks_.empty()) return;
   std::vector<SurfaceResponse<std::complex<double>>> responses;
   responses.reserve(stacks_.size());
-  for (const auto& stack : stacks_) responses.push_back(rest_of_response(stack, k));
+  for (const auto& stack : stacks_) responses.push_back(of(stack));
   std::vector<std::complex<double>> creep(stacks_.size());
   std::vector<double> amounts(times().size());
   const auto fit = [&](auto complex_part, auto part) {

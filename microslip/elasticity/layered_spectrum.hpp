@@ -19,8 +19,12 @@ public:
   std::size_t parts() const { return 1 + times().size(); }
   /// Sets rest_0, rest_1 ... at the wavenumber k > 0, times k.
   void find(double k, std::span<SurfaceResponse<double>> rest) const;
+  /// Sets those of endlessly long waves: the substrate's half-space, or 0 of a rigid core, less the surface's.
+  void find_long(std::span<SurfaceResponse<double>> rest) const;
 
 private:
+  template <class Response> void find_parts(const Response& of, std::span<SurfaceResponse<double>> rest) const;
+
   CreepBasis basis_;
   LayerStack<double> instantaneous_;
   std::vector<LayerStack<std::complex<double>>> stacks_; ///< at the basis' frequencies

@@ -8,23 +8,24 @@
 
 namespace microslip {
 
-/// The rest of a layered body's response, of all parts, as polynomials of ln k: from waves so long that k times the
-/// response is constant to those of which nothing is left.
+/// The rest of a layered body's response, of all parts, as polynomials of ln k: from the shortest waves, of which
+/// nothing is left, to ones as long as needed.
 class SpectrumTable {
 public:
-  /// For a surface layer of the thickness h [m] and distances up to `reach` [m].
-  SpectrumTable(const LayeredSpectrum& spectrum, double thickness, double reach);
+  /// For a surface layer of the thickness h [m].
+  SpectrumTable(const LayeredSpectrum& spectrum, double thickness);
+
+  /// Adds longer waves, those that a distance `reach` [m] needs: until k times the response is constant.
+  void extend(const LayeredSpectrum& spectrum, double reach);
 
   /// Wavenumber from which on the rest is below rounding, k h = 20 [rad/m].
   double k_max() const { return k_max_; }
   /// Sets the parts' responses at k > 0, times k.
   void find(double k, std::span<SurfaceResponse<double>> rest) const;
-  /// Sets those of endlessly long waves, times k.
-  void find_long(std::span<SurfaceResponse<double>> rest) const { find(0, rest); }
 
 private:
   double k_max_;
-  PanelPolynomials of_logarithm_;
+  PanelPolynomials of_length_; ///< of -ln k
 };
 
 } // namespace microslip

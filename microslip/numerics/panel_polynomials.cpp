@@ -51,16 +51,26 @@ std::array<double, n> powers_of_values(const std::array<double, n>& values) {
 
 } // namespace
 
+PanelPolynomials::PanelPolynomials(double from, double width, std::size_t functions)
+    : from_(from), width_(width), functions_(functions) {}
+
 PanelPolynomials::PanelPolynomials(double from, double to, double width, std::size_t functions, const Values& values)
-    : from_(from), width_(width),
-      panels_(static_cast<std::size_t>(std::max(1.0, std::ceil((to - from) / width - 1e-9)))), functions_(functions),
-      coefficient_(panels_ * nodes * functions) {
-  const int panels = static_cast<int>(panels_);
-  distribute(panels, threads_for(panels_, 2), {}, [&](int panel, int, const Progress&) {
-    const auto p = static_cast<std::size_t>(panel);
+    : PanelPolynomials(from, width, functions) {
+  extend(to, values);
+}
+
+void PanelPolynomials::extend(double to, const Values& values) {
+  const std::size_t first = panels_,
+                    wanted = static_cast<std::size_t>(std::max(1.0, std::ceil((to - from_) / width_ - 1e-9)));
+  if (wanted <= first) return;
+  panels_ = wanted;
+  coefficient_.resize(panels_ * nodes * functions_);
+  const int added = static_cast<int>(wanted - first);
+  distribute(added, threads_for(wanted - first, 2), {}, [&](int panel, int, const Progress&) {
+    const std::size_t p = first + static_cast<std::size_t>(panel);
     std::array<double, nodes> at;
     for (std::size_t k = 0; k < nodes; ++k)
-      at[k] = from_ + width_ * (static_cast<double>(panel) + (1 + chebyshev_node(k)) / 2);
+      at[k] = from_ + width_ * (static_cast<double>(p) + (1 + chebyshev_node(k)) / 2);
     std::vector<double> found(nodes * functions_);
     values(at, found);
     for (std::size_t f = 0; f < functions_; ++f) {

@@ -21,6 +21,11 @@ public:
   /// Panels of the width `width` from `from` on, which reach `to`. `values` is called once for each panel, from several
   /// threads.
   PanelPolynomials(double from, double to, double width, std::size_t functions, const Values& values);
+  /// No panels yet.
+  PanelPolynomials(double from, double width, std::size_t functions);
+
+  /// Adds panels until they reach `to`; those that are there stay as they are.
+  void extend(double to, const Values& values);
 
   std::size_t functions() const { return functions_; }
   double from() const { return from_; }
@@ -29,7 +34,7 @@ public:
 
 private:
   double from_, width_;
-  std::size_t panels_, functions_;
+  std::size_t panels_ = 0, functions_;
   std::vector<double> coefficient_; ///< index (panel nodes + power) functions + function; of x in [-1, 1]
 };
 

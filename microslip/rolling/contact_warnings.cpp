@@ -55,6 +55,21 @@ public:
           " m, is too large for a half-space", check);
   }
 
+  /// A roller's cover and half the width of its nip [m].
+  void compare(const RollerShape& roller, double half_width) {
+    if (roller.strain > limit(Warning::large_strain))
+      add(Warning::large_strain, roller.name, ": its cover of ", roller.cover, " m is pressed in by ",
+          100 * roller.strain, " %: beyond ", 100 * limit(Warning::large_strain),
+          " % strains are not small, and rubber gets stiffer than computed");
+    const double largest = limit(Warning::thick_cover) * std::abs(roller.radius);
+    if (roller.cover > largest)
+      add(Warning::thick_cover, roller.name, ": its cover, ", roller.cover, " m, is beyond a fifth of its radius, ",
+          roller.radius, " m, and computed as plane");
+    if (half_width > largest)
+      add(Warning::thick_cover, roller.name, ": half the nip's width, ", half_width,
+          " m, is beyond a fifth of its radius, ", roller.radius, " m, and computed as plane");
+  }
+
   ContactWarnings found() { return std::move(found_); }
 
 private:
@@ -77,6 +92,13 @@ ContactWarnings contact_warnings(const HertzContact& contact, const PrincipalRad
     finder.compare(semi_axis, name, radius, of_body);
   }
   finder.compare_approach(contact.approach, smallest);
+  return finder.found();
+}
+
+ContactWarnings roller_warnings(const RollerShape& roller1, const RollerShape& roller2, double half_width) {
+  Finder finder;
+  finder.compare(roller1, half_width);
+  finder.compare(roller2, half_width);
   return finder.found();
 }
 

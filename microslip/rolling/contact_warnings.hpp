@@ -23,6 +23,18 @@ struct ContactWarnings {
 ContactWarnings contact_warnings(const HertzContact& contact, const PrincipalRadii& radii,
                                  const CombinedMaterial& material);
 
+/// A roller in a nip.
+struct RollerShape {
+  const char* name;
+  double radius; ///< [m]
+  double cover;  ///< thickness of its cover [m]; 0: none
+  double strain; ///< of the cover [-]
+};
+
+/// Warnings of a nip of two rollers: strains beyond small ones, covers and the nip beside the radii. `half_width` is
+/// half the nip's width [m].
+ContactWarnings roller_warnings(const RollerShape& roller1, const RollerShape& roller2, double half_width);
+
 /// Warnings of a valid contact of which only ellipse, load and material are known. Cost some nanoseconds where there
 /// is nothing to warn of.
 ContactWarnings contact_warnings(const EllipticContact& contact);

@@ -2,17 +2,27 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
-#include "microslip/exact/halfspace/layered_influence.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace microslip {
 namespace {
 
+bool is_line(const GapCurvatures& curvatures) {
+  return curvatures.y == 0;
+}
+
+/// The distance at which displacements of half-spaces in line contact are 0: the radius of both bodies, 1/(2 A).
+std::optional<double> far_of(const GapCurvatures& curvatures) {
+  return is_line(curvatures) ? std::optional(0.5 / curvatures.x) : std::nullopt;
+}
+
 /// n elements across the contact's half-lengths a, b and as many beside it as it may be longer: it was found on 16.
+/// Strips of the length 1 m for b = 0.
 ElementGrid elements_about(double centre, double a, double b, int mx, int my) {
   const auto with_margin = [](double length, int n, double& first, double& size, int& count) {
     const int margin = std::max(2, (n + 11) / 12);
@@ -22,8 +32,11 @@ ElementGrid elements_about(double centre, double a, double b, int mx, int my) {
   };
   ElementGrid grid;
   with_margin(a, mx, grid.x0, grid.dx, grid.mx);
-  with_margin(b, my, grid.y0, grid.dy, grid.my);
   grid.x0 += centre;
+  if (b == 0)
+    grid.my = 1, grid.dy = 1, grid.line = true;
+  else
+    with_margin(b, my, grid.y0, grid.dy, grid.my);
   return grid;
 }
 
@@ -53,13 +66,17 @@ std::optional<Patch> loaded_part(const ElementGrid& grid, const std::vector<doub
   return patch;
 }
 
+bool is_cut_off_across(const ElementGrid& grid, const Patch& patch) {
+  return !grid.line && patch.y.reaches_end_of(grid.my);
+}
+
 bool is_cut_off(const ElementGrid& grid, const Patch& patch) {
-  return patch.x.reaches_end_of(grid.mx) || patch.y.reaches_end_of(grid.my);
+  return patch.x.reaches_end_of(grid.mx) || is_cut_off_across(grid, patch);
 }
 
 /// The same elements and an eighth more on each side.
 ElementGrid wider(ElementGrid grid) {
-  const int columns = (grid.mx + 7) / 8, rows = (grid.my + 7) / 8;
+  const int columns = (grid.mx + 7) / 8, rows = grid.line ? 0 : (grid.my + 7) / 8;
   grid.x0 -= columns * grid.dx, grid.mx += 2 * columns;
   grid.y0 -= rows * grid.dy, grid.my += 2 * rows;
   return grid;
@@ -82,30 +99,52 @@ ContactStep step_with(std::shared_ptr<const InfluenceTable> table, const Rolling
   return step;
 }
 
+/// Half-lengths of a contact [m]; b = 0: endless in y.
+struct HalfLengths {
+  double a, b;
+};
+
+/// Hertz's contact of the surfaces' half-spaces; of a line contact with an approach given, where the bodies overlap.
+HalfLengths hertzian_lengths(const RollingProblem& problem, const GapCurvatures& curvatures) {
+  const auto& [given, load] = problem.load;
+  const CombinedMaterial surfaces = problem.layered->surfaces();
+  const bool by_force = given == NormalLoad::Given::force;
+  if (is_line(curvatures)) {
+    require_positive("curvature", curvatures.x, "1/m");
+    require_positive(by_force ? "normal_force" : "approach", load, by_force ? "N" : "m");
+    return {by_force ? line_contact_from_load(curvatures.x, surfaces, load).half_width : std::sqrt(load / curvatures.x),
+            0};
+  }
+  const HertzContact hertz =
+      by_force ? hertz_from_load(curvatures, surfaces, load) : hertz_from_approach(curvatures, surfaces, load);
+  return {hertz.a, hertz.b};
+}
+
 /// Elements about the contact of bodies with these curvatures. It begins with Hertz's ellipse of the surfaces'
 /// half-spaces; a contact that reaches the end of its elements gets twice as many lengths.
 ElementGrid grid_around_contact(const RollingProblem& problem, const Method& method, const GapCurvatures& curvatures,
-                                const Progress& progress) {
+                                LayeredSurfaces& surfaces, const Progress& progress) {
   constexpr int coarse = 16, most_rounds = 40;
   constexpr double settled = 1.2; // change of the lengths
-  const auto& [given, load] = problem.load;
-  const CombinedMaterial surfaces = problem.layered->surfaces();
-  const HertzContact hertz = given == NormalLoad::Given::force ? hertz_from_load(curvatures, surfaces, load)
-                                                               : hertz_from_approach(curvatures, surfaces, load);
-  double a = hertz.a, b = hertz.b, centre = 0;
+  auto [a, b] = hertzian_lengths(problem, curvatures);
+  double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
     const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
-    ContactStep step = step_with(layered_table(*problem.layered, grid, essential_part(progress, 0, 0)), problem, method,
-                                 {grid, hertzian_gap(curvatures, grid)});
+    ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
+                                 problem, method, {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
     const ContactStepSolution s = ContactSequence().solve(step);
     const std::optional<Patch> patch = loaded_part(grid, s.fields.pressure);
     if (!patch) break;
-    const bool ends_in_x = patch->x.reaches_end_of(grid.mx), ends_in_y = patch->y.reaches_end_of(grid.my);
+    const bool ends_in_x = patch->x.reaches_end_of(grid.mx), ends_in_y = is_cut_off_across(grid, *patch);
     const double next_a = ends_in_x ? 2 * a : 0.5 * patch->x.count() * grid.dx,
-                 next_b = ends_in_y ? 2 * b : 0.5 * patch->y.count() * grid.dy;
+                 next_b = grid.line   ? 0
+                          : ends_in_y ? 2 * b
+                                      : 0.5 * patch->y.count() * grid.dy;
     if (!ends_in_x) centre = grid.x0 + patch->x.middle() * grid.dx;
-    const auto stays = [](double before, double after) { return after < settled * before && before < settled * after; };
+    const auto stays = [](double before, double after) {
+      return after <= settled * before && before <= settled * after;
+    };
     const bool found = stays(a, next_a) && stays(b, next_b);
     a = next_a, b = next_b;
     if (found) return elements_about(centre, a, b, method.mx, method.my);
@@ -121,11 +160,20 @@ bool LayeredRolling::is_of_last(const RollingProblem& problem, const GapCurvatur
          found_->load.value == problem.load.value;
 }
 
-ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress) {
-  const LayeredBodies& bodies = *problem.layered;
-  if (!table_ || bodies_ != bodies || !has_elements_of(*table_, gap.grid)) {
-    table_ = layered_table(bodies, gap.grid, essential_part(progress, 0, 0));
-    bodies_ = bodies;
+LayeredSurfaces& LayeredRolling::surfaces(const LayeredBodies& bodies) {
+  if (!surfaces_ || surfaces_->bodies() != bodies) {
+    table_.reset();
+    surfaces_.emplace(bodies);
+  }
+  return *surfaces_;
+}
+
+ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
+                                         const Progress& progress) {
+  LayeredSurfaces& bodies = surfaces(*problem.layered);
+  if (!table_ || far_ != far || !has_elements_of(*table_, gap.grid)) {
+    table_ = layered_table(bodies, gap.grid, far, essential_part(progress, 0, 0));
+    far_ = far;
   }
   return solve_steps(sequence_, step_with(table_, problem, method_, std::move(gap)), problem.motion.steps, progress);
 }
@@ -133,14 +181,15 @@ ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValue
 ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {
   check(problem.motion);
   const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
-  if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), progress);
+  if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), {}, progress);
   if (!is_of_last(problem, *curvatures))
     found_ = {*problem.layered, *curvatures, problem.load,
-              grid_around_contact(problem, method_, *curvatures, progress)};
+              grid_around_contact(problem, method_, *curvatures, surfaces(*problem.layered), progress)};
   constexpr int most_times = 8;
+  ElementGrid grid = found_->grid;
   for (int time = 0; time < most_times; ++time) {
-    ElementGrid& grid = found_->grid;
-    ContactSolution solution = solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, progress);
+    ContactSolution solution =
+        solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, far_of(*curvatures), progress);
     const std::optional<Patch> patch = loaded_part(grid, solution.fields.pressure);
     if (!patch || !is_cut_off(grid, *patch)) return solution;
     grid = wider(grid); // friction and finer elements may make the contact longer than that it was found with

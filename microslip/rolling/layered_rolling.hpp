@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/exact/halfspace/layered_influence.hpp"
 #include "microslip/rolling/method.hpp"
 
 #include <memory>
@@ -9,14 +10,15 @@
 namespace microslip {
 
 /// Bodies with layers in contact, by the exact theory on classical elements. Elements are kept as long as bodies,
-/// curvatures and load stay, their influence numbers as long as bodies and elements do.
+/// curvatures and load stay, their influence numbers as long as bodies and elements do, the kernels of the layers as
+/// long as bodies do. Results do not depend on what was solved before.
 class LayeredRolling {
 public:
   explicit LayeredRolling(const Method& method) : method_(method) {}
 
   /// Of curvatures the elements follow the contact: method.mx by method.my of them across it, to an element or so, with
-  /// a margin; a gap has its own. Problem and method are compatible (incompatibilities). Throws Error for input out of
-  /// range, and for a contact that is not found.
+  /// a margin, or method.mx strips across a line contact; a gap has its own. Problem and method are compatible
+  /// (incompatibilities). Throws Error for input out of range, and for a contact that is not found.
   ContactSolution solve(const RollingProblem& problem, const Progress& progress);
 
 private:
@@ -29,12 +31,15 @@ private:
   };
 
   bool is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const;
-  ContactSolution solve_on(const RollingProblem& problem, GapValues gap, const Progress& progress);
+  LayeredSurfaces& surfaces(const LayeredBodies& bodies);
+  ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
+                           const Progress& progress);
 
   Method method_;
   std::optional<Found> found_;
-  LayeredBodies bodies_; ///< of the table
-  std::shared_ptr<const InfluenceTable> table_;
+  std::optional<LayeredSurfaces> surfaces_;
+  std::shared_ptr<const InfluenceTable> table_; ///< of the surfaces
+  std::optional<double> far_;                   ///< of the table
   ContactSequence sequence_;
 };
 

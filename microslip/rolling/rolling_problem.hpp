@@ -37,7 +37,9 @@ struct GapValues {
 };
 
 /// The shape of the bodies about their contact: an ellipse that is known, or curvatures h = A x^2 + B y^2 from which
-/// Hertz's theory finds it, or any gap on a grid.
+/// Hertz's theory finds it, or any gap on a grid. B = 0, cylinders with parallel axes, is for bodies with layers: in
+/// line contact loads, forces and moments are those of a metre along the axes. There the displacements of half-spaces
+/// below layers, and with them the approach, are relative to those of surfaces at the distance R = 1/(2 A).
 using ContactGeometry = std::variant<Ellipse, GapCurvatures, GapFormula, GapValues>;
 
 /// Friction between the bodies.

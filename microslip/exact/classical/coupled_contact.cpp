@@ -49,7 +49,7 @@ CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, co
                                const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)), response_(response),
       displacement_(CoupledOperator::displacement(bodies, grid, {}, 1, progress, response)),
-      normal_(bodies.material, grid, progress) {}
+      normal_(response.table ? NormalProblem(*response.table, grid) : NormalProblem(bodies.material, grid, progress)) {}
 
 CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
   if (motion.motion == ContactMotion::shift) return displacement_;
@@ -302,7 +302,8 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, const Element
   }
   if (auto sliding = slide_fully(step, friction, previous)) return std::move(*sliding);
   ContactStepSolution out = solve_newton(step, friction, previous, start);
-  if (out.normal.status != Status::not_converged || !bodies_.are_elastic() || is_trial(step)) return out;
+  const bool may_alternate = bodies_.are_elastic() && response_.is_half_space();
+  if (out.normal.status != Status::not_converged || !may_alternate || is_trial(step)) return out;
   ContactStepSolution other =
       solve_alternating(step, friction, previous, start); // slower, and goes where this does not
   const bool better = other.normal.status == Status::ok && other.report.status == Status::ok;

@@ -34,14 +34,9 @@ std::vector<HalfSpaceCreep> half_space_creep(const ViscoelasticMaterial& materia
   return parts;
 }
 
-/// Influence of the retarded half-space and of the layers of one body, rolled over with speed V >= 0.
-InfluenceRows layers_of(const LayeredBody& body, double speed, const ElementSides& sides, int columns, int rows,
-                        const Progress& progress) {
-  InfluenceRows sum(columns, rows);
-  const std::vector<HalfSpaceCreep> creep = half_space_creep(body.top());
-  if (!creep.empty()) add_creep(creep, speed, sides, part(progress, 0, 0.3), sum);
-  if (!body.layers.empty()) add_layers(body, speed, sides, part(progress, 0.3, 1), sum);
-  return sum;
+std::optional<RolledLayers> layers_of(const char* field, const LayeredBody& body) {
+  check(field, body);
+  return body.layers.empty() ? std::nullopt : std::optional<RolledLayers>(body);
 }
 
 /// Adds the influence of one body to that of two: `side` 1 for body 1, -1 for body 2, whose normal is the opposite one.
@@ -54,11 +49,7 @@ void add_body(const InfluenceRows& body, double side, InfluenceRows& sum) {
     }
 }
 
-void check(const LayeredBodies& bodies, const ElementSides& sides, int columns, int rows) {
-  check("body1", bodies.body1);
-  check("body2", bodies.body2);
-  require_finite("speed", bodies.speed, "m/s");
-  if (bodies.speed == 0 && !bodies.are_elastic()) throw Error("speed", 0, "m/s", "not zero for viscoelastic bodies");
+void check(const ElementSides& sides, int columns, int rows) {
   require_positive("dx", sides.dx, "m");
   require_positive("dy", sides.dy, "m");
   require_count("columns", columns, 1, most_cells);
@@ -66,26 +57,44 @@ void check(const LayeredBodies& bodies, const ElementSides& sides, int columns, 
   if (sides.far) require_positive("far", *sides.far, "m");
 }
 
-InfluenceRows find_rows(const LayeredBodies& bodies, const ElementSides& sides, int columns, int rows,
-                        const Progress& progress) {
-  check(bodies, sides, columns, rows);
-  const CombinedMaterial surfaces = combine(bodies.body1.top().instantaneous, bodies.body2.top().instantaneous);
+} // namespace
+
+LayeredSurfaces::LayeredSurfaces(const LayeredBodies& bodies)
+    : bodies_(bodies), layers1_(layers_of("body1", bodies.body1)), layers2_(layers_of("body2", bodies.body2)) {
+  require_finite("speed", bodies.speed, "m/s");
+  if (bodies.speed == 0 && !bodies.are_elastic()) throw Error("speed", 0, "m/s", "not zero for viscoelastic bodies");
+  bodies.surfaces(); // are not both rigid
+}
+
+InfluenceRows LayeredSurfaces::find(const ElementSides& sides, int columns, int rows, const Progress& progress) {
+  check(sides, columns, rows);
+  const CombinedMaterial surfaces = bodies_.surfaces();
   InfluenceRows sum(columns, rows);
   for (int j = 0; j < rows; ++j)
     for (int i = 1 - columns; i < columns; ++i)
       sum.at(i, j) = sides.far ? line_influence(surfaces, sides.dx, i * sides.dx, *sides.far)
                                : influence(surfaces, sides.dx, sides.dy, i * sides.dx, j * sides.dy);
-  const double speed = std::abs(bodies.speed);
-  add_body(layers_of(bodies.body1, speed, sides, columns, rows, part(progress, 0, 0.5)), 1, sum);
-  add_body(layers_of(bodies.body2, speed, sides, columns, rows, part(progress, 0.5, 1)), -1, sum);
+  const double speed = std::abs(bodies_.speed);
+  const auto add_creep_and_layers = [&](const LayeredBody& body, std::optional<RolledLayers>& layers, double side,
+                                        const Progress& on) {
+    InfluenceRows of_body(columns, rows);
+    const std::vector<HalfSpaceCreep> creep = half_space_creep(body.top());
+    if (!creep.empty()) add_creep(creep, speed, sides, part(on, 0, 0.3), of_body);
+    if (layers) layers->add(speed, sides, part(on, 0.3, 1), of_body);
+    add_body(of_body, side, sum);
+  };
+  add_creep_and_layers(bodies_.body1, layers1_, 1, part(progress, 0, 0.5));
+  add_creep_and_layers(bodies_.body2, layers2_, -1, part(progress, 0.5, 1));
   return sum;
 }
 
-} // namespace
+LayeredInfluence::LayeredInfluence(LayeredSurfaces& surfaces, const ElementSides& sides, int columns, int rows,
+                                   const Progress& progress)
+    : rows_(surfaces.find(sides, columns, rows, progress)), mirrored_(surfaces.bodies().speed < 0) {}
 
 LayeredInfluence::LayeredInfluence(const LayeredBodies& bodies, const ElementSides& sides, int columns, int rows,
                                    const Progress& progress)
-    : rows_(find_rows(bodies, sides, columns, rows, progress)), mirrored_(bodies.speed < 0) {}
+    : rows_(LayeredSurfaces(bodies).find(sides, columns, rows, progress)), mirrored_(bodies.speed < 0) {}
 
 Influence LayeredInfluence::at(int i, int j) const {
   Influence a = mirrored_ ? mirrored_in_x(rows_.at(-i, std::abs(j))) : rows_.at(i, std::abs(j));
@@ -95,12 +104,19 @@ Influence LayeredInfluence::at(int i, int j) const {
 
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,
                                                     const Progress& progress) {
+  LayeredSurfaces surfaces(bodies);
+  return layered_table(surfaces, grid, {}, progress);
+}
+
+std::shared_ptr<const InfluenceTable> layered_table(LayeredSurfaces& surfaces, const ElementGrid& grid,
+                                                    std::optional<double> far, const Progress& progress) {
   check(grid);
   if (grid.shape != ElementShape::constant) throw Error("layers: need constant elements");
   const int columns = grid.mx + 1;
-  const std::optional<double> far = grid.line ? std::optional(grid.mx * grid.dx) : std::nullopt;
-  const LayeredInfluence influence(bodies, {grid.dx, grid.dy, far}, columns, grid.my, progress);
-  const bool symmetric = bodies.are_elastic();
+  if (!far) far = grid.mx * grid.dx;
+  const ElementSides sides = {grid.dx, grid.dy, grid.line ? far : std::nullopt};
+  const LayeredInfluence influence(surfaces, sides, columns, grid.my, progress);
+  const bool symmetric = surfaces.bodies().are_elastic();
   auto table = std::make_shared<InfluenceTable>(columns, grid.my, grid.dx, grid.dy,
                                                 InfluenceTable::Kind{.symmetric = symmetric, .strips = grid.line});
   for (int j = 1 - grid.my; j < grid.my; ++j)

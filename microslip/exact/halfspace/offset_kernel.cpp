@@ -279,7 +279,7 @@ double middle_eigenvalue(std::span<const double> quadrant, int mx) {
     longest += value;
     shortest += (i + j) % 2 == 0 ? value : -value;
   }
-  return std::sqrt(longest / 2 * std::max(shortest, 0.1 * quadrant[0]));
+  return std::sqrt(std::max(longest, quadrant[0]) / 2 * std::max(shortest, 0.1 * quadrant[0]));
 }
 
 CoupledKernel CoupledKernel::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,

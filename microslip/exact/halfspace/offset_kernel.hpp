@@ -99,8 +99,8 @@ DisplacementQuadrant displacement_quadrant(const Bodies& bodies, const ElementGr
                                            const Progress& progress = {});
 
 /// The geometric mean of the largest and the smallest eigenvalue of a matrix with an even positive kernel, about: half
-/// the sum of the kernel over all offsets, and its transform at the shortest wave. `quadrant`: at the offsets 0 .. mx -
-/// 1, 0 .. my - 1.
+/// the sum of the kernel over all offsets, at least half its value at 0, and its transform at the shortest wave.
+/// `quadrant`: at the offsets 0 .. mx - 1, 0 .. my - 1.
 double middle_eigenvalue(std::span<const double> quadrant, int mx);
 
 /// The map from tractions and pressure to slip and normal displacement that CoupledOperator applies.

@@ -1,6 +1,6 @@
 #include "microslip/exact/halfspace/rolled_influence.hpp"
 
-#include "microslip/elasticity/layered_line_kernels.hpp"
+#include "microslip/error.hpp"
 #include "microslip/numerics/gauss_legendre.hpp"
 #include "microslip/numerics/threads.hpp"
 
@@ -94,13 +94,13 @@ private:
 /// Kernels of what layers add below endless strips.
 class LayerStrips {
 public:
-  explicit LayerStrips(const LayeredLineKernels& kernels) : kernels_(kernels), line_(kernels.parts()) {}
+  LayerStrips(const LayeredLineKernels& kernels, double far) : kernels_(kernels), far_(far), line_(kernels.parts()) {}
 
   static constexpr bool exact_across = true;
   std::size_t parts() const { return line_.size(); }
   double smooth_distance() const { return 2 * kernels_.thickness(); }
   void find(double x, const Cell&, const GaussLegendre&, std::vector<Influence>& line) {
-    kernels_.evaluate(std::abs(x), line_);
+    kernels_.evaluate(std::abs(x), far_, line_);
     for (std::size_t m = 0; m < line.size(); ++m) {
       const auto& [normal, along, across, coupling] = line_[m];
       line[m] = {along, 0, across, normal, x < 0 ? -coupling : coupling, 0};
@@ -109,6 +109,7 @@ public:
 
 private:
   const LayeredLineKernels& kernels_;
+  double far_;
   std::vector<LineKernel> line_;
 };
 
@@ -286,26 +287,33 @@ double end_of(const InfluenceRows& rows, const ElementSides& sides) {
   return (rows.columns() - 0.5) * sides.dx;
 }
 
+double surface_thickness(const LayeredBody& body) {
+  if (body.layers.empty()) throw Error("layers: none");
+  return body.layers.front().thickness;
+}
+
 } // namespace
 
 Influence mirrored_in_x(const Influence& a) {
   return {a.xx, -a.xy, a.yy, a.zz, -a.xz, a.yz};
 }
 
-void add_layers(const LayeredBody& body, double speed, const ElementSides& sides, const Progress& progress,
-                InfluenceRows& rows) {
-  const LayeredSpectrum spectrum(body);
-  std::vector<double> lengths(spectrum.times().begin(), spectrum.times().end());
+RolledLayers::RolledLayers(const LayeredBody& body) : RolledLayers(LayeredSpectrum(body), surface_thickness(body)) {}
+
+RolledLayers::RolledLayers(const LayeredSpectrum& spectrum, double thickness)
+    : points_(spectrum, thickness), lines_(spectrum, thickness) {}
+
+void RolledLayers::add(double speed, const ElementSides& sides, const Progress& progress, InfluenceRows& rows) {
+  std::vector<double> lengths(points_.times().begin(), points_.times().end());
   for (double& length : lengths) length *= speed;
   const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
   const double end = beyond.empty() ? end_of(rows, sides) : beyond.back().x + beyond.back().width;
-  const double thickness = body.layers.front().thickness;
   if (sides.far) {
-    const LayeredLineKernels kernels(spectrum, thickness, end, *sides.far);
-    add_rows(LayerStrips(kernels), lengths, beyond, sides, progress, rows);
+    lines_.extend(end);
+    add_rows(LayerStrips(lines_, *sides.far), lengths, beyond, sides, progress, rows);
   } else {
-    const LayeredKernels kernels(spectrum, thickness, std::hypot(end, (rows.rows() - 0.5) * sides.dy));
-    add_rows(LayerLines(kernels), lengths, beyond, sides, progress, rows);
+    points_.extend(std::hypot(end, (rows.rows() - 0.5) * sides.dy));
+    add_rows(LayerLines(points_), lengths, beyond, sides, progress, rows);
   }
 }
 

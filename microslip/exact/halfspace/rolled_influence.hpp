@@ -2,6 +2,7 @@
 
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/layered_kernels.hpp"
+#include "microslip/elasticity/layered_line_kernels.hpp"
 #include "microslip/progress.hpp"
 
 #include <optional>
@@ -43,15 +44,28 @@ struct ElementSides {
   std::optional<double> far = {};
 };
 
-/// Adds what layers add to the influence of elements on their body's half-space, u of the body itself, when it is
-/// rolled over with speed V >= 0 [m/s] along +x. Point kernels are integrated over elements by Gauss's rule, on cells
-/// that are halved until they are smaller than 0.7 times their scale hypot(2 h, r); relative error some 1e-9. With l =
-/// V T_m, what is retarded, the integral of exp(-q/l)/l A(x + q), is a sum over the elements ahead: A(x) - F(x) + (1 -
-/// exp(-dx/l)) S(x + dx), F the integral of exp(-(x' - x + dx/2)/l) a over an element and S(x) = F(x) + exp(-dx/l) S(x
-/// + dx). Weights of F integrate polynomials times the exponential, for any l. Cost some 10 values of the kernels for
-/// an offset.
-void add_layers(const LayeredBody& body, double speed, const ElementSides& sides, const Progress& progress,
-                InfluenceRows& rows);
+/// What the layers of a body that is rolled over add to the influence of elements on their half-space, u of the body
+/// itself. Point kernels are found once, as far as elements have reached so far, so that results do not depend on what
+/// was asked before.
+class RolledLayers {
+public:
+  /// Throws Error for a body without layers, or one with values out of range.
+  explicit RolledLayers(const LayeredBody& body);
+
+  /// Adds the influence of elements for the speed V >= 0 [m/s] along +x. Kernels are integrated over elements by
+  /// Gauss's rule, on cells that are halved until they are smaller than 0.7 times their scale hypot(2 h, r); relative
+  /// error some 1e-9. With l = V T_m, what is retarded, the integral of exp(-q/l)/l A(x + q), is a sum over the
+  /// elements ahead: A(x) - F(x) + (1 - exp(-dx/l)) S(x + dx), F the integral of exp(-(x' - x + dx/2)/l) a over an
+  /// element and S(x) = F(x) + exp(-dx/l) S(x + dx). Weights of F integrate polynomials times the exponential, for any
+  /// l. Cost some 10 values of the kernels for an offset.
+  void add(double speed, const ElementSides& sides, const Progress& progress, InfluenceRows& rows);
+
+private:
+  RolledLayers(const LayeredSpectrum& spectrum, double thickness);
+
+  LayeredKernels points_;
+  LayeredLineKernels lines_;
+};
 
 /// A retarded part of a half-space: a times that with nu = 1/2 and G = 1/2, b times that with nu = 0 less nu = 1/2.
 struct HalfSpaceCreep {

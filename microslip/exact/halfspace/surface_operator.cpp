@@ -17,6 +17,11 @@ std::vector<double> quadrant(const OffsetTable& kernel) {
   return values;
 }
 
+/// Of A_zz, along both axes.
+double even_part(const InfluenceTable& table, int i, int j) {
+  return (table.find(i, j).zz + table.find(-i, j).zz + table.find(i, -j).zz + table.find(-i, -j).zz) / 4;
+}
+
 /// Part of the kernel that is even along x; a kernel of retarded deformation has another one.
 std::vector<double> even_part(const OffsetTable& kernel) {
   std::vector<double> values;
@@ -42,6 +47,15 @@ NormalOperator::NormalOperator(const CombinedMaterial& material, const ElementGr
           },
           plans),
       diagonal_(normal_coefficient(material, grid, 0, 0)) {}
+
+NormalOperator::NormalOperator(const InfluenceTable& table, const ElementGrid& grid)
+    : zz_((check(grid), grid.mx), grid.my,
+          [&](int j, std::span<double> entries) {
+            const int row = std::min(j, table.my() - 1); // the near inverse's period may be a little longer
+            for (std::size_t k = 0; k < entries.size(); ++k)
+              entries[k] = even_part(table, std::min(static_cast<int>(k), table.mx() - 1), row);
+          }),
+      diagonal_(table.find(0, 0).zz) {}
 
 TangentialOperator::TangentialOperator(const TangentialKernel& kernel)
     : transform_(kernel.xx.mx(), kernel.xx.my(), 2), xx_(transform_.kernel_spectrum(kernel.xx.values())),

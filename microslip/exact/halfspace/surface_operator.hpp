@@ -23,12 +23,14 @@ struct CoupledKernel;
 struct TangentialKernel;
 
 /// Normal displacement difference u_z = A_zz p_n (E12) on a grid of elements, for elastically similar
-/// bodies.
+/// bodies, or any whose tractions count apart.
 class NormalOperator {
 public:
   /// Throws Stopped if `progress`, called for the rows of coefficients, returns false; as the others do.
   NormalOperator(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
                  const TransformPlans& plans = {});
+  /// The part of a table's A_zz that is even along x and y: all of it for elastic bodies.
+  NormalOperator(const InfluenceTable& table, const ElementGrid& grid);
   void apply(std::span<const double> pressure, std::span<double> displacement) { zz_.apply(pressure, displacement); }
   /// A symmetric positive map near the inverse of A_zz, also of its part on any area: a preconditioner.
   void apply_near_inverse(std::span<const double> displacement, std::span<double> pressure) {

@@ -254,6 +254,9 @@ NormalProblem::NormalProblem(const CombinedMaterial& material, const ElementGrid
     coarser_ = std::make_unique<NormalProblem>(material, coarser_grid(grid), progress, plans);
 }
 
+NormalProblem::NormalProblem(const InfluenceTable& table, const ElementGrid& grid)
+    : grid_(require_memory(ContactProblem::normal, grid)), operator_(table, grid) {}
+
 void check(const ElementGrid& grid, std::span<const double> gap, const NormalLoad& load) {
   if (gap.size() != grid.count())
     throw Error("gap: must have mx times my = " + std::to_string(grid.count()) + " values");

@@ -51,6 +51,9 @@ public:
   /// `progress` returns false.
   NormalProblem(const CombinedMaterial& material, const ElementGrid& grid, const Progress& progress = {},
                 const TransformPlans& plans = {});
+  /// With the influence numbers of a table, the part that is even along x and y; it does not start from coarser
+  /// elements.
+  NormalProblem(const InfluenceTable& table, const ElementGrid& grid);
 
   /// `gap` is the undeformed distance h [m] at the elements' centres. Throws Error for a gap with NaN, a load or a
   /// tolerance out of range. Input so large that the result overflows gives Status::invalid_input. `progress` is called
