@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -258,6 +259,91 @@ TEST(LayeredRolling, AThinIncompressibleCoverFlows) {
   const auto [force_of_half, peak_of_half] = over_thin(0.05 * a);
   EXPECT_NEAR((4 * force_of_half - force) / 3, 1, 0.01); // differences fall as (h/a)^2
   EXPECT_NEAR((4 * peak_of_half - peak) / 3, 1, 0.01);
+}
+
+/// A ball and rollers with covers, elastic and viscoelastic, with creepages and spin.
+std::vector<RollingProblem> rolling_covers() {
+  LayeredBodies on_steel = {{{{1e-3, {{3e8, 0.4}}}}, {stiff}},
+                            {{{2e-3, {{1e6, 0.45}}}, {1e-3, {{1e7, 0.5}}}}, {stiff}}};
+  LayeredBodies relaxing = on_steel;
+  relaxing.body2.layers[0].material.shear_relaxation = {{0.4, 1e-3}, {0.2, 1e-4}};
+  relaxing.speed = 10;
+  std::vector<RollingProblem> problems = {rolling_of(on_steel, 2), rolling_of(relaxing, 2), rollers_of(on_steel, 500),
+                                          rollers_of(relaxing, 500)};
+  for (RollingProblem& p : problems) p.motion.creepage = {0.01, -0.004, 1};
+  return problems;
+}
+
+ContactSolution solved_sharply(const RollingProblem& p) {
+  ContactSolution s = Solver({.theory = Theory::exact, .mx = 14, .my = 12, .tolerance = 1e-12}).solve(p);
+  EXPECT_EQ(s.report.status, Status::ok);
+  return s;
+}
+
+/// Forces and moments times factors, relative to friction and its moment about the contact.
+void expect_scaled(const ContactSolution& found, const ContactSolution& from, const RollingProblem& p, double fx,
+                   double fy, double mz, double my) {
+  const double force = p.load.value * std::max(1.0, std::abs(fx)), arm = 4e-3 * std::max(1.0, std::abs(mz));
+  EXPECT_NEAR(found.totals.fx, fx * from.totals.fx, 1e-12 * force);
+  EXPECT_NEAR(found.totals.fy, fy * from.totals.fy, 1e-12 * force);
+  EXPECT_NEAR(found.totals.mz, mz * from.totals.mz, 1e-12 * p.load.value * arm);
+  EXPECT_NEAR(found.totals.my, my * from.totals.my, 1e-12 * p.load.value * arm);
+}
+
+TEST(LayeredRolling, AMirrorAcrossTheRowsTurnsLateralForces) {
+  for (const RollingProblem& p : rolling_covers()) {
+    RollingProblem mirrored = p;
+    mirrored.motion.creepage.lateral *= -1, mirrored.motion.creepage.spin *= -1;
+    const ContactSolution s = solved_sharply(p), other = solved_sharply(mirrored);
+    expect_scaled(other, s, p, 1, -1, -1, 1);
+    EXPECT_NEAR(other.approach / s.approach, 1, 1e-12);
+  }
+}
+
+TEST(LayeredRolling, AMirrorAlongTheRowsTurnsTheDirection) {
+  for (const RollingProblem& p : rolling_covers()) {
+    RollingProblem mirrored = p;
+    mirrored.motion.direction = RollingDirection::backward;
+    mirrored.motion.creepage.longitudinal *= -1, mirrored.motion.creepage.spin *= -1;
+    mirrored.layered->speed *= -1;
+    const ContactSolution s = solved_sharply(p), other = solved_sharply(mirrored);
+    expect_scaled(other, s, p, -1, 1, -1, -1);
+    EXPECT_NEAR(other.approach / s.approach, 1, 1e-12);
+  }
+}
+
+/// All lengths times a factor: areas times its square, forces of rollers are those of a metre.
+TEST(LayeredRolling, ScalesWithLengths) {
+  constexpr double longer = 3.7;
+  for (const RollingProblem& p : rolling_covers()) {
+    const auto [a, b] = std::get<GapCurvatures>(p.geometry);
+    const double force = b == 0 ? longer : longer * longer;
+    RollingProblem scaled = p;
+    scaled.geometry = GapCurvatures{a / longer, b / longer};
+    for (LayeredBody* body : {&scaled.layered->body1, &scaled.layered->body2})
+      for (BodyLayer& layer : body->layers) layer.thickness *= longer;
+    scaled.load.value *= force;
+    scaled.motion.creepage.spin /= longer;
+    scaled.motion.rolling_speed *= longer, scaled.layered->speed *= longer;
+    const ContactSolution s = solved_sharply(p), other = solved_sharply(scaled);
+    expect_scaled(other, s, p, force, force, force * longer, force * longer);
+    EXPECT_NEAR(other.approach / (longer * s.approach), 1, 1e-12);
+  }
+}
+
+TEST(LayeredRolling, ScalesWithModuli) {
+  constexpr double stiffer = 0.13;
+  for (const RollingProblem& p : rolling_covers()) {
+    RollingProblem scaled = p;
+    for (LayeredBody* body : {&scaled.layered->body1, &scaled.layered->body2}) {
+      for (BodyLayer& layer : body->layers) layer.material.instantaneous.shear_modulus *= stiffer;
+      body->substrate.instantaneous.shear_modulus *= stiffer;
+    }
+    scaled.load.value *= stiffer;
+    const ContactSolution s = solved_sharply(p), other = solved_sharply(scaled);
+    expect_scaled(other, s, p, stiffer, stiffer, stiffer, stiffer);
+    EXPECT_NEAR(other.approach / s.approach, 1, 1e-12);
+  }
 }
 
 TEST(LayeredRolling, RefusesWhatItCannotHonour) {

@@ -7,10 +7,11 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 #include "microslip/interior/layered_interior.hpp"
 #include "validation/clock.hpp"
-#include "validation/draw.hpp"
 #include "validation/interior_integral.hpp"
 #include "validation/layer_on_half_space.hpp"
+#include "validation/layered_energy.hpp"
 #include "validation/layered_integral.hpp"
+#include "validation/layered_random_contacts.hpp"
 #include "validation/report.hpp"
 #include "validation/rollers.hpp"
 
@@ -413,63 +414,6 @@ void report_thin_viscoelastic_layers(Report& report) {
   report.near("  how far ahead it acts: the rolling resistance", "{:.4f}", 2 * here.lead - before.lead, "1", 1e-2);
 }
 
-constexpr double patch = 1e-3; // about the radius of contact of the random problems [m]
-
-ViscoelasticMaterial random_material(Draw& draw) {
-  ViscoelasticMaterial m = {{draw.power(1e6, 1e12), draw.chance(0.2) ? 0.5 : draw.number(0, 0.5)}};
-  if (!draw.chance(0.3)) return m;
-  m.shear_relaxation = {{draw.number(0.1, 0.7), draw.power(1e-2, 1e2) * patch}};
-  if (draw.chance(0.3)) m.bulk_relaxation = PronySeries{{draw.number(0.05, 0.4), draw.power(1e-2, 1e2) * patch}};
-  return m;
-}
-
-LayeredBody random_body(Draw& draw) {
-  LayeredBody body;
-  const int layers = draw.count(0, 3);
-  for (int n = 0; n < layers; ++n) body.layers.push_back({draw.power(0.05, 5) * patch, random_material(draw)});
-  const bool has_rigid_core = layers > 0 && draw.chance(0.4);
-  body.substrate = has_rigid_core ? ViscoelasticMaterial{rigid} : random_material(draw);
-  return body;
-}
-
-/// Ellipsoids of layered bodies in steady rolling with speed 1 m/s, with creepages and spin, between sticking and
-/// sliding.
-ContactStep random_step(Draw& draw, const ElementGrid& grid) {
-  constexpr double radius = 0.1;
-  const LayeredBodies bodies = {random_body(draw), random_body(draw), 1};
-  ContactStep step;
-  step.grid = grid;
-  step.bodies = combine(bodies.body1.top().instantaneous, bodies.body2.top().instantaneous);
-  step.response.table = layered_table(bodies, grid);
-  const double ratio = draw.power(0.3, 3);
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      step.gap.push_back((grid.x(i) * grid.x(i) + ratio * grid.y(j) * grid.y(j)) / (2 * radius));
-  step.load = {NormalLoad::Given::approach, draw.power(0.2, 0.6) * patch * patch / radius};
-  const double friction = draw.power(0.05, 1), creepage = draw.power(1e-2, 3) * friction * patch / radius;
-  step.friction = {FrictionLaw::coulomb(friction)};
-  step.motion.creepage = {creepage * draw.number(-1, 1), creepage * draw.number(-1, 1),
-                          creepage / patch * draw.number(-1, 1)};
-  return step;
-}
-
-void report_random_contacts(Report& report) {
-  constexpr int contacts = 100;
-  report.heading(
-      "100 random contacts in steady rolling, 20 x 20 elements: moduli from 1 MPa to 1 TPa, h from a/20 to 5 a");
-  Draw draw(1);
-  int solved = 0;
-  double steps = 0, products = 0;
-  for (int n = 0; n < contacts; ++n) {
-    const ContactStepSolution s = ContactSequence().solve(random_step(draw, square(1.6 * patch, 20)));
-    solved += s.report.status == Status::ok ? 1 : 0;
-    steps += s.report.newton_steps, products += static_cast<double>(s.report.products);
-  }
-  report.count("solved", solved, contacts);
-  report.line(
-      fmt::format("  {:.1f} Newton steps and {:.0f} products in the mean", steps / contacts, products / contacts));
-}
-
 } // namespace
 
 bool run_layers(const StudyOptions& options, std::ostream& out) {
@@ -482,13 +426,18 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   report_coated_sphere(report, "E/4 on E/2", 0.25, 0.5, 0.582, 1.373, 1.5);
   report_coated_sphere(report, "4 E on 2 E", 4, 2, 0, 0.695, 0.8);
   report_peaks(report);
-  if (options.progress && !options.progress(0.3)) return false;
+  if (options.progress && !options.progress(0.05)) return false;
   report_thin_layers(report);
-  if (options.progress && !options.progress(0.6)) return false;
+  if (options.progress && !options.progress(0.06)) return false;
   report_viscoelastic_layer(report);
   report_thin_viscoelastic_layers(report);
   report_rollers(report);
-  report_random_contacts(report);
+  report_energy(report);
+  try {
+    report_random_contacts(report, part(options.progress, 0.1, 1));
+  } catch (const Stopped&) {
+    return false;
+  }
   return report.all_met();
 }
 

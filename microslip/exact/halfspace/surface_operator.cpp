@@ -113,13 +113,18 @@ CoupledOperator CoupledOperator::difference(const Bodies& bodies, const ElementG
   CoupledOperator made(response.table ? CoupledKernel::difference(*response.table, grid, step)
                                       : CoupledKernel::difference(bodies, grid, step, progress),
                        grid, response.patches);
+  if (response.table && step.y == 0)
+    made.table_rolling_.emplace(*response.table, grid, std::abs(step.x) * made.slip_scale_);
   if (!response.inclination.is_flat())
     made.inclined_.emplace(InclinedKernel::difference(bodies, grid, step, progress), grid, response.inclination);
   return made;
 }
 
 void CoupledOperator::expect_contact(std::span<const double> pressure, RollingDirection direction) {
-  rolling_.emplace(grid_, pressure, direction);
+  if (table_rolling_)
+    table_rolling_->expect_contact(pressure, direction);
+  else
+    rolling_.emplace(grid_, pressure, direction);
 }
 
 void CoupledOperator::precondition_tractions(std::span<const double> px, std::span<const double> py,
@@ -127,6 +132,7 @@ void CoupledOperator::precondition_tractions(std::span<const double> px, std::sp
   if (slip_inverse_) return slip_inverse_->apply(px, py, slip_scale_, qx, qy);
   std::copy(px.begin(), px.end(), qx.begin());
   std::copy(py.begin(), py.end(), qy.begin());
+  if (table_rolling_) table_rolling_->precondition(px, py, qx, qy);
   if (rolling_) rolling_->precondition(px, py, qx, qy);
 }
 

@@ -7,6 +7,7 @@
 #include "microslip/exact/halfspace/inclined_product.hpp"
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
+#include "microslip/exact/halfspace/table_rolling_preconditioner.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
@@ -97,8 +98,9 @@ public:
   double normal_scale() const { return normal_scale_; }
 
   /// (qx, qy) = M^-1 (px, py) and q_n = M_n^-1 p_n, where M is near the map from tractions to slip over its scale, M_n
-  /// near A_zz over that of the element itself: SymmetricToeplitz::near_inverse, and RollingPreconditioner where slip
-  /// is a difference. The influence of pressure on slip, and of tractions on the normal displacement, is neglected.
+  /// near A_zz over that of the element itself: SymmetricToeplitz::near_inverse, and where slip is a difference
+  /// RollingPreconditioner or TableRollingPreconditioner. The influence of pressure on slip, and of tractions on the
+  /// normal displacement, is neglected.
   void precondition_tractions(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                               std::span<double> qy);
   void precondition_pressure(std::span<const double> pressure, std::span<double> q);
@@ -122,7 +124,8 @@ private:
   std::optional<InclinedProduct> inclined_; ///< instead of the spectra
   std::optional<NearInverse> slip_inverse_; ///< of displacements
   NearInverse normal_inverse_;
-  std::optional<RollingPreconditioner<double>> rolling_; ///< of differences
+  std::optional<RollingPreconditioner<double>> rolling_;    ///< of differences, of half-spaces
+  std::optional<TableRollingPreconditioner> table_rolling_; ///< and with a table
 };
 
 } // namespace microslip
