@@ -146,6 +146,11 @@ void add_options(Command& command, HertzArguments& arguments) {
 } // namespace
 
 void add_hertz(QuantityTable& table, const HertzContact& contact) {
+  if (contact.gap.y == 0) { // a metre of a line contact
+    table.add("half-width", contact.a, "m");
+    table.add("peak pressure", contact.peak_pressure, "Pa");
+    return;
+  }
   table.add("semi-axis a, along x", contact.a, "m");
   table.add("semi-axis b, along y", contact.b, "m");
   table.add("peak pressure", contact.peak_pressure, "Pa");

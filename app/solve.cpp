@@ -79,7 +79,10 @@ std::string describe_exact(const io::RollingCase& input, int mx, int my) {
       : motion.kind == ContactMotion::transient
           ? fmt::format("transient rolling, {} steps", motion.steps)
           : fmt::format("steady rolling, {}", io::to_word(discretisation_of(input.problem, input.method)));
-  return fmt::format("exact theory, {} x {} elements, {}", mx, my, text);
+  const auto* gap = std::get_if<GapCurvatures>(&input.problem.geometry);
+  const bool is_line = gap != nullptr && gap->y == 0;
+  const std::string elements = is_line ? fmt::format("{} strips", mx) : fmt::format("{} x {} elements", mx, my);
+  return fmt::format("exact theory, {}, {}", elements, text);
 }
 
 void print_simplified(const io::RollingCase& input, const cases::RollingContactResult& result) {
@@ -243,6 +246,15 @@ void print_exact(const io::RollingCase& input, const cases::RollingContactResult
   table.print();
 }
 
+void print_nip(const cases::NipResult& nip) {
+  QuantityTable table("nip");
+  table.round_to_zero("W", nip.nip.traction_capacity);
+  table.round_to_zero("N", nip.nip.traction_capacity);
+  for (const cases::StoredNumber& q : cases::nip_quantities(nip)) table.add(q.description, q.value, q.unit);
+  fmt::print("\n");
+  table.print();
+}
+
 void print_table(const io::RollingCase& input, const cases::RollingContactResult& result) {
   const auto columns = theory_columns(input, result);
   QuantityTable table("creep-force table, steady rolling", names_of(columns));
@@ -296,6 +308,8 @@ void print_tables(const io::RollingCase& input, const cases::RollingContactResul
     print_table(input, result);
   else
     print_simplified(input, result);
+  if (result.exact && result.exact->nip) print_nip(*result.exact->nip);
+  if (result.exact && result.exact->peaks) print_peaks(*result.exact->peaks);
   if (result.exact) print_interior("inside the bodies", input.interior, result.exact->interior);
   fmt::print("\n");
 }

@@ -47,6 +47,7 @@ public:
     HertzContact hertz;
     ContactSolution contact;
     Warnings warnings;
+    std::optional<Nip> nip = {}; ///< of bodies with layers
   };
 
   static Columns<Solved> columns(const SweepSpec& spec) {
@@ -64,19 +65,40 @@ public:
       all.push_back({{"contact/" + std::string(q.name), std::string(is_shift ? q.shift_unit : q.unit),
                       std::string(q.description)},
                      [&q](const Solved& s) { return q.applies(s.contact) ? q.value(s.contact) : nan; }});
+    if (spec.base().at_path("body1.layers").is_array() || spec.base().at_path("body2.layers").is_array()) add_nip(all);
     return all;
   }
-  static bool needs_new_solver(std::string_view) { return false; }
+  static bool needs_new_solver(std::string_view key) { return key.starts_with("solution."); }
   static void check(const io::TomlSection& root, const io::CreepTables& tables) { io::read_case(root, tables); }
 
   /// The solver is new each time: with influence coefficients that it keeps for the next contact the last bits are
-  /// others.
-  static Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool, const Progress& progress) {
+  /// others. What it keeps of layers changes nothing, and costs more than a solution.
+  Solved solve(const io::TomlSection& root, const io::CreepTables& tables, bool is_new, const Progress& progress) {
     const io::RollingCase input = io::read_case(root, tables);
+    if (is_new || !solver_ || !input.problem.layered) solver_.emplace(input.method);
     const HertzContact hertz = hertz_contact(input.problem);
-    return {hertz, Solver(input.method).solve(input.problem, progress), cases::case_warnings(input, hertz).all};
+    Solved solved{hertz, solver_->solve(input.problem, progress), cases::case_warnings(input, hertz).all};
+    if (!cases::has_nip(input, solved.contact)) return solved;
+    solved.nip = nip_of(input.problem, solved.contact, cases::roller_radii(input));
+    solved.warnings = solved.nip->warnings.all;
+    return solved;
   }
   static std::string reason(const Solved& solved) { return solved.contact.report.reason; }
+
+private:
+  static void add_nip(Columns<Solved>& all) {
+    Nip covered; // which has all
+    covered.body1.cover = covered.body2.cover = 1;
+    for (const cases::StoredNumber& q : cases::nip_quantities(covered))
+      all.push_back({{q.path, q.unit, q.description}, [path = q.path](const Solved& s) {
+                       if (!s.nip) return nan;
+                       for (const cases::StoredNumber& found : cases::nip_quantities(*s.nip))
+                         if (found.path == path) return found.value;
+                       return nan;
+                     }});
+  }
+
+  std::optional<Solver> solver_;
 };
 
 /// Columns of a wheel and its patches; `group` is what stands before wheel/ and patches/.

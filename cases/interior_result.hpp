@@ -3,6 +3,7 @@
 #include "io/json.hpp"
 #include "io/result_writer.hpp"
 #include "microslip/interior/interior_grid.hpp"
+#include "microslip/interior/layered_interior.hpp"
 
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ namespace microslip::cases {
 /// states.
 void write_interior(io::ResultWriter& file, const std::string& group, const InteriorGrid& points,
                     const std::vector<InteriorState>& states);
+
+/// Writes layers/body1/layer1/von_mises and so on, layers counted from 1, and of the bond below each shear and tension.
+void write_peaks(io::ResultWriter& file, const LayeredPeaks& peaks);
 
 /// The extremes of the stresses at some points inside the bodies: `value` [Pa] and `x`, `y`, `z` [m] of each measure.
 io::Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);

@@ -129,6 +129,8 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   result.discretisation_error = {nan, nan, nan, nan};
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
+  if (has_nip(input, result.contact)) result.nip = nip_result(input, result.contact, solver, rest);
+  if (has_nip(input, result.contact)) result.peaks = layered_peaks(*input.problem.layered, result.contact, rest);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, rest).gap;
   if ((coarser.mx == method.mx && coarser.my == method.my) || (is_transient && problem.layered)) return result;
   result.discretisation_error = difference(contact, result.contact, Solver(coarser).solve(problem, rest));
@@ -162,7 +164,7 @@ ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, 
   contact.creepage = result.contact.creepage;
   if (input.problem.layered && result.contact.totals.peak_pressure > 0) take_found(result.contact, contact);
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
-    result.interior = interior_states(io::interior_body(input, input.body1), io::interior_body(input, input.body2),
+    result.interior = interior_states(io::interior_body(input, Body::first), io::interior_body(input, Body::second),
                                       result.contact, input.interior, essential_part(progress, 0.9, 0.9));
   }
   const bool ok = result.contact.report.status == Status::ok;
@@ -182,7 +184,8 @@ SolverReport report_of(const ExactResult& exact) {
 }
 
 void write(io::ResultWriter& file, const std::vector<StoredNumber>& quantities) {
-  for (const auto& [path, value, unit, description] : quantities) file.scalar(path, value, unit, description);
+  for (const auto& [path, value, unit, description] : quantities)
+    if (!std::isnan(value)) file.scalar(path, value, unit, description); // line contact has not all of Hertz's
 }
 
 void write_tolerances(io::ResultWriter& file, const std::string& theory, const DiscretisationError& error,
@@ -334,6 +337,7 @@ std::string simplified_assumption(const io::RollingCase& input) {
 }
 
 ContactWarnings case_warnings(const io::RollingCase& input, const HertzContact& hertz) {
+  if (input.problem.layered) return {}; // their contact is not Hertz's
   return contact_warnings(hertz, io::principal_radii(input.body1, input.body2), half_spaces(input.problem));
 }
 
@@ -343,6 +347,8 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
   result.warnings = case_warnings(input, result.hertz).texts;
   result.contact = elliptic_contact(input.problem, result.hertz);
   if (input.method.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
+  if (result.exact && result.exact->nip)
+    for (const std::string& text : result.exact->nip->nip.warnings.texts) result.warnings.push_back(text);
   if (input.method.theory == Theory::table) result.table = look_up(input, result.contact);
   if (result.exact) result.status = report_of(*result.exact).status;
   if (input.problem.motion.kind == ContactMotion::steady && result.status == Status::ok && !input.problem.layered)
@@ -375,6 +381,8 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     write_tolerances(file, "exact", exact->discretisation_error, exact->contact, "half the elements");
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
+    if (exact->nip) write(file, nip_quantities(*exact->nip));
+    if (exact->peaks) write_peaks(file, *exact->peaks);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
     if (exact->curve && !result.simplified) write_curve_point(file, *exact->curve, result.contact);
   }

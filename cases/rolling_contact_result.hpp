@@ -1,8 +1,11 @@
 #pragma once
 
 #include "cases/creep_curve.hpp"
+#include "cases/nip_result.hpp"
+#include "cases/stored_number.hpp"
 #include "io/case_file.hpp"
 #include "io/result_writer.hpp"
+#include "microslip/interior/layered_interior.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 
@@ -33,6 +36,8 @@ struct ExactResult {
   DiscretisationError discretisation_error; ///< to the grid with half the elements in each direction
   std::optional<AccurateContact> limit;     ///< if an accuracy is asked for; `contact` is its finest then
   std::vector<InteriorState> interior;      ///< at the case's points inside the bodies
+  std::optional<NipResult> nip;             ///< of bodies with layers
+  std::optional<LayeredPeaks> peaks;        ///< likewise
   std::optional<CreepCurve> curve;          ///< if it converges for steady rolling
 };
 
@@ -52,14 +57,6 @@ struct RollingContactResult {
   Status status = Status::ok;                 ///< of the theory that the case asks for
   std::string reason;                         ///< why it is not ok; empty if it is
   std::vector<std::string> warnings;          ///< what makes it doubtful: case_warnings
-};
-
-/// A number of a result file.
-struct StoredNumber {
-  std::string path; ///< e.g. "hertz/a"
-  double value;
-  const char* unit;
-  std::string description;
 };
 
 /// hertz/normal_force and so on, tolerances/hertz_relative.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -226,6 +227,15 @@ std::optional<Ellipse> read_geometry(const TomlSection& root, RollingCase& input
   return has_ellipse ? std::optional(read_ellipse(root.required_section("ellipse"))) : std::nullopt;
 }
 
+/// Curvatures of the gap; of cylinders with layers, which touch in a line, none across.
+GapCurvatures curvatures_of(const BodyInput& body1, const BodyInput& body2) {
+  PrincipalRadii radii = principal_radii(body1, body2);
+  const bool has_layers = !body1.layers.empty() || !body2.layers.empty();
+  if (!has_layers || !std::isinf(radii.transverse1) || !std::isinf(radii.transverse2)) return gap_curvatures(radii);
+  radii.transverse1 = 1; // any
+  return {gap_curvatures(radii).x, 0};
+}
+
 /// What the bodies are made of: with layers one on the other, or half-spaces.
 void set_bodies(const BodyInput& body1, const BodyInput& body2, RollingProblem& problem) {
   const double velocity = rolling_velocity(problem.motion);
@@ -237,6 +247,24 @@ void set_bodies(const BodyInput& body1, const BodyInput& body2, RollingProblem& 
     return LayeredBody{body.layers, standard_solid(body.material, body.creep)};
   };
   problem.layered = {layered(body1), layered(body2), velocity};
+}
+
+double thickness_of(const LayeredBody& body) {
+  double sum = 0;
+  for (const BodyLayer& layer : body.layers) sum += layer.thickness;
+  return sum;
+}
+
+/// Refuses points in rigid cores.
+void check_points(const TomlSection& interior, const RollingCase& input) {
+  const auto& [body1, body2, speed] = *input.problem.layered;
+  for (const double z : input.interior.z) {
+    const LayeredBody& body = z >= 0 ? body1 : body2;
+    interior.at("z", [&] {
+      if (body.substrate.is_rigid() && std::abs(z) > thickness_of(body))
+        throw Error("interior.z", z, "m", "above the rigid core of " + std::string(z >= 0 ? "body1" : "body2"));
+    });
+  }
 }
 
 /// Temperatures need the data of both bodies.
@@ -356,7 +384,7 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
     if (ellipse)
       problem.geometry = *ellipse;
     else
-      problem.geometry = gap_curvatures(principal_radii(body1, body2));
+      problem.geometry = curvatures_of(body1, body2);
     set_bodies(body1, body2, problem);
     const HertzContact hertz = hertz_contact(problem);
     if (ellipse) set_radii(hertz.gap, body1, body2);
@@ -366,8 +394,7 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   problem.bodies.layer = layer;
   check_thermal(root, input);
   if (body1.thermal && body2.thermal) problem.thermal = {*body1.thermal, *body2.thermal};
-  if (problem.layered && input.interior.count() > 0)
-    root.at("interior", [] { throw Error("[interior]: not of bodies with layers"); });
+  if (problem.layered && root.has("interior")) check_points(root.required_section("interior"), input);
   const auto found = incompatibilities(problem, input.method);
   if (!found.empty()) refuse_where_given(root, found.front());
   // The discretisation that a file gives is that of steady rolling.
@@ -376,8 +403,12 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   return input;
 }
 
-InteriorBody interior_body(const RollingCase& input, const BodyInput& body) {
-  return {body.material, retardation_of(body.creep, rolling_velocity(input.problem.motion))};
+InteriorBody interior_body(const RollingCase& input, Body number) {
+  const double velocity = rolling_velocity(input.problem.motion);
+  if (const auto& layered = input.problem.layered)
+    return {number == Body::first ? layered->body1 : layered->body2, velocity};
+  const BodyInput& body = number == Body::first ? input.body1 : input.body2;
+  return {body.material, retardation_of(body.creep, velocity)};
 }
 
 PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2) {

@@ -56,7 +56,7 @@ Motion read_motion(const TomlSection& motion);
 Method read_method(const TomlSection& solution);
 
 /// Body of a case, for its interior field.
-InteriorBody interior_body(const RollingCase& input, const BodyInput& body);
+InteriorBody interior_body(const RollingCase& input, Body body);
 
 PrincipalRadii principal_radii(const BodyInput& body1, const BodyInput& body2);
 

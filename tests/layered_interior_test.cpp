@@ -86,14 +86,14 @@ TEST(LayeredInterior, EqualLayersAreHalfSpaces) {
 TEST(LayeredInterior, IsTheFourierIntegralOfTheResponse) {
   const ElementGrid grid = {.mx = 1, .my = 1, .x0 = 0, .y0 = 0, .dx = 0.2, .dy = 0.3};
   const std::pair<LayeredBody, double> cases[] = {
-      {coated, 0.15},    {coated, 0.3},  {coated, 0.3 * just_below}, {coated, 0.9}, {stiff_skin, 0.25},
-      {stiff_skin, 0.6}, {roller, 0.19}, {roller, 0.3},              {sandwich, 0.25}, {sandwich, 1}};
+      {coated, 0.15}, {coated, 0.3}, {coated, 0.3 * just_below}, {coated, 0.9}, {stiff_skin, 0.25}, {stiff_skin, 0.6},
+      {roller, 0.19}, {roller, 0.3}, {sandwich, 0.25},           {sandwich, 1}};
   const std::vector<double> one = {1}, none = {};
   for (const auto& [body, depth] : cases)
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.12, -0.05}, {0.7, 0.4}}) {
       const InteriorInfluence exact = validation::interior_integral(body, 0, {0.2, 0.3}, x, y, depth, 96);
-      const InteriorField px(body, Body::first, grid, {one, none, none}), py(body, Body::first, grid, {none, one, none}),
-          pn(body, Body::first, grid, {none, none, one});
+      const InteriorField px(body, Body::first, grid, {one, none, none}),
+          py(body, Body::first, grid, {none, one, none}), pn(body, Body::first, grid, {none, none, one});
       const double displacement = 0.2 / std::min(body.top().instantaneous.shear_modulus, 1.0);
       const auto expect_same = [&](const InteriorField& field, const InteriorState& state) {
         EXPECT_LE(difference(state_at(field, x, y, depth), nine(state), displacement, 1), 1e-7)
@@ -140,8 +140,8 @@ TEST(LayeredInterior, StressesAreInEquilibriumAndThoseOfTheDisplacements) {
     for (const double depth : {0.13, 0.24, 0.7}) {
       const LayerDepth at = layer_at(body, depth);
       if (at.layer == body.layers.size() && body.substrate.is_rigid()) continue;
-      const Material& material = at.layer < body.layers.size() ? body.layers[at.layer].material.instantaneous
-                                                               : body.substrate.instantaneous;
+      const Material& material =
+          at.layer < body.layers.size() ? body.layers[at.layer].material.instantaneous : body.substrate.instantaneous;
       const Load load(rectangles);
       const InteriorField field(body, Body::first, rectangles, load.tractions());
       const double x = 0.13, y = -0.22;
@@ -206,7 +206,9 @@ TEST(LayeredInterior, ARigidCoreKeepsItsSurface) {
       const Nine s = state_at(field, x, 0.1, 0.3);
       for (const Component c : {ux, uy, uz}) EXPECT_NEAR(s[c], 0, 1e-9);
     }
-    EXPECT_EQ(error_of([&] { field.at({0, 0, 0.31}); }),
+    EXPECT_EQ(error_of([&] {
+                field.at({0, 0, 0.31});
+              }),
               "depth = 0.31 [m]: must be at most that of the layers, whose core is rigid");
   }
 }
@@ -389,9 +391,7 @@ TEST(LayeredPeaks, OfEqualLayersIsTheHertzianMaximumInTheLayerThatHoldsIt) {
     EXPECT_NEAR(peaks.layers[k].place.x, 0, 1e-6);
   }
   // On the axis von Mises' stress is that of sigma_r - sigma_z, which rises down to there and falls below.
-  const auto on_axis = [](double z) {
-    return 1.5 / (1 + z * z) - 1.3 * (1 - z * std::atan(1 / z));
-  };
+  const auto on_axis = [](double z) { return 1.5 / (1 + z * z) - 1.3 * (1 - z * std::atan(1 / z)); };
   EXPECT_NEAR(peaks.layers[0].von_mises, on_axis(0.2), 0.003);
   EXPECT_DOUBLE_EQ(peaks.layers[0].place.depth, 0.2);
   EXPECT_NEAR(peaks.layers[2].von_mises, on_axis(0.7), 0.003);
@@ -445,8 +445,7 @@ TEST(LayeredPeaks, OfDeepLayersAreThoseOfTheForce) {
   const Material steel{1, 0.3};
   const Hertzian load(16, 0);
   const double depth = 40, pressure = 3 * (2.0 / 3 * std::numbers::pi) / (2 * std::numbers::pi * depth * depth);
-  const LayeredPeaks peaks =
-      layered_peaks({{{{depth, {steel}}}, {steel}}, {{}, {rigid}}}, load.grid, load.tractions());
+  const LayeredPeaks peaks = layered_peaks({{{{depth, {steel}}}, {steel}}, {{}, {rigid}}}, load.grid, load.tractions());
   const InterfacePeak& interface = peaks.interfaces[0];
   EXPECT_NEAR(interface.shear, pressure * std::pow(0.8, 2.5) / 2, 5e-3 * pressure);
   EXPECT_NEAR(std::hypot(interface.shear_place.x, interface.shear_place.y), depth / 2, 0.05 * depth);

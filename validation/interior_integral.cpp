@@ -58,7 +58,7 @@ WaveField of_normal(const Response& r) {
 WaveField of_tangential(const Response& r, double along, double across) {
   constexpr Complex i(0, 1);
   const auto& a = r.along; // of i along the wave
-  return {a.l * along,         r.t * across,       -i * a.n * along, -i * a.ll * along, -i * a.tt * along,
+  return {a.l * along,       r.t * across,      -i * a.n * along, -i * a.ll * along, -i * a.tt * along,
           -i * a.nn * along, i * r.lt * across, a.ln * along,     r.tn * across};
 }
 

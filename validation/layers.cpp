@@ -7,6 +7,7 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 #include "microslip/interior/layered_interior.hpp"
 #include "validation/clock.hpp"
+#include "validation/draw.hpp"
 #include "validation/interior_integral.hpp"
 #include "validation/layer_on_half_space.hpp"
 #include "validation/layered_energy.hpp"

@@ -17,8 +17,8 @@ struct PlaneNip {
   std::vector<double> stretch;  ///< du_x/dx of the cover's surface [-]
   double force, approach;       ///< [N/m]; [m]
 
-  /// How much faster a rigid roller without torque turns than the cover, where friction is small, so that all slips: the
-  /// stretch at the distance t from the middle at which the pressure within t is half of the force.
+  /// How much faster a rigid roller without torque turns than the cover, where friction is small, so that all slips:
+  /// the stretch at the distance t from the middle at which the pressure within t is half of the force.
   double overdrive() const;
 };
 

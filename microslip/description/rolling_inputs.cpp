@@ -33,7 +33,9 @@ std::vector<Input> all_inputs() {
       {"body",
        {
            needed(number("rolling_radius", "m", radius, "radius in the plane of rolling; or [ellipse]")),
-           needed(number("transverse_radius", "m", radius, "radius in the lateral plane; or [ellipse]")),
+           needed(number(
+               "transverse_radius", "m", radius,
+               "radius in the lateral plane; or [ellipse]. Inf for both bodies: cylinders, of bodies with layers")),
            needed(number("young_modulus", "Pa", modulus, "Young's modulus; or shear_modulus")),
            number("shear_modulus", "Pa", modulus, "shear modulus, in place of young_modulus"),
            needed(number("poisson_ratio", "-", between(0, 0.5), "Poisson's ratio")),
@@ -76,7 +78,10 @@ std::vector<Input> all_inputs() {
        }},
       {"load",
        {
-           needed(number("normal_force", "N", positive, "force that presses the bodies together; or approach")),
+           needed(number("normal_force", "N", positive,
+                         "force that presses the bodies together; or approach. Of cylinders with layers, all "
+                         "transverse radii inf, "
+                         "this and all forces are those of a metre")),
            number("approach", "m", positive, "relative approach of distant points, in place of normal_force"),
        }},
       {"friction",

@@ -141,11 +141,11 @@ InteriorInfluence InteriorPointState::at(double x, double y) const {
   const auto& h = along;
   const Angles a(x, y);
   InteriorInfluence out;
-  out.pn = {n.ur * a.c,
-            n.ur * a.s,
-            n.un,
-            {n.mean + n.difference * a.c2, n.mean - n.difference * a.c2, n.nn, n.difference * a.s2, n.rn * a.c,
-             n.rn * a.s}};
+  out.pn = {
+      n.ur * a.c,
+      n.ur * a.s,
+      n.un,
+      {n.mean + n.difference * a.c2, n.mean - n.difference * a.c2, n.nn, n.difference * a.s2, n.rn * a.c, n.rn * a.s}};
   out.px = {h.u_mean + h.u_difference * a.c2,
             h.u_difference * a.s2,
             h.un * a.c,
@@ -178,8 +178,8 @@ void InteriorPointKernels::evaluate(double r, std::span<InteriorPointState> part
 }
 
 InteriorLineKernels::InteriorLineKernels(const InteriorSpectrum& spectrum, double reach, double far)
-    : scale_(spectrum.decay_distance()), parts_(spectrum.parts()),
-      of_distance_(line_kernels_of(spectrum, reach, far)) {}
+    : scale_(spectrum.decay_distance()), parts_(spectrum.parts()), of_distance_(line_kernels_of(spectrum, reach, far)) {
+}
 
 void InteriorLineKernels::evaluate(double x, std::span<InteriorLineState> parts) const {
   of_distance_.evaluate(std::asinh(x / scale_), {&parts[0].normal.un, kinds * parts.size()});

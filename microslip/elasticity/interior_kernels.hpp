@@ -64,8 +64,8 @@ private:
 };
 
 /// States at the distance x from lines of unit forces per length, of endless strips: integrals over k/pi of responses
-/// times cos(k x) or sin(k x). Displacements along forces have the long waves' limit b taken out as b exp(-k s), of which
-/// the integral is -b ln(hypot(s, x)/far), as LayeredLineKernels.
+/// times cos(k x) or sin(k x). Displacements along forces have the long waves' limit b taken out as b exp(-k s), of
+/// which the integral is -b ln(hypot(s, x)/far), as LayeredLineKernels.
 class InteriorLineKernels {
 public:
   InteriorLineKernels(const InteriorSpectrum& spectrum, double reach, double far);

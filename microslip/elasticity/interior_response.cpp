@@ -33,7 +33,8 @@ Amplitudes<Number> in_layer(const StackMaterial<Number>& material, double q, con
   return a;
 }
 
-template <class Number> Amplitudes<Number> in_substrate(const StackMaterial<Number>& material, const Load<Number>& load) {
+template <class Number>
+Amplitudes<Number> in_substrate(const StackMaterial<Number>& material, const Load<Number>& load) {
   const auto& [modulus, nu] = material;
   Amplitudes<Number> a;
   a.down = downward(nu, 0).traction.inverse() * load.in_plane * (Number(1) / modulus);
@@ -42,8 +43,7 @@ template <class Number> Amplitudes<Number> in_substrate(const StackMaterial<Numb
 }
 
 /// Takes those of the half-space away that has the same load: what is left is as small as what goes up.
-template <class Number>
-void take_half_space(const StackMaterial<Number>& material, double q, Amplitudes<Number>& a) {
+template <class Number> void take_half_space(const StackMaterial<Number>& material, double q, Amplitudes<Number>& a) {
   const auto& [modulus, nu] = material;
   a.down = downward(nu, 0).traction.inverse() * upward(nu, q).traction * a.up * Number(-1);
   a.down_across = std::exp(-q) * a.up_across;

@@ -31,9 +31,9 @@ template <class Number> struct InteriorResponse {
 };
 
 /// State of a layered body inside, and in the surface's layer that less the half-space's of its material. What goes up
-/// is what the bottoms reflect (LayerReflections); with it tractions at a layer's top give what goes down, (t + t' R)^-1
-/// p/G, and these two the tractions at the next one's. All exponentials decay: in the surface's layer as exp(-k (2 h -
-/// z)), deeper as exp(-k z), z the depth from the surface. Not of a rigid core.
+/// is what the bottoms reflect (LayerReflections); with it tractions at a layer's top give what goes down, (t + t'
+/// R)^-1 p/G, and these two the tractions at the next one's. All exponentials decay: in the surface's layer as exp(-k
+/// (2 h - z)), deeper as exp(-k z), z the depth from the surface. Not of a rigid core.
 template <class Number>
 InteriorResponse<Number> interior_response(const LayerStack<Number>& stack, const LayerDepth& at, double k);
 

@@ -13,14 +13,15 @@
 namespace microslip {
 
 /// Influence of elements on the inside of a layered body. In the surface's layer it is that of a half-space of its
-/// material in closed form and what layers add, deeper the whole, from the kernels of the depth, InteriorPointKernels or
-/// InteriorLineKernels: integrated over elements by Gauss's rule, on cells smaller than 0.7 times the scale
-/// hypot(s, r), s = 2 h - z in the surface's layer, else the depth. Errors some 1e-8 of the traction for stresses.
+/// material in closed form and what layers add, deeper the whole, from the kernels of the depth, InteriorPointKernels
+/// or InteriorLineKernels: integrated over elements by Gauss's rule, on cells smaller than 0.7 times the scale hypot(s,
+/// r), s = 2 h - z in the surface's layer, else the depth. Errors some 1e-8 of the traction for stresses.
 ///
 /// What is retarded in viscoelastic layers is a sum over the elements ahead, as the surface's (L6). In a viscoelastic
 /// surface's layer s is the depth, at least a millionth of an element, above which it is taken for it.
 ///
-/// Kernels are found once for each depth, some 5 ms, of viscoelastic layers 0.1 s, and kept. Calls may be made from several threads.
+/// Kernels are found once for each depth, some 5 ms, of viscoelastic layers 0.1 s, and kept. Calls may be made from
+/// several threads.
 class LayeredElements {
 public:
   /// Steady rolling with `speed` [m/s], positive along +x, which viscoelastic bodies need. Throws Error for values out

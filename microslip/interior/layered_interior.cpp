@@ -14,8 +14,8 @@ namespace microslip {
 namespace {
 
 constexpr double below_interface = 1 + 1e-9;
-constexpr int most_margin = 100;     // elements
-constexpr double no_tension = 1e-6;  // of the largest normal stress
+constexpr int most_margin = 100;    // elements
+constexpr double no_tension = 1e-6; // of the largest normal stress
 
 /// Tractions of elements of their own grid.
 struct Load {
@@ -34,8 +34,7 @@ Load joined(const ElementGrid& grid, const SurfaceTractions& tractions, int n) {
   Load load{grid, {}};
   const int rows = grid.line ? 1 : n;
   load.grid.mx = joined_count(grid.mx, n), load.grid.dx *= n, load.grid.x0 += (n - 1) * grid.dx / 2;
-  if (!grid.line)
-    load.grid.my = joined_count(grid.my, n), load.grid.dy *= n, load.grid.y0 += (n - 1) * grid.dy / 2;
+  if (!grid.line) load.grid.my = joined_count(grid.my, n), load.grid.dy *= n, load.grid.y0 += (n - 1) * grid.dy / 2;
   const std::array all = {tractions.px, tractions.py, tractions.pn};
   for (std::size_t part = 0; part < all.size(); ++part) {
     if (all[part].empty()) continue;

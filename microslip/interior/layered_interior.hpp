@@ -20,8 +20,8 @@ struct LayerPeak {
 /// The largest stresses between a layer and what is below.
 struct InterfacePeak {
   Body body;
-  int layer;                   ///< the one above the interface
-  double shear;                ///< the root of sigma_xz^2 + sigma_yz^2 [Pa]
+  int layer;    ///< the one above the interface
+  double shear; ///< the root of sigma_xz^2 + sigma_yz^2 [Pa]
   InteriorPoint shear_place;
   double tension;              ///< sigma_zz [Pa]; 0 if the layers are pressed together all over
   InteriorPoint tension_place; ///< where there is tension
@@ -36,8 +36,8 @@ struct LayeredPeaks {
 /// centres and as far beyond the elements as it is deep, at interfaces three times that and half the contact's width,
 /// in planes whose distance is an eighth of the contact's
 /// half-width or a third of the depth, with parabolas in planes and across them, up to 3 % of
-/// these distances. Deeper than 12 elements elements are joined, as many as are a twelfth of the depth. Accuracy some 0.2 %
-/// of the value; nearer to the surface than an element it is that of the tractions there.
+/// these distances. Deeper than 12 elements elements are joined, as many as are a twelfth of the depth. Accuracy some
+/// 0.2 % of the value; nearer to the surface than an element it is that of the tractions there.
 ///
 /// Cost some 15 planes for each layer (InteriorLayers), 10 ms each on 1000 elements and 0.3 s of viscoelastic
 /// layers. Throws Error as InteriorField does, Stopped where `progress` returns false.

@@ -143,14 +143,15 @@ Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const
   return nip;
 }
 
-FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven) {
+FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
+                               const Progress& progress) {
   constexpr int most_solves = 10;
   constexpr double settled = 1e-6; // of the force, over mu Fn
   RollingProblem p = problem;
   p.motion.force_x = 0;
   FreeRoller out;
   for (int solve = 0; solve < most_solves; ++solve) {
-    out.solution = solver.solve(p);
+    out.solution = solver.solve(p, essential_part(progress, 0, 0));
     if (out.solution.report.status != Status::ok) break;
     const Nip nip = nip_of(p, out.solution, radii);
     const double missing = driven == Roller::body1 ? -nip.body1.drive : nip.body2.drive;

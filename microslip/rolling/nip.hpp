@@ -76,8 +76,9 @@ struct FreeRoller {
 /// The speed ratio at which a roller turns without torque, neither by its drive nor by a bearing: the longitudinal
 /// force balances its D_i, in steps that begin with Fx = 0, which is all for elastic bodies up to terms of the order of
 /// the strain. The problem's load is a force. Throws Error as nip_of and Solver::solve do; where friction cannot turn
-/// the roller the solution's status says so. Cost: two to four solves.
-FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven);
+/// the roller the solution's status says so. Throws Stopped if `progress` returns false. Cost: two to four solves.
+FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
+                               const Progress& progress = {});
 
 /// Surface speed of a roller, V (1 -+ sigma xi/2) [m/s].
 double surface_speed(Roller roller, const Motion& motion, double creepage);

@@ -31,6 +31,20 @@ CombinedMaterial half_spaces(const RollingProblem& problem) {
   return problem.layered ? problem.layered->surfaces() : problem.bodies.material;
 }
 
+namespace {
+
+/// Of a metre of cylinders; what there is not is NaN.
+HertzContact line_contact(double curvature, const CombinedMaterial& material, const NormalLoad& load) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  HertzContact hertz{none, none, none, none, none, none, {curvature, 0}};
+  if (load.given != NormalLoad::Given::force) return hertz;
+  const LineContact line = line_contact_from_load(curvature, material, load.value);
+  hertz.a = line.half_width, hertz.normal_force = load.value, hertz.peak_pressure = line.peak_pressure;
+  return hertz;
+}
+
+} // namespace
+
 HertzContact hertz_contact(const RollingProblem& problem) {
   const CombinedMaterial material = half_spaces(problem);
   const auto& [given, value] = problem.load;
@@ -40,7 +54,9 @@ HertzContact hertz_contact(const RollingProblem& problem) {
     // At a given ellipse the approach is proportional to the force.
     return hertz_from_ellipse(ellipse->a, ellipse->b, material, force ? value : value / of_unit_force.approach);
   }
-  if (const auto* gap = std::get_if<GapCurvatures>(&problem.geometry))
+  const auto* gap = std::get_if<GapCurvatures>(&problem.geometry);
+  if (gap != nullptr && gap->y == 0 && problem.layered) return line_contact(gap->x, material, problem.load);
+  if (gap != nullptr)
     return force ? hertz_from_load(*gap, material, value) : hertz_from_approach(*gap, material, value);
   throw Error("geometry: must be an ellipse or curvatures for Hertz's theory");
 }

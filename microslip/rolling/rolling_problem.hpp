@@ -85,8 +85,9 @@ bool is_hertzian(const RollingProblem& problem);
 /// Elastic half-spaces of the bodies' materials; of bodies with layers those of their surfaces' materials.
 CombinedMaterial half_spaces(const RollingProblem& problem);
 
-/// The ellipse of a Hertzian problem, of half_spaces without friction. Throws Error for a problem that is not
-/// Hertzian and for numbers out of range.
+/// The ellipse of a Hertzian problem, of half_spaces without friction; of the line contact of bodies with layers a is
+/// half its width, and b, approach and stiffness are NaN; by an approach all but the curvatures is. Throws Error for a
+/// problem that is not Hertzian and for numbers out of range.
 HertzContact hertz_contact(const RollingProblem& problem);
 
 /// A Hertzian problem as the solvers of either theory take it. Of an ellipse under a force the numbers may be out of

@@ -16,8 +16,10 @@ void bind_viscoelastic_material(py::module_& module) {
   term.def(init_fields<PronyTerm>(), "share"_a, "time"_a,
            "Made from the share g [-], > 0, and tau [s], > 0; a tuple of both stands for it. The sum of a\n"
            "series' shares is below 1. Values are checked where they are used.")
-      .def(py::init([](const std::pair<double, double>& of) { return PronyTerm{of.first, of.second}; }), "of"_a,
-           "The same from (g [-], tau [s]).");
+      .def(py::init([](const std::pair<double, double>& of) {
+             return PronyTerm{of.first, of.second};
+           }),
+           "of"_a, "The same from (g [-], tau [s]).");
   add_fields(term, {"g [-].", "tau [s]."});
   add_value(term);
   py::implicitly_convertible<py::tuple, PronyTerm>();
@@ -46,8 +48,7 @@ void bind_viscoelastic_material(py::module_& module) {
 
 void bind_layered_bodies(py::module_& module) {
   bind_viscoelastic_material(module);
-  auto layer =
-      py::class_<BodyLayer>(module, "BodyLayer", "A layer of constant thickness, bonded to what is below it.");
+  auto layer = py::class_<BodyLayer>(module, "BodyLayer", "A layer of constant thickness, bonded to what is below it.");
   layer.def(init_fields<BodyLayer>(), "thickness"_a, "material"_a,
             "Made from the thickness h [m], > 0, and a Material or ViscoelasticMaterial.");
   add_fields(layer, {"h [m].", "Its ViscoelasticMaterial."});

@@ -255,8 +255,18 @@ def read_cells(result, theory):
     names = [f"{folder}/{name}" for name in ("x", "y", "area", "bound", "px", "py", "sx", "sy", "state")]
     strides = [math.ceil(count / MOST_CELLS) for count in result.shape(names[0])]
     x, y, area, bound, px, py, sx, sy, state = result.arrays(names, dimensions=2, strides=strides)
-    semi_axes = (1e3 * result.number("/hertz/a"), 1e3 * result.number("/hertz/b"))
-    pressure = None
+    semi_axes = pressure = size = None
     if theory == "exact" and result.assumption("hertz"):
-        semi_axes, pressure = None, 1e-6 * result.array(f"{folder}/pressure", dimensions=2, strides=strides)
-    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes, pressure)
+        pressure = 1e-6 * result.array(f"{folder}/pressure", dimensions=2, strides=strides)
+    else:
+        semi_axes = (1e3 * result.number("/hertz/a"), 1e3 * result.number("/hertz/b"))
+    if is_line_contact(result, theory):
+        width = result.array(f"{folder}/width", dimensions=2).max()
+        size = (1e3 * strides[1] * width, 1e3 * area.max() / width)
+    return ContactCells(1e3 * x, 1e3 * y, area, 1e-6 * bound, 1e-6 * px, 1e-6 * py, 1e3 * sx, 1e3 * sy, state, semi_axes, pressure,
+                        size)
+
+
+def is_line_contact(result, theory):
+    """Whether a theory's elements are strips across rollers."""
+    return theory == "exact" and "hertz/b" not in result

@@ -7,9 +7,10 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from microslip.contact_cells import HATCH, SLIP, read_cells
+from microslip.contact_cells import HATCH, SLIP, is_line_contact, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
+from microslip.nip_picture import nip_picture
 from microslip.interior_picture import interior_picture, interior_points
 from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
                                      quantity, round_down, the, unit_for, with_unit)
@@ -27,11 +28,14 @@ def rolling_contact_pictures(result):
         raise ResultError(f"{result.path}: no results of a theory ({', '.join(THEORIES)})")
     cells = {theory: read_cells(result, theory) for theory in theories if f"{theory}/fields" in result}  # tables have none
     figures = {}
-    if cells:
+    is_line = "exact" in cells and is_line_contact(result, "exact")
+    if cells and not is_line:
         figures = {"tractions.png": tractions_picture(result, cells), "areas.png": areas_picture(result, cells)}
     if "creep_curve" in result:
         with_curve = [theory for theory in theories if f"creep_curve/{theory}" in result]
         figures["creep_curve.png"] = creep_curve_picture(result, with_curve)
+    if "nip" in result:
+        figures["nip.png"] = nip_picture(result, cells["exact"])
     if "exact/history" in result:
         figures["history.png"] = history_picture(result)
     if "interior/von_mises" in result:

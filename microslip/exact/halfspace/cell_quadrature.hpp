@@ -37,9 +37,9 @@ template <class Value> struct CellIntegrals {
 };
 
 /// Integrates kernels over cells, by Gauss's rule on parts that are halved until they are smaller than 0.7 times the
-/// kernels' scale there. `Lines` are the kernels of all parts, summed along a line across a cell: Value, with add(Value&,
-/// double, const Value&); parts(), exact_across if that is in closed form, smooth_distance(), the scale at the origin
-/// [m], and find(x, cell, rule, values). An object for each thread.
+/// kernels' scale there. `Lines` are the kernels of all parts, summed along a line across a cell: Value, with
+/// add(Value&, double, const Value&); parts(), exact_across if that is in closed form, smooth_distance(), the scale at
+/// the origin [m], and find(x, cell, rule, values). An object for each thread.
 template <class Lines> class CellQuadrature {
 public:
   using Value = typename Lines::Value;
@@ -101,7 +101,8 @@ private:
 /// half as wide as it is far from the middle.
 std::vector<Cell> columns_beyond(double begin, double dx, const std::vector<double>& lengths);
 
-/// Rows of elements of rolled bodies, whose sums S (L6) run from the far end towards minus x. An object for each thread.
+/// Rows of elements of rolled bodies, whose sums S (L6) run from the far end towards minus x. An object for each
+/// thread.
 template <class Lines> class RolledRows {
 public:
   using Value = typename Lines::Value;
