@@ -48,6 +48,7 @@ SOURCES = (
     Source("microslip solve examples/hertzian_contact.toml -o {folder} && "
            "microslip plot {folder}/result.h5 --cut 0 --creep-curves 0,0.4,0.8 --stresses 0",
            {name: name for name in ("tractions.png", "areas.png", "creep_curve.png", "cut.png", "creep_curves.png", "stresses.png")}),
+    Source("microslip solve examples/rubber_roller.toml -o {folder}", {"nip.png": "nip.png"}),
     Source("microslip solve examples/wheel_on_rail.toml -o {folder}",
            {name: name for name in ("gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png")}),
     Source("microslip solve examples/lateral_sweep.toml -o {folder}",

@@ -18,6 +18,7 @@ void bind_grid_problems(pybind11::module_& module);
 void bind_creep_table(pybind11::module_& module);
 void bind_rolling_problem(pybind11::module_& module);
 void bind_solver(pybind11::module_& module);
+void bind_nip(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
 void bind_inputs_of_cases(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);

@@ -2,6 +2,7 @@
 #include "binding/codes.hpp"
 #include "binding/interior.hpp"
 #include "binding/long_work.hpp"
+#include "binding/nip.hpp"
 #include "binding/paths.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
@@ -46,10 +47,10 @@ inline constexpr auto fields<cases::SimplifiedResult> =
     members<&cases::SimplifiedResult::solution, &cases::SimplifiedResult::discretisation_error,
             &cases::SimplifiedResult::curve>;
 template <>
-inline constexpr auto fields<cases::ExactResult> =
-    std::tuple_cat(std::tuple{Field{"solution", &cases::ExactResult::contact}},
-                   members<&cases::ExactResult::discretisation_error, &cases::ExactResult::limit,
-                           &cases::ExactResult::interior, &cases::ExactResult::curve>);
+inline constexpr auto fields<cases::ExactResult> = std::tuple_cat(
+    std::tuple{Field{"solution", &cases::ExactResult::contact}},
+    members<&cases::ExactResult::discretisation_error, &cases::ExactResult::limit, &cases::ExactResult::interior,
+            &cases::ExactResult::nip, &cases::ExactResult::peaks, &cases::ExactResult::curve>);
 template <>
 inline constexpr auto fields<cases::TableResult> = members<&cases::TableResult::solution, &cases::TableResult::curve>;
 template <>
@@ -223,6 +224,16 @@ void bind_theories(py::module_& module) {
       .def_readonly("discretisation_error", &cases::ExactResult::discretisation_error,
                     "To the grid with half the elements [-], [W].")
       .def_readonly("limit", &cases::ExactResult::limit, "AccurateContact if the case asks for an accuracy, else None.")
+      .def_property_readonly(
+          "nip", [](const cases::ExactResult& self) { return self.nip ? std::optional(self.nip->nip) : std::nullopt; },
+          "The Nip of bodies with layers in steady rolling, else None.")
+      .def_property_readonly(
+          "free_roller1", [](const cases::ExactResult& self) { return self.nip ? self.nip->free1 : std::nullopt; },
+          "The FreeRoller that body 1 is without torque, under a given force; else None.")
+      .def_property_readonly(
+          "free_roller2", [](const cases::ExactResult& self) { return self.nip ? self.nip->free2 : std::nullopt; },
+          "The same of body 2.")
+      .def_readonly("peaks", &cases::ExactResult::peaks, "LayeredPeaks, like the Nip, else None.")
       .def_readonly("curve", &cases::ExactResult::curve,
                     "The CreepCurve through the case, None if it is not steady rolling.");
   add_value(exact, {"solution", "discretisation_error", "limit"});

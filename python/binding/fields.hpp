@@ -2,6 +2,7 @@
 
 #include "binding/grid.hpp"
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/warnings.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/layered_body.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
@@ -79,6 +80,8 @@ inline constexpr auto fields<ThermalBody> = members<&ThermalBody::bulk_temperatu
 template <>
 inline constexpr auto fields<TemperatureEffect> =
     members<&TemperatureEffect::change, &TemperatureEffect::begin, &TemperatureEffect::range>;
+
+template <> inline constexpr auto fields<Warnings> = members<&Warnings::code>;
 
 template <>
 inline constexpr auto fields<Creepage> = members<&Creepage::longitudinal, &Creepage::lateral, &Creepage::spin>;

@@ -64,6 +64,7 @@ PYBIND11_MODULE(_core, module) {
   bind_creep_table(module);
   bind_rolling_problem(module);
   bind_solver(module);
+  bind_nip(module);
   bind_case_files(module);
   bind_inputs_of_cases(module);
   bind_contact_input(module);

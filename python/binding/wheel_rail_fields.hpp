@@ -15,7 +15,6 @@ template <> inline constexpr auto fields<Vec3<double>> = members<&Vec3<double>::
 template <>
 inline constexpr auto fields<PatchDamage> = members<&PatchDamage::worn_area, &PatchDamage::wear_depth,
                                                     &PatchDamage::fatigue_index, &PatchDamage::shakedown_load>;
-template <> inline constexpr auto fields<Warnings> = members<&Warnings::code>;
 template <>
 inline constexpr auto fields<WheelRailPatch> =
     members<&WheelRailPatch::place, &WheelRailPatch::angle, &WheelRailPatch::rail_y, &WheelRailPatch::wheel_y,

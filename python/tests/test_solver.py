@@ -123,14 +123,17 @@ class SolverTest(unittest.TestCase):
         cover = microslip.LayeredBody(steel, [microslip.BodyLayer(15e-3, rubber)])
         bodies = microslip.LayeredBodies(microslip.LayeredBody(steel), cover, 5.0)
         self.assertEqual(roller.problem.bodies, bodies)
-        problem = microslip.RollingProblem(bodies=bodies, gap=microslip.gap_curvatures(0.1, 0.15, np.inf, 20), normal_force=4e3,
+        problem = microslip.RollingProblem(bodies=bodies, gap=microslip.GapCurvatures(0.5 * (1 / 0.1 + 1 / 0.15), 0), normal_force=10e3,
                                            friction=0.6, force_longitudinal=-400, rolling_speed=5)
         self.assertEqual(roller.problem, problem)
-        solver = microslip.Solver(theory="exact", grid=(16, 8))
+        solver = microslip.Solver(theory="exact", grid=16)
         with self.subTest("the same numbers in a batch"):
             like = problem.replace(creepage_longitudinal=-0.02)
             batch = solver.solve_batch(like, [-0.02, -0.01])
             self.assertEqual(batch.forces.fx[0], solver.solve(like).fx)
+        nip = microslip.nip_of(like, solver.solve(like), 0.1, 0.15)
+        self.assertAlmostEqual(nip.hysteresis_power + nip.slip_power,
+                               nip.body1.drive * 5.05 + nip.body2.drive * 4.95, delta=1e-6 * nip.slip_power)
         with self.assertRaisesRegex(microslip.Error, "bodies with layers have their own"):
             solver.solve_batch(like, -0.02, shear_modulus=1e6)
         with self.assertRaisesRegex(microslip.Error, 'layers: needs theory="exact"'):

@@ -11,6 +11,33 @@ from tests.compiled import contact, load_tests_if_compiled, wheel_on_rail
 from tests.test_case_files import CASE
 
 
+ROLLER = """
+[body1]
+rolling_radius = 0.1
+transverse_radius = inf
+young_modulus = 210e9
+poisson_ratio = 0.28
+[body2]
+rolling_radius = 0.15
+transverse_radius = inf
+young_modulus = 210e9
+poisson_ratio = 0.28
+[[body2.layers]]
+thickness = 0.015
+hardness = 60
+poisson_ratio = 0.49
+[load]
+normal_force = 1e4
+[friction]
+coefficient = 0.5
+[motion]
+rolling_speed = 2.0
+[solution]
+theory = "exact"
+grid = 16
+"""
+
+
 def unlike():
     """Combined aluminium and steel, K > 0."""
     return microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
@@ -38,6 +65,7 @@ def values():
     tangential = microslip.TangentialProblem(pair, grid).solve(0.3 * normal.pressure, (1e-3, 0, 0))
     field = microslip.InteriorField(steel, 1, grid, pn=normal.pressure)
     result = microslip.solve_case(microslip.parse_case(CASE))
+    roller = microslip.solve_case(microslip.parse_case(ROLLER))
     made = [
         microslip.Creepage(1e-3, -2e-4, 0.1), steel, pair, unlike(), hertz.gap, hertz,
         microslip.line_contact_from_load(1.0, pair, 1e6), contact(), contact(friction=microslip.FrictionLaw.polach(0.3, 0.4, 0.6)),
@@ -53,7 +81,8 @@ def values():
         microslip.InteriorLayers(field).find_largest(np.linspace(1e-3, 5e-3, 5)), result.exact.curve, result.exact.discretisation_error,
         result, result.exact, result.simplified, microslip.Fastsim2().solve_batch(contact(), [[1e-4, 1e-3]], spin=[[0.0], [0.4]]),
         microslip.Fastsim2().differentiate_batch(contact(), [1e-4, 1e-3]), solver.solve_batch(contact(), [1e-4, 1e-3]),
-        microslip.parse_case(CASE), microslip.parse_case(CASE).body1, microslip.RollingProblem(contact()), microslip.Method(grid=8),
+        roller, roller.exact.nip, roller.exact.nip.body2, roller.exact.free_roller1, roller.exact.peaks, roller.exact.peaks.layers[0],
+        roller.exact.peaks.interfaces[0], microslip.parse_case(CASE), microslip.parse_case(CASE).body1, microslip.RollingProblem(contact()), microslip.Method(grid=8),
     ]
     return [(type(one).__name__, one) for one in made]
 
