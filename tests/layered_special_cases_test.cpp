@@ -10,15 +10,13 @@ namespace microslip {
 namespace {
 
 constexpr double radius = 0.1, half_width = 4e-3;
-const Method classical = {
-    .theory = Theory::exact, .discretisation = Discretisation::classical, .tolerance = 1e-10};
+const Method classical = {.theory = Theory::exact, .discretisation = Discretisation::classical, .tolerance = 1e-10};
 
 /// A ball, or a roller, on bodies that are still to be set.
 RollingProblem rolling_on(const ElementGrid& grid, double load) {
   RollingProblem p;
-  p.geometry = GapFormula{grid, [line = grid.line](double x, double y) {
-                            return (x * x + (line ? 0 : y * y)) / (2 * radius);
-                          }};
+  p.geometry =
+      GapFormula{grid, [line = grid.line](double x, double y) { return (x * x + (line ? 0 : y * y)) / (2 * radius); }};
   p.load = {NormalLoad::Given::force, load};
   p.friction.law = FrictionLaw::coulomb(0.3);
   return p;
@@ -68,8 +66,8 @@ TEST(LayeredSpecialCases, CreepIsARelaxation) {
   }
 }
 
-/// A layer between half-spaces that is sheared by p h/G and rigid across, `layer`, is an incompressible one so thin that
-/// it has no way to flow: with h/G kept, what is left falls with h, so that halving h twice extrapolates it.
+/// A layer between half-spaces that is sheared by p h/G and rigid across, `layer`, is an incompressible one so thin
+/// that it has no way to flow: with h/G kept, what is left falls with h, so that halving h twice extrapolates it.
 TEST(LayeredSpecialCases, AnInterfaceLayerIsAThinIncompressibleOne) {
   const Material polymer = {1e9, 0.3};
   constexpr double flexibility = 1e-12; // h/G [m/Pa], beside a/G = 3e-12 m/Pa of a half-space

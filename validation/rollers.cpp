@@ -57,14 +57,14 @@ double without_thickness(double before, double here, int order) {
 struct ThinLayer {
   const char* name;
   Material material;
-  double indentation;      ///< over a^2/R
-  int order;               ///< of the rest in h/a
-  double force, pressure;  ///< over those of the closed form with G = h = 1 and a^2/R = a = 1
-  int power;               ///< of a/h in both
+  double indentation;     ///< over a^2/R
+  int order;              ///< of the rest in h/a
+  double force, pressure; ///< over those of the closed form with G = h = 1 and a^2/R = a = 1
+  int power;              ///< of a/h in both
 };
 
-/// Johnson (1985), section 5.8, bonded layers: a compressible one is a bed of springs, p = M (a^2 - x^2)/(2 R h) with M =
-/// 2 G (1 - nu)/(1 - 2 nu), an incompressible one flows along, p = G (a^2 - x^2)^2/(8 R h^3).
+/// Johnson (1985), section 5.8, bonded layers: a compressible one is a bed of springs, p = M (a^2 - x^2)/(2 R h) with M
+/// = 2 G (1 - nu)/(1 - 2 nu), an incompressible one flows along, p = G (a^2 - x^2)^2/(8 R h^3).
 void report_thin_layer(Report& report, const ThinLayer& layer) {
   constexpr double a = 4e-3;
   const double g = layer.material.shear_modulus;
@@ -77,7 +77,8 @@ void report_thin_layer(Report& report, const ThinLayer& layer) {
     const double unit = g * a / radius * std::pow(1 / ratio, layer.power);
     force_before = std::exchange(force, force_of(s) / (layer.force * unit * a * length));
     pressure_before = std::exchange(pressure, s.totals.peak_pressure / (layer.pressure * unit));
-    report.line(fmt::format("  {}, h = {:4} a: force {:.4f}, largest pressure {:.4f}", layer.name, ratio, force, pressure));
+    report.line(
+        fmt::format("  {}, h = {:4} a: force {:.4f}, largest pressure {:.4f}", layer.name, ratio, force, pressure));
   }
   report.near("  of no thickness, extrapolated: force", "{:.4f}", without_thickness(force_before, force, layer.order),
               "1", 1e-2);
@@ -85,7 +86,8 @@ void report_thin_layer(Report& report, const ThinLayer& layer) {
 }
 
 void report_thin_layers(Report& report) {
-  report.heading("A rigid roller on thin layers on a rigid core, line contact: over the closed forms, Johnson 1985, 5.8");
+  report.heading(
+      "A rigid roller on thin layers on a rigid core, line contact: over the closed forms, Johnson 1985, 5.8");
   constexpr double nu = 0.3, m = 2 * (1 - nu) / (1 - 2 * nu);
   report_thin_layer(report, {"nu = 0.3", {1e6, nu}, 0.5, 1, 2.0 / 3 * m, 0.5 * m, 1});
   report_thin_layer(report, {"nu = 0.5", {1e6, 0.5}, 1.0 / 6, 2, 2.0 / 15, 1.0 / 8, 3});
@@ -109,7 +111,7 @@ FreeNip roll_freely(Report& report, const LayeredBody& cover, double a, double f
 }
 
 void report_covers(Report& report) {
-  report.heading("Rigid roller on a cover on a rigid core, mu = 0.001: computed, plane-strain Fourier series");
+  report.heading("A rigid roller on a cover on a rigid core, mu = 0.001 and 10: computed, plane-strain Fourier series");
   constexpr double a = 4e-3, g = 1e6, unit = a / radius;
   for (const double nu : {0.3, 0.5})
     for (const double ratio : {2.0, 1.0, 0.5, 0.25}) {
@@ -125,6 +127,11 @@ void report_covers(Report& report) {
       figure("  largest pressure [G a/R]", nip.peak_pressure / (g * unit), exact.pressure.front() / (g * unit));
       report.near("  overdrive of the rigid roller [a/R]", "{:+.4f}", overdrive / unit, "{:+.4f}",
                   exact.overdrive() / unit, 3e-3 * std::max(1.0, std::abs(exact.overdrive() / unit)));
+      const StickingNip sticking = stick({g, nu, ratio * a}, radius, exact.force, a, 100);
+      const FreeNip rough = roll_freely(report, cover, a, exact.force, 10);
+      figure("  sticking, mu = 10: indentation [a^2/R]", rough.nip.indentation / (a * unit),
+             sticking.approach / (a * unit));
+      report.near("    overdrive [a/R]", "{:+.4f}", rough.overdrive / unit, "{:+.4f}", sticking.overdrive / unit, 0.01);
       const auto with = [&](double friction) {
         return roll_freely(report, cover, a, exact.force, friction).overdrive / unit;
       };
@@ -132,8 +139,8 @@ void report_covers(Report& report) {
     }
 }
 
-/// An incompressible cover, thin beside the nip, that slips all over: 1.144 times the indentation over the thickness, by
-/// p = G (a^2 - x^2)^2/(8 R h^3) and the stretch 3 (a^2/3 - x^2)/(4 R h).
+/// An incompressible cover, thin beside the nip, that slips all over: 1.144 times the indentation over the thickness,
+/// by p = G (a^2 - x^2)^2/(8 R h^3) and the stretch 3 (a^2/3 - x^2)/(4 R h).
 void report_thin_overdrive(Report& report) {
   report.heading("Overdrive by a thin incompressible cover over indentation/thickness, mu = 0.001");
   constexpr double a = 4e-3, g = 1e6;
@@ -189,17 +196,19 @@ void report_rolling_resistance(Report& report) {
       p.load = {NormalLoad::Given::approach, a * a / (2 * radius)};
       const ContactSolution s = solve(report, p);
       force_before = std::exchange(force, force_of(s) / (springs.force * length));
-      resistance_before = std::exchange(resistance, nip_of(p, s, radii).rolling_resistance /
-                                                        (springs.moment / radius * length));
-      report.line(fmt::format("  V tau = {} a, h = {} a: force {:.4f}, resistance {:.4f}", time, ratio, force, resistance));
+      resistance_before =
+          std::exchange(resistance, nip_of(p, s, radii).rolling_resistance / (springs.moment / radius * length));
+      report.line(
+          fmt::format("  V tau = {} a, h = {} a: force {:.4f}, resistance {:.4f}", time, ratio, force, resistance));
     }
-    report.near("  of no thickness, extrapolated: force", "{:.4f}", without_thickness(force_before, force, 1), "1", 1e-2);
+    report.near("  of no thickness, extrapolated: force", "{:.4f}", without_thickness(force_before, force, 1), "1",
+                1e-2);
     report.near("    rolling resistance", "{:.4f}", without_thickness(resistance_before, resistance, 1), "1", 1e-2);
   }
 }
 
-/// Wang & Knothe's cylinders as CONTACT's guide has them, section 5.4: creep with f = 1, whose relaxation has g = f/(1 +
-/// f) and the relaxation time T/(1 + f).
+/// Wang & Knothe's cylinders as CONTACT's guide has them, section 5.4: creep with f = 1, whose relaxation has g = f/(1
+/// + f) and the relaxation time T/(1 + f).
 struct Cylinders {
   double time; ///< T [s]
   double peak, creepage, power;
@@ -238,8 +247,8 @@ void report_cylinders(Report& report) {
     const RollingProblem p = rolling_of(c);
     const ContactSolution s = solve(report, p);
     const Nip nip = nip_of(p, s, {0.1, 0.1});
-    report.near(fmt::format("T = {} s: peak pressure [N/mm2]", c.time), "{:.2f}", s.totals.peak_pressure * 1e-6, "{:.2f}",
-                c.peak, 0.015);
+    report.near(fmt::format("T = {} s: peak pressure [N/mm2]", c.time), "{:.2f}", s.totals.peak_pressure * 1e-6,
+                "{:.2f}", c.peak, 0.015);
     report.near("  creepage", "{:.4e}", s.creepage.longitudinal, "{:.3e}", c.creepage, 2e-3 * c.creepage);
     report.near("  frictional power over the elements [W]", "{:.1f}", power_over_elements(s), "{:.1f}", c.power,
                 2e-3 * c.power);
