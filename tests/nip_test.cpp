@@ -169,6 +169,17 @@ TEST(Nip, WarnsWhereSmallStrainsAndPlaneLayersEnd) {
   }
 }
 
+/// Of rollers by their curvatures indentations are relative to the same distance as the approach.
+TEST(Nip, IndentationsAddUp) {
+  const Material polymer = {1e9, 0.3};
+  RollingProblem p = nip_of_rollers({{{1e-3, {hard}}}, {polymer}}, {{}, {polymer}}, 20e3);
+  p.geometry = GapCurvatures{0.5 * radii.curvature(), 0}; // loads of a metre
+  p.load.value = 20e3;
+  const Nip nip = solve(p).nip;
+  EXPECT_NEAR(nip.body1.indentation + nip.body2.indentation, nip.indentation, 5e-3 * nip.indentation);
+  EXPECT_GT(nip.body2.indentation, 0.05 * nip.indentation);
+}
+
 TEST(Nip, OfHalfSpacesIsHertz) {
   const RollingProblem p = nip_of_rollers({{}, rigid}, {{}, {rubber}}, 500);
   const Nip nip = solve(p).nip;

@@ -39,6 +39,16 @@ std::vector<double> eliminate(std::vector<std::vector<double>> rows) {
   return x;
 }
 
+/// The wave numbers of a series that repeats itself beyond the cover's memory, with a hat's transform times the weight.
+template <class Add> void for_waves(const PlaneCover& cover, double d, double length, const Add& add) {
+  constexpr double shortest = 40; // k d of the last wave
+  const double period = length + 30 * cover.thickness, step = 2 * std::numbers::pi / period;
+  for (int m = 0; m * step * d < shortest; ++m) {
+    const double k = std::max(m * step, 1e-3 / (cover.thickness + length)), half = 0.5 * k * d;
+    add(k, m * step, (m == 0 ? 1 : 2) / period * d * std::pow(std::sin(half) / half, 2));
+  }
+}
+
 /// Influence of a hat of pressure, of unit height and the length 2 d, on points n d further, by a series that repeats
 /// itself far beyond the cover's memory.
 struct HatInfluence {
@@ -46,21 +56,17 @@ struct HatInfluence {
 
   HatInfluence(const PlaneCover& cover, double d, double length, int count)
       : displacement(static_cast<std::size_t>(count)), stretch(displacement) {
-    const double period = length + 30 * cover.thickness, step = 2 * std::numbers::pi / period;
     const double at_once = (1 - 2 * cover.poisson_ratio) / (2 * cover.shear_modulus); // of a half-space, where it acts
     stretch[0] = -at_once;
-    constexpr double shortest = 100; // k d of the last wave
-    for (int m = 0; m * step * d < shortest; ++m) {
-      const double k = std::max(m * step, 1e-3 / (cover.thickness + length)), half = 0.5 * k * d;
-      const double hat = d * std::pow(std::sin(half) / half, 2), weight = (m == 0 ? 1 : 2) * hat / period;
+    for_waves(cover, d, length, [&](double k, double wavenumber, double weight) {
       const double normal = weight * normal_response(cover, k) / k,
                    along = -weight * (coupling_response(cover, k) - at_once);
       for (int n = 0; n < count; ++n) {
-        const double wave = std::cos(m * step * n * d);
+        const double wave = std::cos(wavenumber * n * d);
         displacement[static_cast<std::size_t>(n)] += normal * wave;
         stretch[static_cast<std::size_t>(n)] += along * wave;
       }
-    }
+    });
   }
 };
 
@@ -69,6 +75,12 @@ struct HatInfluence {
 double normal_response(const PlaneCover& cover, double k) {
   const double kappa = kappa_of(cover), alpha = k * cover.thickness, e = std::exp(-2 * alpha);
   return (1 - cover.poisson_ratio) / cover.shear_modulus * (2 * kappa * (1 - e * e) - 8 * alpha * e) /
+         denominator(kappa, alpha, e);
+}
+
+double shear_response(const PlaneCover& cover, double k) {
+  const double kappa = kappa_of(cover), alpha = k * cover.thickness, e = std::exp(-2 * alpha);
+  return (1 - cover.poisson_ratio) / cover.shear_modulus * (2 * kappa * (1 - e * e) + 8 * alpha * e) /
          denominator(kappa, alpha, e);
 }
 
@@ -101,6 +113,65 @@ PlaneNip press(const PlaneCover& cover, double radius, double half_width, int no
     for (std::size_t node = 0; node < n; ++node) nip.stretch[at] += of_pair(hat.stretch, at, node) * nip.pressure[node];
   for (std::size_t node = 0; node < n; ++node) nip.force += (node == 0 ? 1 : 2) * nip.pressure[node] * d;
   return nip;
+}
+
+StickingNip stick(const PlaneCover& cover, double radius, double force, double half_width, int nodes) {
+  constexpr int most_rounds = 50;
+  const double d = half_width / nodes;
+  const int last = 3 * nodes / 2, count = 2 * last + 1; // from -3/2 to 3/2 of the half-width
+  const auto x = [&](int i) { return (i - last) * d; };
+  std::vector<double> normal(static_cast<std::size_t>(count + 1)), shear = normal, coupling = normal;
+  for_waves(cover, d, 4 * half_width, [&](double k, double wavenumber, double weight) {
+    for (int n = 0; n <= count; ++n) {
+      const double c = std::cos(wavenumber * n * d), s = std::sin(wavenumber * n * d);
+      normal[static_cast<std::size_t>(n)] += weight * normal_response(cover, k) / k * c;
+      shear[static_cast<std::size_t>(n)] += weight * shear_response(cover, k) / k * c;
+      coupling[static_cast<std::size_t>(n)] += weight * coupling_response(cover, k) / k * s;
+    }
+  });
+  const auto even = [](const std::vector<double>& of, int n) { return of[static_cast<std::size_t>(std::abs(n))]; };
+  const auto odd = [&](int n) { return n < 0 ? -even(coupling, n) : even(coupling, n); };
+  const auto along_by_p = [&](int n) { return -odd(n); };
+
+  int first = last - nodes, end = last + nodes + 1; // nodes in contact
+  for (int round = 0;; ++round) {
+    const int m = end - first;
+    // Pressures, tractions, approach and stretch: u_n = delta - x^2/(2 R) and u_x(x + d) - u_x(x) = stretch d at the
+    // nodes, with the force and no tangential one.
+    const auto n = static_cast<std::size_t>(m), size = 2 * n + 2;
+    std::vector<std::vector<double>> rows(size, std::vector<double>(size + 1));
+    for (std::size_t at = 0; at < n; ++at) {
+      const int i = first + static_cast<int>(at);
+      for (std::size_t by = 0; by < n; ++by) {
+        const int away = i - first - static_cast<int>(by);
+        rows[at][by] = even(normal, away);
+        rows[at][n + by] = odd(away);
+        rows[n + at][by] = along_by_p(away + 1) - along_by_p(away);
+        rows[n + at][n + by] = even(shear, away + 1) - even(shear, away);
+      }
+      rows[at][2 * n] = -1;
+      rows[at][size] = -x(i) * x(i) / (2 * radius);
+      rows[n + at][2 * n + 1] = -d;
+      rows[2 * n][at] = d;
+      rows[2 * n + 1][n + at] = d;
+    }
+    rows[2 * n][size] = force;
+    const std::vector<double> v = eliminate(std::move(rows));
+    const auto gap = [&](int i) { // deformed
+      double sum = x(i) * x(i) / (2 * radius) - v[2 * n];
+      for (int by = 0; by < m; ++by)
+        sum += even(normal, i - first - by) * v[static_cast<std::size_t>(by)] +
+               odd(i - first - by) * v[n + static_cast<std::size_t>(by)];
+      return sum;
+    };
+    int next_first = first, next_end = end;
+    if (v[0] < 0) ++next_first;
+    if (v[n - 1] < 0) --next_end;
+    if (next_first == first && gap(first - 1) < 0) --next_first;
+    if (next_end == end && gap(end) < 0) ++next_end;
+    if ((next_first == first && next_end == end) || round == most_rounds) return {v[2 * n], v[2 * n + 1]};
+    first = next_first, end = next_end;
+  }
 }
 
 double PlaneNip::overdrive() const {

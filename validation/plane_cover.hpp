@@ -25,10 +25,22 @@ struct PlaneNip {
 /// A rigid roller of relative radius R [m] and its nip's half-width a [m].
 PlaneNip press(const PlaneCover& cover, double radius, double half_width, int nodes);
 
-/// Surface displacements by waves of pressure, in closed form with alpha = k h, kappa = 3 - 4 nu and D = 2 kappa cosh 2
-/// alpha + 1 + kappa^2 + 4 alpha^2: k u_n/p = (1 - nu)/G (2 kappa sinh 2 alpha - 4 alpha)/D and k u_l/(i p) = (kappa
-/// (kappa - 1) (cosh 2 alpha - 1) - 4 alpha^2)/(2 G D) [1/Pa].
+/// A rigid roller that rolls on the cover under a force [N/m] with so much friction that it sticks all over, and
+/// without a tangential force.
+struct StickingNip {
+  double approach;  ///< [m]
+  double overdrive; ///< how much faster the roller's surface is than the cover's [-]
+};
+
+/// With so many nodes across a half-width of about a [m]. Contact are the nodes that have pressure.
+StickingNip stick(const PlaneCover& cover, double radius, double force, double half_width, int nodes);
+
+/// Surface displacements by waves of tractions, in closed form with alpha = k h, kappa = 3 - 4 nu and D = 2 kappa cosh
+/// 2 alpha + 1 + kappa^2 + 4 alpha^2: k u_n/p = (1 - nu)/G (2 kappa sinh 2 alpha - 4 alpha)/D, k u_l/q = (1 - nu)/G (2
+/// kappa sinh 2 alpha + 4 alpha)/D and k u_l/(i p) = -k u_n/(i q) = (kappa (kappa - 1) (cosh 2 alpha - 1) - 4
+/// alpha^2)/(2 G D) [1/Pa].
 double normal_response(const PlaneCover& cover, double k);
+double shear_response(const PlaneCover& cover, double k);
 double coupling_response(const PlaneCover& cover, double k);
 
 } // namespace microslip::validation

@@ -111,7 +111,7 @@ FreeNip roll_freely(Report& report, const LayeredBody& cover, double a, double f
 }
 
 void report_covers(Report& report) {
-  report.heading("Rigid roller on a cover on a rigid core, mu = 0.001: computed, plane-strain Fourier series");
+  report.heading("A rigid roller on a cover on a rigid core, mu = 0.001 and 10: computed, plane-strain Fourier series");
   constexpr double a = 4e-3, g = 1e6, unit = a / radius;
   for (const double nu : {0.3, 0.5})
     for (const double ratio : {2.0, 1.0, 0.5, 0.25}) {
@@ -127,6 +127,11 @@ void report_covers(Report& report) {
       figure("  largest pressure [G a/R]", nip.peak_pressure / (g * unit), exact.pressure.front() / (g * unit));
       report.near("  overdrive of the rigid roller [a/R]", "{:+.4f}", overdrive / unit, "{:+.4f}",
                   exact.overdrive() / unit, 3e-3 * std::max(1.0, std::abs(exact.overdrive() / unit)));
+      const StickingNip sticking = stick({g, nu, ratio * a}, radius, exact.force, a, 100);
+      const FreeNip rough = roll_freely(report, cover, a, exact.force, 10);
+      figure("  sticking, mu = 10: indentation [a^2/R]", rough.nip.indentation / (a * unit),
+             sticking.approach / (a * unit));
+      report.near("    overdrive [a/R]", "{:+.4f}", rough.overdrive / unit, "{:+.4f}", sticking.overdrive / unit, 0.01);
       const auto with = [&](double friction) {
         return roll_freely(report, cover, a, exact.force, friction).overdrive / unit;
       };

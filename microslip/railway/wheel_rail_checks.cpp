@@ -46,12 +46,24 @@ void require_strength(const SurfaceStrength& strength) {
   if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");
 }
 
+void require_layers(const std::optional<LayeredBodies>& layered, const WheelRailMethod& method) {
+  if (!layered) return;
+  check("wheel", layered->body1);
+  check("rail", layered->body2);
+  layered->surfaces();
+  if (method.theory != Theory::exact) throw Error("layers of wheel and rail: need the theory exact");
+  if (!layered->are_elastic()) throw Error("layers of wheel and rail: must be elastic");
+  if (!method.shape || *method.shape == PatchShape::conformal)
+    throw Error("layers of wheel and rail: need the shape curved or flat; on a conformal patch half-spaces are turned");
+}
+
 } // namespace
 
 void require_valid(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   const WheelTheory& theory = theory_of(method);
   require_profiles(bodies);
   require_material(bodies.material);
+  require_layers(bodies.layered, method);
   require_roller(bodies.track.roller_radius, bodies.wheelset.nominal_radius);
   require_friction(bodies.friction, !theory.by_elements);
   require_shape(method);

@@ -57,11 +57,15 @@ double work_on_slope(const ElementGrid& grid, const Field& pressure, const Field
   return sum * grid.element_area() / (2 * grid.dx);
 }
 
-/// Displacement inwards of one body, the other one taken as rigid [m].
-Field displacement_inwards(const LayeredBodies& one, const ContactSolution& solution) {
+/// Displacement inwards of one body, the other one taken as rigid [m]; in line contact relative to the same distance as
+/// the solution.
+Field displacement_inwards(const LayeredBodies& one, const RollingProblem& problem, const ContactSolution& solution) {
   const ElementGrid& grid = solution.elements.grid;
+  const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
+  LayeredSurfaces surfaces(one);
   ElementResponse response;
-  response.table = layered_table(one, grid);
+  response.table =
+      layered_table(surfaces, grid, curvatures ? std::optional(0.5 / curvatures->x) : std::optional<double>());
   CoupledOperator map = CoupledOperator::displacement(Bodies(one.surfaces()), grid, {}, 1, {}, response);
   const SurfaceFields& f = solution.fields;
   VectorField along(grid.count());
@@ -80,13 +84,13 @@ double largest_in_contact(const Field& field, const Field& pressure) {
 }
 
 /// State of a roller whose counterpart is taken as rigid in `one`, but for its drive.
-RollerState state_of(const LayeredBody& body, const LayeredBodies& one, const Motion& motion,
+RollerState state_of(const LayeredBody& body, const LayeredBodies& one, const RollingProblem& problem,
                      const ContactSolution& solution) {
   RollerState state;
   if (is_rigid(body)) return state;
   const Field& pressure = solution.fields.pressure;
-  const Field inwards = displacement_inwards(one, solution);
-  state.pressure_power = -rolling_velocity(motion) * work_on_slope(solution.elements.grid, pressure, inwards);
+  const Field inwards = displacement_inwards(one, problem, solution);
+  state.pressure_power = -rolling_velocity(problem.motion) * work_on_slope(solution.elements.grid, pressure, inwards);
   state.indentation = largest_in_contact(inwards, pressure);
   state.cover = cover_of(body);
   if (state.cover > 0) state.strain = state.indentation / state.cover;
@@ -129,8 +133,8 @@ Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const
   if (nip.traction_capacity > 0) nip.utilisation = nip.traction / nip.traction_capacity;
   const auto& [body1, body2, velocity] = *problem.layered;
   const LayeredBody rigid = {{}, {{std::numeric_limits<double>::infinity(), 0}}};
-  nip.body1 = state_of(body1, {body1, rigid, velocity}, problem.motion, solution);
-  nip.body2 = state_of(body2, {rigid, body2, velocity}, problem.motion, solution);
+  nip.body1 = state_of(body1, {body1, rigid, velocity}, problem, solution);
+  nip.body2 = state_of(body2, {rigid, body2, velocity}, problem, solution);
   nip.slip_power = totals.frictional_power;
   nip.hysteresis_power =
       nip.body1.pressure_power + nip.body2.pressure_power + totals.power_by_creepage - totals.frictional_power;
@@ -150,13 +154,19 @@ FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, co
   RollingProblem p = problem;
   p.motion.force_x = 0;
   FreeRoller out;
-  for (int solve = 0; solve < most_solves; ++solve) {
+  bool is_settled = false;
+  for (int solve = 0; solve < most_solves && !is_settled; ++solve) {
     out.solution = solver.solve(p, essential_part(progress, 0, 0));
     if (out.solution.report.status != Status::ok) break;
     const Nip nip = nip_of(p, out.solution, radii);
     const double missing = driven == Roller::body1 ? -nip.body1.drive : nip.body2.drive;
-    if (std::abs(missing) <= settled * nip.traction_capacity) break;
-    *p.motion.force_x += sign_of(p.motion) * missing;
+    is_settled = std::abs(missing) <= settled * nip.traction_capacity;
+    if (!is_settled) *p.motion.force_x += sign_of(p.motion) * missing;
+  }
+  SolverReport& report = out.solution.report;
+  if (!is_settled && report.status == Status::ok) {
+    report.status = Status::not_converged;
+    add_reason(report);
   }
   out.creepage = out.solution.creepage.longitudinal;
   out.fx = out.solution.totals.fx;

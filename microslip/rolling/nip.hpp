@@ -25,18 +25,17 @@ struct RollerState {
   /// back.
   double pressure_power = 0;
   /// Torque over the radius that its drive must supply to keep it turning [N]: +-Fx and the pressure's power over its
-  /// surface speed.
-  /// Negative: it is driven by the other.
+  /// surface speed. Negative: it is driven by the other.
   double drive = 0;
   double indentation = 0; ///< largest displacement inwards [m]
   double cover = 0;       ///< thickness of its cover [m], see Nip
   double strain = 0;      ///< indentation over the cover's thickness [-], 0 without a cover
 };
 
-/// Results of steady rolling as users of rollers name them. Of a grid that is longer than the contact; lengths are
-/// known to an element. A cover are the layers that are softer than a tenth of the substrate's shear modulus; its
-/// strain, the indentation over its thickness, is the usual measure of rollers: the mean over the thickness where it is
-/// thin beside the nip, less than the largest strain where it is thick.
+/// Results of steady rolling as users of rollers name them. Lengths are known to an element. A cover are the layers
+/// that are softer than a tenth of the substrate's shear modulus; its strain, the indentation over its thickness, is
+/// the usual measure of rollers: the mean over the thickness where it is thin beside the nip, less than the largest
+/// strain where it is thick.
 struct Nip {
   double width = 0;             ///< length of the contact along x [m]
   double peak_pressure = 0;     ///< [Pa]
@@ -76,7 +75,8 @@ struct FreeRoller {
 /// The speed ratio at which a roller turns without torque, neither by its drive nor by a bearing: the longitudinal
 /// force balances its D_i, in steps that begin with Fx = 0, which is all for elastic bodies up to terms of the order of
 /// the strain. The problem's load is a force. Throws Error as nip_of and Solver::solve do; where friction cannot turn
-/// the roller the solution's status says so. Throws Stopped if `progress` returns false. Cost: two to four solves.
+/// the roller, or the force does not settle, the solution's status says so. Throws Stopped if `progress` returns false.
+/// Cost: two to four solves.
 FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
                                const Progress& progress = {});
 

@@ -124,7 +124,7 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = limited_to(group.outline, extents);
     const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
-    ExactPatch exact(bodies.material, surface, covered, shape, element, motion, progress);
+    ExactPatch exact(bodies.material, bodies.layered, surface, covered, shape, element, motion, progress);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
     // Rows of the fast theory have separate planes.

@@ -1,5 +1,9 @@
 #include "microslip/railway/exact/exact_patch.hpp"
 
+#include "microslip/exact/classical/classical_solution.hpp"
+#include "microslip/exact/classical/tangential_totals.hpp"
+#include "microslip/exact/halfspace/layered_influence.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,12 +55,20 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
   return most;
 }
 
+std::shared_ptr<const InfluenceTable> table_of(const std::optional<LayeredBodies>& layered, const ElementGrid& grid,
+                                               const Progress& progress) {
+  return layered ? layered_table(*layered, grid, essential_part(progress, 0, 0)) : nullptr;
+}
+
 } // namespace
 
-ExactPatch::ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-                       const Shape& shape, Vec2 element, const Motion& motion, Progress progress)
+ExactPatch::ExactPatch(const CombinedMaterial& material, const std::optional<LayeredBodies>& layered,
+                       const PatchSurface& surface, const PatchOutline& outline, const Shape& shape, Vec2 element,
+                       const Motion& motion, Progress progress)
     : material_(material), progress_(std::move(progress)), frame_(outline.frame), motion_(motion),
-      grid_(cover(outline, element)), gaps_(grid_.count()), normal_(material, grid_, progress_),
+      grid_(cover(outline, element)), gaps_(grid_.count()), layered_(layered),
+      table_(table_of(layered, grid_, progress_)),
+      normal_(table_ ? NormalProblem(*table_, grid_) : NormalProblem(material, grid_, progress_)),
       conformity_(shape.conformity) {
   const auto mx = static_cast<std::size_t>(grid_.mx);
   std::vector<double> x;
@@ -274,8 +286,32 @@ ContactSolution ExactPatch::roll_plane(PatchRollingMotion motion) {
   }
 }
 
+ContactSolution ExactPatch::roll_on_layers(const std::function<double(double angle)>& friction, double tolerance) {
+  ContactStep step;
+  step.grid = grid_;
+  step.bodies = layered_->surfaces();
+  step.response.table = table_;
+  step.gap = lifted_;
+  step.load = {NormalLoad::Given::force, normal_force()};
+  step.warm_start = true;
+  step.motion.direction = motion_.direction;
+  step.motion.rolling_speed = motion_.speed > 0 ? motion_.speed : 1;
+  step.motion.tolerance = tolerance;
+  const double ahead = step.motion.spin_offset * signed_step(step.motion, grid_);
+  for (int j = 0; j < grid_.my; ++j) {
+    const auto& [xi, eta, phi] = creepage_[static_cast<std::size_t>(j)]; // about (0, y)
+    step.friction.push_back(FrictionLaw::coulomb(friction(row(j).angle)));
+    for (int i = 0; i < grid_.mx; ++i) {
+      step.extra_slip_x.push_back(xi);
+      step.extra_slip_y.push_back(eta + phi * (grid_.x(i) + ahead));
+    }
+  }
+  return solve_steps(sequence_, std::move(step), 1, progress_);
+}
+
 ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements,
                                  double tolerance) {
+  if (layered_) return roll_on_layers(friction, tolerance);
   constexpr double same_shape = 1e-4; // of what the rows' angles add to the displacements
   const bool same = rolling_ && std::abs(normal_force() - fitted_force_) < same_elements * fitted_force_ &&
                     largest_change(known_, fitted_known_) <= same_shape * largest(pressed_.displacement);

@@ -2,7 +2,8 @@
 
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/contact/motion.hpp"
-#include "microslip/elasticity/material.hpp"
+#include "microslip/elasticity/layered_body.hpp"
+#include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "microslip/exact/halfspace/inclination_correction.hpp"
 #include "microslip/progress.hpp"
@@ -41,9 +42,10 @@ public:
 
   /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the
   /// centre of one, so that elements do not move in the frame. Rows outside the profiles are far apart. `progress` may
-  /// end this and all that follows, by Stopped only.
-  ExactPatch(const CombinedMaterial& material, const PatchSurface& surface, const PatchOutline& outline,
-             const Shape& shape, Vec2 element, const Motion& motion, Progress progress);
+  /// end this and all that follows, by Stopped only. Layered bodies take the place of the material's half-spaces but
+  /// for what loads on other patches do; the shape then is not conformal.
+  ExactPatch(const CombinedMaterial& material, const std::optional<LayeredBodies>& layered, const PatchSurface& surface,
+             const PatchOutline& outline, const Shape& shape, Vec2 element, const Motion& motion, Progress progress);
 
   const ElementGrid& grid() const { return grid_; }
   double conformity() const { return conformity_; }
@@ -80,7 +82,8 @@ public:
 
   /// The tangential problem with the pressures that there are, to a tolerance of the residual. `friction` is mu over
   /// the inclination of a row [rad]. Elements stay if the load has changed by less than `same_elements` of itself since
-  /// they were fitted.
+  /// they were fitted. With layered bodies normal and tangential problem at once, with the normal force that there is,
+  /// classically on the patch's own elements.
   ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements, double tolerance);
 
 private:
@@ -94,6 +97,7 @@ private:
   void keep_tractions(const ContactSolution& solution);
   Vec2 added_at(double x, double y) const;
   ContactSolution roll_plane(PatchRollingMotion motion);
+  ContactSolution roll_on_layers(const std::function<double(double angle)>& friction, double tolerance);
   void find_loads();
 
   CombinedMaterial material_;
@@ -106,13 +110,16 @@ private:
   double least_ = 0;               ///< the least gap, < 0 where the bodies overlap [m]
   std::vector<double> gaps_;       ///< over the least one [m]
   std::vector<double> lifted_;     ///< the same with the lift
+  std::optional<LayeredBodies> layered_;
+  std::shared_ptr<const InfluenceTable> table_; ///< of these
   NormalProblem normal_;
   NormalSolution pressed_;
   PointLoad load_;
   std::vector<PointLoad> loads_;
   std::optional<PatchRolling> rolling_;
-  double fitted_force_ = 0; ///< with which its elements were fitted [N]
-  VectorField tractions_;   ///< of the last solution, with the normal force rolled_force_ [N]
+  ContactSequence sequence_; ///< of layered bodies
+  double fitted_force_ = 0;  ///< with which its elements were fitted [N]
+  VectorField tractions_;    ///< of the last solution, with the normal force rolled_force_ [N]
   double rolled_force_ = 0;
   double conformity_;                               ///< share of what the rows' angles add
   std::optional<InclinationCorrection> correction_; ///< of a conformal patch whose rows are turned

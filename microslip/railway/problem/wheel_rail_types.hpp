@@ -4,7 +4,7 @@
 #include "microslip/contact/theory.hpp"
 #include "microslip/contact/warnings.hpp"
 #include "microslip/damage/surface_strength.hpp"
-#include "microslip/elasticity/material.hpp"
+#include "microslip/elasticity/layered_body.hpp"
 #include "microslip/railway/geometry/patch_surface.hpp"
 #include "microslip/railway/geometry/track.hpp"
 #include "microslip/railway/geometry/wheelset.hpp"
@@ -41,6 +41,10 @@ struct WheelRailBodies {
   /// Surfaces of a rail that varies along the track, u in m, and of a wheel out of round, u in rad; `rail` and `wheel`
   /// are then the profiles by which they are placed.
   std::shared_ptr<const ProfileSurface> rail_surface = {}, wheel_surface = {};
+  /// Elastic layers on the wheel, body 1, and on the rail, body 2: with the theory exact, on patches whose shape is
+  /// given as flat or curved. `material` is that of the half-spaces below: the fast theory begins with it, and patches
+  /// lift each other by it. Heights are those of pressures without tractions.
+  std::optional<LayeredBodies> layered = {};
 };
 
 /// Method of solution.
