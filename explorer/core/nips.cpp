@@ -20,8 +20,8 @@ RollingProblem with_creepage(RollingProblem problem, double creepage) {
   return problem;
 }
 
-/// The surface speed of the undeformed body 1 over that of body 2: V (1 -+ xi/2) in the direction of rolling, from which
-/// particles come.
+/// The surface speed of the undeformed body 1 over that of body 2: V (1 -+ xi/2) in the direction of rolling, from
+/// which particles come.
 double speed_ratio(const ContactSolution& solution, RollingDirection direction) {
   const double creepage = solution.creepage.longitudinal, against = direction == RollingDirection::forward ? 1 : -1;
   return (2 - against * creepage) / (2 + against * creepage);
