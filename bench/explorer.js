@@ -64,11 +64,18 @@ coefficient = 0.3
 theory = "${theory}"
 `,
 });
+/** A nip whose elements stay, or change with the load. */
+const nip = (varies) => (k) => ({
+  call: "nip",
+  case: read("rubber_roller.toml").replace("grid = [48, 32]", "grid = [32, 16]").replace(varies === "load" ? "4 kN" : "-400 N", varies === "load" ? `${4 + k / 50} kN` : `${-400 - k} N`),
+});
 const kinds = {
   "FASTSIM2, 20 x 20": ellipse("fastsim2", 20),
   "exact theory, 24 x 24": ellipse("exact", 24),
   "wheel on a rail, fastsim2": wheel("fastsim2"),
   "wheel on a rail, exact": wheel("exact"),
+  "nip, another load": nip("load"),
+  "nip, another force": nip("force"),
 };
 
 const median = (values) => values.slice().sort((a, b) => a - b)[Math.floor(values.length / 2)];

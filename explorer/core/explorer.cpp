@@ -31,6 +31,7 @@ namespace microslip::explorer {
 namespace {
 
 constexpr std::string_view extents[] = {"full", "solution"};
+constexpr int most_points = 1000; ///< of a curve
 
 /// The text of a case without its state. A sweep is part of it: it tells which results there are.
 std::string setting_of(toml::table table) {
@@ -174,7 +175,8 @@ io::Json Explorer::call(const Request& request) {
   constexpr std::pair<std::string_view, io::Json (Explorer::*)(const Request&)> calls[] = {
       {"solve", &Explorer::solve},         {"inputs", &Explorer::inputs},
       {"radii", &Explorer::radii},         {"creep_curve", &Explorer::creep_curve},
-      {"transient", &Explorer::transient}, {"profile", &Explorer::profile},
+      {"transient", &Explorer::transient}, {"nip", &Explorer::nip},
+      {"nip_curve", &Explorer::nip_curve}, {"profile", &Explorer::profile},
       {"conicity", &Explorer::conicity},   {"description", &Explorer::description},
       {"version", &Explorer::version}};
   std::vector<std::string_view> names;
@@ -253,7 +255,6 @@ io::Json Explorer::radii(const Request& request) {
 }
 
 io::Json Explorer::creep_curve(const Request& request) {
-  constexpr int most_points = 1000;
   request.allow({"case", "variable", "from", "to", "count"});
   const CaseText given(request, case_name_, files_);
   const io::RollingCase input = given.rolling_case(tables_);
@@ -283,6 +284,17 @@ io::Json Explorer::creep_curve(const Request& request) {
 io::Json Explorer::transient(const Request& request) {
   request.allow({"case"});
   return rolling_start(CaseText(request, case_name_, files_).rolling_case(tables_));
+}
+
+io::Json Explorer::nip(const Request& request) {
+  request.allow({"case"});
+  return nips_.solve(CaseText(request, case_name_, files_).rolling_case(tables_));
+}
+
+io::Json Explorer::nip_curve(const Request& request) {
+  request.allow({"case", "count"});
+  const io::RollingCase input = CaseText(request, case_name_, files_).rolling_case(tables_);
+  return nips_.curve(input, request.count("count", description::between(2, most_points)));
 }
 
 io::Json Explorer::profile(const Request& request) {

@@ -1,6 +1,7 @@
 #include "explorer/core/rolling_start.hpp"
 
 #include "cases/rolling_contact_result.hpp"
+#include "explorer/core/solution_fields.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/contact/solver_report.hpp"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr int most_frames = 400;
 
-io::Json numbers(const std::vector<double>& values) {
-  auto array = io::Json::array();
-  for (const double value : values) array.push_back(io::json_number(value));
-  return array;
-}
-
 /// The step that is the same in all frames.
 ContactStep step_of(const io::RollingCase& input, const HertzContact& hertz) {
   const Method& method = input.method;
@@ -37,15 +32,6 @@ constexpr std::string_view still_fields[] = {"x", "y", "pressure", "bound"};
 /// What does.
 constexpr std::string_view moving_fields[] = {"px", "py", "sx", "sy"};
 
-void add_fields(const ContactSolution& solution, std::span<const std::string_view> names, io::Json& to,
-                io::Json& units) {
-  for (const auto name : names) {
-    const FieldQuantity& field = field_quantity(name);
-    to[std::string(name)] = numbers(field.values(solution));
-    units[std::string(name)] = field.unit_of(solution);
-  }
-}
-
 io::Json frame_of(const ContactSolution& solution, double distance, io::Json& units) {
   io::Json frame = {{"distance", io::json_number(distance)}};
   for (const char* name : {"fx", "fy", "mz", "creepage_longitudinal", "creepage_lateral"}) {
@@ -54,7 +40,7 @@ io::Json frame_of(const ContactSolution& solution, double distance, io::Json& un
     units[name] = q.unit_of(solution);
   }
   add_fields(solution, moving_fields, frame, units);
-  for (const CellState state : solution.fields.state) frame["state"].push_back(static_cast<int>(state));
+  frame["state"] = states_of(solution);
   return frame;
 }
 

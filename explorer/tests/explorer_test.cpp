@@ -36,6 +36,9 @@ std::string ellipse_case() {
 std::string starting_case() {
   return contents(examples / "starting_to_roll.toml");
 }
+std::string nip_case() {
+  return with(contents(examples / "rubber_roller.toml"), "grid = [48, 32]", "grid = [16, 8]");
+}
 std::string wheel_case() {
   std::string text = with(contents(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
   return with(with(text, "profiles/s1002.prw", "s1002.prw"), "grid = 60", "grid = 16");
@@ -86,7 +89,7 @@ TEST_F(ExplorerTest, RefusesWhatIsNoRequest) {
   EXPECT_EQ(words("{}"), "request.call: is missing");
   EXPECT_EQ(words("{\"call\": 3}"), "request.call: must be a text");
   EXPECT_EQ(words("{\"call\": \"sovle\"}"), "request.call = \"sovle\": must be solve, inputs, radii, creep_curve, "
-                                            "transient, profile, conicity, description or "
+                                            "transient, nip, nip_curve, profile, conicity, description or "
                                             "version; did you mean solve?");
   EXPECT_EQ(words("{\"call\": \"solve\"}"), "request.case: is missing");
   EXPECT_EQ(words("{\"call\": \"solve\", \"kase\": \"\"}"), "request.kase: unknown member; did you mean case?");
@@ -313,6 +316,79 @@ TEST_F(ExplorerTest, RollsFromAShiftToTheSteadyState) {
   const double creepage = steady["exact"]["creepage_longitudinal"].get<double>();
   EXPECT_NEAR(found["frames"][80]["creepage_longitudinal"].get<double>(), creepage, 0.02 * std::abs(creepage));
   EXPECT_NE(refusal({{"call", "transient"}, {"case", ellipse_case()}}).find("motion.kind"), std::string::npos);
+}
+
+/// With the creepage of the free roller the force is zero; the case itself is as the program has it.
+TEST_F(ExplorerTest, FindsTheNipAsTheProgramDoesAndTheFreeRoller) {
+  const io::Json found = result({{"call", "nip"}, {"case", nip_case()}});
+  const io::Json whole = result({{"call", "solve"}, {"case", nip_case()}, {"fields", true}, {"extent", "solution"}});
+  for (const char* name : {"fx", "my", "creepage_longitudinal", "approach", "peak_pressure", "frictional_power"})
+    EXPECT_EQ(found["given"][name], whole["exact"][name]) << name;
+  for (const char* name : {"x", "y", "pressure", "bound", "px", "py", "state"})
+    EXPECT_EQ(found["fields"][name], whole["exact"]["fields"][name]) << name;
+  const double creepage = found["free"]["creepage_longitudinal"];
+  EXPECT_EQ(found["free"]["speed_ratio"].get<double>(), (2 - creepage) / (2 + creepage));
+  EXPECT_GT(found["free"]["speed_ratio"].get<double>(), 1.01); // a cover that keeps its volume is longer in the nip
+  const std::string given = "creepage_longitudinal = " + io::Json(creepage).dump();
+  const io::Json free = result({{"call", "nip"}, {"case", with(nip_case(), "force_longitudinal = \"-400 N\"", given)}});
+  EXPECT_NEAR(free["given"]["fx"].get<double>(), 0, 1e-5 * 0.6 * 4000);
+  EXPECT_EQ(found["units"]["my"], "N m");
+}
+
+/// The upper roller sees the same when rolling, force and axes are turned round.
+TEST_F(ExplorerTest, FreeRollersHaveTheSameSpeedRatioInEitherDirection) {
+  const std::string backward = with(with(nip_case(), "\"-400 N\"", "\"400 N\""), "rolling_speed = \"5 m/s\"",
+                                    "rolling_speed = \"5 m/s\"\ndirection = \"backward\"");
+  const io::Json one = result({{"call", "nip"}, {"case", nip_case()}}),
+                 other = result({{"call", "nip"}, {"case", backward}});
+  for (const char* column : {"given", "free"})
+    EXPECT_NEAR(one[column]["speed_ratio"].get<double>(), other[column]["speed_ratio"].get<double>(), 1e-6) << column;
+}
+
+TEST_F(ExplorerTest, NipCurvesGoThroughFreeRollingToEitherSide) {
+  const io::Json curve = result({{"call", "nip_curve"}, {"case", nip_case()}, {"count", 13}});
+  const auto value = curve["value"].get<std::vector<double>>(), fx = curve["fx"].get<std::vector<double>>();
+  ASSERT_EQ(fx.size(), 13u);
+  EXPECT_TRUE(std::is_sorted(value.begin(), value.end()));
+  EXPECT_TRUE(std::is_sorted(fx.rbegin(), fx.rend()));
+  const double largest = 0.6 * 4000;
+  EXPECT_NEAR(fx[6], 0, 1e-5 * largest);
+  EXPECT_NEAR(fx[8], -0.5 * largest, 1e-5 * largest); // a third of the reach
+  EXPECT_GT(fx.front(), 0.8 * largest);
+  EXPECT_LT(fx.back(), -0.8 * largest);
+  const double creepage = result({{"call", "nip"}, {"case", nip_case()}})["free"]["creepage_longitudinal"];
+  EXPECT_NEAR(value[6], creepage, 1e-5);
+}
+
+/// What was solved before with the same elements leaves nothing behind.
+TEST_F(ExplorerTest, KeepsElementsOfNipsWithoutTrace) {
+  const auto ask = [](Explorer& explorer, const std::string& text) {
+    const io::Json request = {{"call", "nip"}, {"case", text}};
+    return io::Json::parse(explorer.answer(request.dump()))["result"]["given"];
+  };
+  const std::string other = with(nip_case(), "\"-400 N\"", "\"900 N\"");
+  for (const std::string& text :
+       {with(nip_case(), "thickness = \"15 mm\"", "thickness = \"10 mm\""), with(nip_case(), "\"4 kN\"", "\"3 kN\""),
+        with(nip_case(), "\"5 m/s\"", "\"2 m/s\""), nip_case()}) {
+    ask(explorer_, other);
+    const io::Json kept = ask(explorer_, text);
+    Explorer fresh(folder_);
+    const io::Json anew = ask(fresh, text);
+    for (const char* name : {"creepage_longitudinal", "approach", "my"})
+      EXPECT_NEAR(kept[name].get<double>(), anew[name].get<double>(), 1e-5 * std::abs(anew[name].get<double>()))
+          << name;
+  }
+}
+
+TEST_F(ExplorerTest, RefusesWhatIsNoNip) {
+  const auto words = [&](const std::string& text) { return refusal({{"call", "nip"}, {"case", text}}); };
+  EXPECT_EQ(words(ellipse_case()), "nip: needs a case with layers and motion.kind = \"steady\"");
+  EXPECT_EQ(words(with(nip_case(), "coefficient = 0.6", "coefficient = 0")),
+            "friction.coefficient = 0 [-]: must be positive and finite");
+  EXPECT_EQ(words(with(nip_case(), "\"-400 N\"", "\"-2.5 kN\"")),
+            "motion.force_longitudinal = -2500 [N]: must be in [-2400, 2400]");
+  EXPECT_EQ(refusal({{"call", "nip_curve"}, {"case", nip_case()}, {"count", 1}}),
+            "request.count = 1 [-]: must be in [2, 1000]");
 }
 
 /// Whatever has been solved before, a state's answer is that of a new model.

@@ -1,10 +1,10 @@
 // Case files of the program as states of the page. The core reads them and tells what they say, by their keys; what the
 // page then says of its state has to be the same, or the case is refused with the keys that the page does not have.
 
-import { contactCase, ofExact, ofFastsim, railCase, startCase } from "./case_text.ts";
+import { contactCase, cover, nipCase, ofExact, ofFastsim, railCase, startCase } from "./case_text.ts";
 import type { Core } from "./core.ts";
 import { withoutPlace } from "./fields.ts";
-import { initialState, laws, limits, requireLimits, shapes, type ContactState, type More, type RailState, type StartState, type State, type Value, type Values } from "./state.ts";
+import { initialState, laws, limits, requireLimits, shapes, stiffnesses, type ContactState, type More, type NipState, type RailState, type StartState, type State, type Value, type Values, type View } from "./state.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
 
@@ -66,6 +66,20 @@ function toStart(state: StartState, { inputs }: Inputs): string {
   return startCase(state);
 }
 
+function toNip(state: NipState, wanted: Inputs): string {
+  const { inputs } = wanted, { values } = state;
+  fill(values, inputs);
+  for (const key of Object.keys(values)) {
+    const [, list, place] = /^(.*\.relaxation_\w+)\.(\d+)$/.exec(key) ?? [];
+    if (list) values[key] = (inputs[list] as number[] | undefined)?.[Number(place) - 1] ?? (key.includes("shares") ? 0 : values[key]!);
+  }
+  state.stiffness = stiffnesses.find((key) => `${cover}.${key}` in inputs) ?? state.stiffness;
+  state.given = "motion.force_longitudinal" in inputs ? "force" : "creepage";
+  state.elements = pair(inputs["solution.grid"]);
+  state.more = moreOf(wanted, (key) => ofExact.test(key));
+  return nipCase(state);
+}
+
 function toRail(state: RailState, wanted: Inputs, files: Record<string, string>): string {
   const { inputs } = wanted;
   fill(state.values, inputs);
@@ -89,16 +103,21 @@ function lacking(keys: string[]): Error {
   return new Error(`the page does not have this of the case: ${keys.join(", ")}`);
 }
 
+function viewOf({ kind, inputs }: Inputs): View {
+  if (kind !== "rolling_contact") return "rail";
+  if (inputs["motion.kind"] === "transient") return "start";
+  return Object.keys(inputs).some((key) => /^body\d\.layers\./.test(key)) ? "nip" : "contact";
+}
+
 /** The state of a case. Throws an Error in the reader's words, or with the names of the keys that the page does not have. */
 export async function stateOfCase(core: Pick<Core, "ask">, start: Start): Promise<State> {
   const text = start.case ?? "", state = initialState(), files = { ...BUILT_IN_PROFILES, ...plain(start.files ?? {}) };
   const wanted = await inputsOf(core, text, files);
   if (wanted.kind === "wheelset") throw lacking(["wheel.side"]); // both
-  const isRail = wanted.kind !== "rolling_contact", isStart = wanted.inputs["motion.kind"] === "transient";
-  state.view = isRail ? "rail" : isStart ? "start" : "contact";
-  const own = isRail ? toRail(state.rail, wanted, files) : isStart ? toStart(state.start, wanted) : toContact(state.contact, wanted);
+  state.view = viewOf(wanted);
+  const own = { rail: () => toRail(state.rail, wanted, files), start: () => toStart(state.start, wanted), nip: () => toNip(state.nip, wanted), contact: () => toContact(state.contact, wanted) }[state.view]();
   const found = await inputsOf(core, own, files);
-  const ofSurface = isRail && wanted.inputs["solution.theory"] === "fastsim2" ? "solution.shape" : ""; // its rows always follow it
+  const ofSurface = state.view === "rail" && wanted.inputs["solution.theory"] === "fastsim2" ? "solution.shape" : ""; // its rows always follow it
   const keys = lost(wanted, found, (key) => key === "title" || key === ofSurface);
   if (keys.length) throw lacking(keys);
   requireLimits(Object.fromEntries(Object.keys(limits).map((key) => [key, number(wanted.inputs[key]) ?? 0])));

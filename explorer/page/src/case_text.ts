@@ -1,7 +1,7 @@
 // States as case files for the program, and as Python.
 
 import { input } from "./description.ts";
-import { initialState, keysOf, type ContactState, type More, type RailState, type StartState, type Value, type Values } from "./state.ts";
+import { initialState, keysOf, stiffnesses, type ContactState, type More, type NipState, type RailState, type StartState, type Value, type Values } from "./state.ts";
 import { toSi } from "./units.ts";
 
 type Entries = Record<string, Value>;
@@ -13,6 +13,12 @@ function word(value: Value): string {
   return value === -Infinity ? "-inf" : String(value);
 }
 
+/** "body2.layers.1" is the first table of a list. */
+function header(section: string): string {
+  const list = /^(.*)\.\d+$/.exec(section)?.[1];
+  return list === undefined ? `[${section}]` : `[[${list}]]`;
+}
+
 export function toToml(title: string, entries: Entries): string {
   const sections = new Map<string, string[]>();
   for (const [path, value] of Object.entries(entries)) {
@@ -20,7 +26,7 @@ export function toToml(title: string, entries: Entries): string {
     if (!sections.has(section)) sections.set(section, []);
     sections.get(section)!.push(`${key} = ${word(value)}`);
   }
-  return `title = ${JSON.stringify(title)}\n` + [...sections].map(([name, lines]) => `\n[${name}]\n${lines.join("\n")}\n`).join("");
+  return `title = ${JSON.stringify(title)}\n` + [...sections].map(([name, lines]) => `\n${header(name)}\n${lines.join("\n")}\n`).join("");
 }
 
 /** Both bodies of one material. */
@@ -80,6 +86,27 @@ export function startCase(state: StartState): string {
   return toToml("Starting to roll", {
     ...withBothBodies(without(state.values, left)), "motion.kind": "transient", "solution.theory": "exact", "solution.grid": state.elements,
   });
+}
+
+export const cover = "body2.layers.1";
+
+/** Places of the terms of a cover's relaxation: those with a share of zero are left out. */
+export function relaxationTerms(values: Values): number[] {
+  const key = `${cover}.relaxation_shares.`, places = Object.keys(values).filter((name) => name.startsWith(key)).map((name) => Number(name.slice(key.length)));
+  return places.filter((place) => values[`${key}${String(place)}`] !== 0);
+}
+
+function relaxation(values: Values): Entries {
+  const terms = relaxationTerms(values), all = (key: string) => terms.map((place) => values[`${cover}.${key}.${String(place)}`]!);
+  const entries = ["relaxation_shares", "relaxation_times"].map((key) => [`${cover}.${key}`, all(key)]);
+  return terms.length ? (Object.fromEntries(entries) as Entries) : {};
+}
+
+export function nipCase(state: NipState): string {
+  const { values, stiffness, given, more } = state, ofOthers = stiffnesses.filter((key) => key !== stiffness).map((key) => `${cover}.${key}`);
+  const left = [...ofOthers, `motion.${given === "force" ? "creepage" : "force"}_longitudinal`];
+  const kept = Object.fromEntries(Object.entries(values).filter(([key]) => !left.includes(key) && !/\.relaxation_\w+\.\d+$/.test(key)));
+  return toToml("A nip of the explorer", { ...kept, ...relaxation(values), "solution.theory": "exact", "solution.grid": state.elements, ...more });
 }
 
 /** A program that solves the case and prints it. */

@@ -5,7 +5,9 @@ import "uplot/dist/uPlot.min.css";
 import { element } from "./elements.ts";
 
 export interface Curve { name: string; colour: string; values: (number | null)[]; dash?: number[]; points?: boolean }
-export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number }
+/** A part of the x-axis with a colour of its own, behind the curves. */
+export interface Band { from: number; to: number; colour: string }
+export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number; bands?: Band[] }
 
 /** A chart that is redrawn in place while the names of its curves and axes stay. */
 export class Chart {
@@ -59,8 +61,20 @@ export class Chart {
         })),
       ],
       axes: [{ ...axis, label: content.xLabel, size: 44, labelSize: 18 }, { ...axis, label: content.yLabel, size: 60, labelSize: 18 }],
-      hooks: { draw: [(plot) => { this.#markPresent(plot); }] },
+      hooks: { drawClear: [(plot) => { this.#fillBands(plot); }], draw: [(plot) => { this.#markPresent(plot); }] },
     }, data, (plot, show) => { this.root.prepend(plot.root); show(); });
+  }
+
+  #fillBands(plot: uPlot): void {
+    const { top, height } = plot.bbox;
+    plot.ctx.save();
+    plot.ctx.globalAlpha = 0.4;
+    for (const { from, to, colour } of this.#content?.bands ?? []) {
+      const [left, right] = [plot.valToPos(from, "x", true), plot.valToPos(to, "x", true)];
+      plot.ctx.fillStyle = colour;
+      plot.ctx.fillRect(left, top, right - left, height);
+    }
+    plot.ctx.restore();
   }
 
   #markPresent(plot: uPlot): void {

@@ -40,9 +40,9 @@ function named<Of>(table: Record<string, Of>, name: string): Of {
   return found;
 }
 
-/** An input of the cases of a view. */
+/** An input of the cases of a view; of a number of a list, whose place stands behind the key, the list. */
 export function input(view: View, key: string): Input {
-  return named(description.inputs[view === "rail" ? "wheel" : "bodies"], key);
+  return named(description.inputs[view === "rail" ? "wheel" : "bodies"], key.replace(/\.\d+$/, ""));
 }
 
 /** The paths of a section's inputs that go only with this word of another of its keys. */

@@ -16,6 +16,7 @@ export interface MapContent {
   outline?: { a: number; b: number };
   parts?: CellPart[]; // of the cells, where there is no such outline
   cutAt?: number; // y [m]
+  isStretched?: boolean; // fills the picture: lengths along x and y have scales of their own
 }
 
 function ink(): string {
@@ -29,7 +30,7 @@ export function rowHeight(y: number[]): number {
 }
 
 /** Canvas pixels of a length, and of positions: x to the right, y upwards, the contact in the middle. */
-interface Place { scale: number; at: (x: number, y: number) => [number, number] }
+interface Place { scale: readonly [along: number, across: number]; at: (x: number, y: number) => [number, number] }
 
 function place(canvas: HTMLCanvasElement, content: MapContent): Place {
   const { x, y, width, height, state } = content.cells;
@@ -46,9 +47,10 @@ function place(canvas: HTMLCanvasElement, content: MapContent): Place {
     [left, right, low, high] = [-a, a, -b, b];
   }
   const margin = 34 * devicePixelRatio;
-  const scale = Math.min((canvas.width - 2 * margin) / (right - left), (canvas.height - 2 * margin) / (high - low));
+  const fitting = [(canvas.width - 2 * margin) / (right - left), (canvas.height - 2 * margin) / (high - low)] as const;
+  const least = Math.min(...fitting), scale = content.isStretched ? fitting : ([least, least] as const);
   const [cx, cy] = [(left + right) / 2, (low + high) / 2];
-  return { scale, at: (px, py) => [canvas.width / 2 + (px - cx) * scale, canvas.height / 2 - (py - cy) * scale] };
+  return { scale, at: (px, py) => [canvas.width / 2 + (px - cx) * scale[0], canvas.height / 2 - (py - cy) * scale[1]] };
 }
 
 export function fitToScreen(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
@@ -86,7 +88,7 @@ function fillCells(context: CanvasRenderingContext2D, content: MapContent, { sca
     const width = cells.width[k]! * (1 + 2 * more), height = cells.height * (1 + 2 * more);
     const [px, py] = at(cells.x[k]! - width / 2, cells.y[k]! + height / 2);
     context.fillStyle = style(k);
-    context.fillRect(px, py, width * scale + 0.6, height * scale + 0.6);
+    context.fillRect(px, py, width * scale[0] + 0.6, height * scale[1] + 0.6);
   }
 }
 
@@ -96,7 +98,7 @@ function drawCells(context: CanvasRenderingContext2D, content: MapContent, where
   if (content.outline) {
     const [cx, cy] = where.at(0, 0), { a, b } = content.outline;
     context.beginPath();
-    context.ellipse(cx, cy, a * where.scale, b * where.scale, 0, 0, 2 * Math.PI);
+    context.ellipse(cx, cy, a * where.scale[0], b * where.scale[1], 0, 0, 2 * Math.PI);
     context.clip();
     fillCells(context, content, where, 1);
   }
@@ -108,7 +110,7 @@ function drawCells(context: CanvasRenderingContext2D, content: MapContent, where
 function drawArrows(context: CanvasRenderingContext2D, { cells, arrows }: MapContent, { scale, at }: Place): void {
   if (!arrows) return;
   const rows = new Set(cells.y).size, every = Math.max(1, Math.round(rows / 14));
-  const pixels = (1.35 * every * cells.height * scale) / arrows.longest;
+  const pixels = (1.35 * every * cells.height * scale[1]) / arrows.longest;
   const arrowPaths = new Path2D();
   const order = [...new Set(cells.y)].sort((one, other) => one - other);
   const rowOf = new Map(order.map((y, j) => [y, j]));
@@ -134,6 +136,12 @@ function drawArrows(context: CanvasRenderingContext2D, { cells, arrows }: MapCon
   }
 }
 
+/** At most the given one, of one digit. */
+function roundLength(rough: number): number {
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return power * (rough / power >= 5 ? 5 : rough / power >= 2 ? 2 : 1);
+}
+
 /** The size of the picture, and the direction in which the contact rolls. */
 function drawFrame(context: CanvasRenderingContext2D, content: MapContent, { scale, at }: Place): void {
   const pixel = devicePixelRatio, { width, height } = context.canvas;
@@ -142,7 +150,7 @@ function drawFrame(context: CanvasRenderingContext2D, content: MapContent, { sca
   if (content.outline) {
     const [cx, cy] = at(0, 0);
     context.beginPath();
-    context.ellipse(cx, cy, content.outline.a * scale, content.outline.b * scale, 0, 0, 2 * Math.PI);
+    context.ellipse(cx, cy, content.outline.a * scale[0], content.outline.b * scale[1], 0, 0, 2 * Math.PI);
     context.stroke();
   }
   if (content.cutAt !== undefined) {
@@ -154,14 +162,15 @@ function drawFrame(context: CanvasRenderingContext2D, content: MapContent, { sca
     context.stroke();
     context.setLineDash([]);
   }
-  const rough = (80 * pixel) / scale, power = 10 ** Math.floor(Math.log10(rough));
-  const length = power * (rough / power >= 5 ? 5 : rough / power >= 2 ? 2 : 1);
+  const long = roundLength((80 * pixel) / scale[0]), high = content.isStretched ? roundLength((50 * pixel) / scale[1]) : 0;
   context.beginPath();
-  context.moveTo(10 * pixel, height - 10 * pixel);
-  context.lineTo(10 * pixel + length * scale, height - 10 * pixel);
+  context.moveTo(10 * pixel, height - 10 * pixel - high * scale[1]);
+  context.lineTo(10 * pixel, height - 10 * pixel);
+  context.lineTo(10 * pixel + long * scale[0], height - 10 * pixel);
   context.stroke();
   context.font = `${12 * pixel}px system-ui, sans-serif`;
-  context.fillText(`${digits(length * 1e3)} mm`, 10 * pixel, height - 16 * pixel);
+  context.fillText(`${digits(long * 1e3)} mm`, 14 * pixel, height - 16 * pixel);
+  if (high > 0) context.fillText(`${digits(high * 1e3)} mm`, 10 * pixel, height - 16 * pixel - high * scale[1]);
   context.textAlign = "right";
   context.fillText("rolls this way →", width - 8 * pixel, 16 * pixel);
   context.textAlign = "left";
@@ -211,5 +220,5 @@ export function drawMap(canvas: HTMLCanvasElement, content: MapContent): void {
 /** y [m] of a height on the canvas. */
 export function yAt(canvas: HTMLCanvasElement, content: MapContent, clientY: number): number {
   const box = canvas.getBoundingClientRect(), { scale, at } = place(canvas, content), [, middle] = at(0, 0);
-  return (middle - (clientY - box.top) * devicePixelRatio) / scale;
+  return (middle - (clientY - box.top) * devicePixelRatio) / scale[1];
 }

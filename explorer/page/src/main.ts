@@ -1,4 +1,4 @@
-// The page: three views over one core, their state in the link.
+// The page: four views over one core, their state in the link.
 
 import "./page.css";
 import { ContactView } from "./contact_view.ts";
@@ -6,11 +6,12 @@ import { startOf, stateOfCase, type Start } from "./case_inputs.ts";
 import { Core, hasVectors } from "./core.ts";
 import { readDescription } from "./description.ts";
 import { button, element } from "./elements.ts";
+import { NipView } from "./nip_view.ts";
 import { RailView } from "./rail_view.ts";
 import { StartView } from "./start_view.ts";
 import { decode, encode, initialState, type State, type View } from "./state.ts";
 
-const names: Record<View, string> = { contact: "Contact", rail: "Wheel on rail", start: "Start and stop" };
+const names: Record<View, string> = { contact: "Contact", rail: "Wheel on rail", start: "Start and stop", nip: "Nip" };
 
 class Page {
   readonly #views;
@@ -26,13 +27,14 @@ class Page {
       contact: new ContactView(core, state.contact, changed),
       rail: new RailView(core, state.rail, changed),
       start: new StartView(core, state.start, changed),
+      nip: new NipView(core, state.nip, changed),
     };
     const tab = (view: View) => {
       const made = button(names[view], () => { this.open(view); changed(); });
       made.setAttribute("role", "tab");
       return made;
     };
-    this.#tabs = { contact: tab("contact"), rail: tab("rail"), start: tab("start") };
+    this.#tabs = { contact: tab("contact"), rail: tab("rail"), start: tab("start"), nip: tab("nip") };
     root.replaceChildren(
       element("header", {}, element("h1", {}, "microslip explorer"), element("nav", { role: "tablist", "aria-label": "views" }, ...Object.values(this.#tabs)), this.#exports),
       this.#message,
@@ -92,6 +94,7 @@ class Page {
     this.#views.contact.set(state.contact);
     this.#views.rail.set(state.rail);
     this.#views.start.set(state.start);
+    this.#views.nip.set(state.nip);
     this.open(state.view);
   }
 

@@ -69,6 +69,12 @@ function parts({ x, width }: RowFields, { cells }: Run, from: Chord, to: Chord):
   });
 }
 
+/** From where to where the row at y is in contact [m]; nothing where it is not. */
+export function contactOfRow(f: RowFields, y: number): readonly [from: number, to: number] | undefined {
+  const row = runsOf(f).find(([first]) => first?.y === y);
+  return row && [row[0]!.left, row.at(-1)!.right];
+}
+
 export function cellsUpToTheEdge(f: RowFields, height: number): CellPart[] {
   const rows = runsOf(f);
   const beside = (row: Run[] | undefined, here: Run) => row?.find(({ left, right }) => left < here.right && right > here.left);

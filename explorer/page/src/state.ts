@@ -30,8 +30,20 @@ export interface RailState {
 /** What sets a component of the motion. */
 export type Given = "force" | "creepage";
 export interface StartState { values: Values; given: { longitudinal: Given; lateral: Given }; elements: [along: number, across: number]; frame: number }
-export type View = "contact" | "rail" | "start";
-export interface State { view: View; contact: ContactState; rail: RailState; start: StartState }
+/** Which key says how stiff the cover of a roller is. */
+export const stiffnesses = ["hardness", "young_modulus", "shear_modulus"] as const;
+export type Stiffness = (typeof stiffnesses)[number];
+export interface NipState {
+  values: Values; // terms of the cover's relaxation with a place behind their keys, as "body2.layers.1.relaxation_shares.1"
+  stiffness: Stiffness;
+  given: Given; // along the direction of rolling
+  elements: [along: number, across: number];
+  shown: "adhesion and slip" | "pressure" | "px" | "py";
+  more: More;
+}
+export const views = ["contact", "rail", "start", "nip"] as const;
+export type View = (typeof views)[number];
+export interface State { view: View; contact: ContactState; rail: RailState; start: StartState; nip: NipState }
 
 const lawNames: Record<string, string> = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially", polach: "Polach" };
 /** The library's laws of friction with their names on the page. */
@@ -98,6 +110,17 @@ export function initialState(): State {
       },
       given: { longitudinal: "force", lateral: "force" }, elements: [24, 24], frame: 0,
     },
+    nip: {
+      values: {
+        "body1.rolling_radius": 0.1, "body1.transverse_radius": Infinity, "body1.young_modulus": 210e9, "body1.poisson_ratio": 0.28,
+        "body2.rolling_radius": 0.15, "body2.transverse_radius": 20, "body2.young_modulus": 210e9, "body2.poisson_ratio": 0.28,
+        "body2.layers.1.thickness": 0.015, "body2.layers.1.hardness": 60, "body2.layers.1.young_modulus": 4e6, "body2.layers.1.shear_modulus": 1.3e6, "body2.layers.1.poisson_ratio": 0.499,
+        "body2.layers.1.relaxation_shares.1": 0.15, "body2.layers.1.relaxation_times.1": 0.5e-3, "body2.layers.1.relaxation_shares.2": 0, "body2.layers.1.relaxation_times.2": 20e-3,
+        "load.normal_force": 4e3, "friction.coefficient": 0.6,
+        "motion.force_longitudinal": -400, "motion.creepage_longitudinal": -0.02, "motion.rolling_speed": 5,
+      },
+      stiffness: "hardness", given: "force", elements: [32, 16], shown: "adhesion and slip", more: {},
+    },
   };
 }
 
@@ -149,12 +172,13 @@ export async function decode(fragment: string): Promise<State> {
     const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
     const text = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
     merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>);
-    requireWord("view", state.view, ["contact", "rail", "start"]);
+    requireWord("view", state.view, [...views]);
     requireWord("law", state.contact.law, Object.keys(laws()));
     requireWord("shape", state.rail.shape, Object.keys(shapes()));
-    for (const given of Object.values(state.start.given)) requireWord("given", given, ["force", "creepage"]);
-    for (const view of ["contact", "rail"] as const) for (const key of Object.keys(state[view].more)) input(view, key);
-    for (const { values } of [state.contact, state.start]) requireLimits(values);
+    for (const given of [...Object.values(state.start.given), state.nip.given]) requireWord("given", given, ["force", "creepage"]);
+    requireWord("stiffness", state.nip.stiffness, [...stiffnesses]);
+    for (const view of ["contact", "rail", "nip"] as const) for (const key of Object.keys(state[view].more)) input(view, key);
+    for (const { values } of [state.contact, state.start, state.nip]) requireLimits(values);
   } catch (error) {
     throw new Error(`the link is damaged: ${error instanceof Error ? error.message : String(error)}`);
   }

@@ -10,10 +10,10 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { stateOfCase } from "../src/case_inputs.ts";
-import { contactCase, railCase, startCase } from "../src/case_text.ts";
+import { contactCase, nipCase, railCase, startCase } from "../src/case_text.ts";
 import type { Reply, Request } from "../src/core.ts";
 import { readDescription } from "../src/description.ts";
-import { decode, encode, initialState, keysOf, laws, shapes, type Given, type More, type State, type Values } from "../src/state.ts";
+import { decode, encode, initialState, keysOf, laws, shapes, stiffnesses, type Given, type More, type State, type Values } from "../src/state.ts";
 
 const { MICROSLIP_ANSWERS: answers = "", MICROSLIP: named = "", EXAMPLES: examples = "" } = process.env;
 const program = path.resolve(named);
@@ -49,7 +49,7 @@ async function result<Result>(request: Request): Promise<Result> {
 }
 
 const example = (name: string) => readFileSync(path.join(examples, name), "utf8");
-const textOf = (state: State) => ({ contact: () => contactCase(state.contact, state.contact.theory), rail: () => railCase(state.rail, "exact"), start: () => startCase(state.start) })[state.view]();
+const textOf = (state: State) => ({ contact: () => contactCase(state.contact, state.contact.theory), rail: () => railCase(state.rail, "exact"), start: () => startCase(state.start), nip: () => nipCase(state.nip) })[state.view]();
 
 function replaced(text: string, from: string, to: string): string {
   assert.ok(text.includes(from), from);
@@ -73,6 +73,10 @@ async function forces(state: State, byProgram: Solved): Promise<[number[], numbe
     const { frames } = await result<Solved>({ call: "transient", case: textOf(state) });
     return [of(frames!.at(-1)!), of(byProgram.exact!)];
   }
+  if (state.view === "nip") {
+    const { given } = await result<{ given: Numbers }>({ call: "nip", case: textOf(state) });
+    return [of(given), of(byProgram.exact!)];
+  }
   const found = await result<Solved>({ call: "solve", case: textOf(state), extent: "solution" });
   const all = ({ exact, fastsim2, hertz }: Solved) => [...(exact ? of(exact) : []), ...of(fastsim2!), hertz!.a!, hertz!.b!];
   return [all(found), all(byProgram)];
@@ -87,6 +91,7 @@ test("every example is shown with the program's numbers, or refused with the nam
   const refused: Record<string, RegExp> = {
     "creep_sweep.toml": /grid: unknown key/, "wheel_rail_sample.toml": /case: unknown key/,
     "lateral_sweep.toml": /does not have this of the case: sweep\.lateral/, "wheelset_in_curve.toml": /does not have this of the case: .*wheel\.side/,
+    "coated_roller.toml": /does not have this of the case: body1\.layers\.1\.poisson_ratio, .*body1\.layers\.2\.thickness/,
     "two_rollers.toml": /does not have this of the case: body1\.shear_modulus, .*load\.approach, motion\.direction, solution\.theory$/,
   };
   const shown: string[] = [];
@@ -101,7 +106,7 @@ test("every example is shown with the program's numbers, or refused with the nam
     found.forEach((value, k) => { assert.ok(Math.abs(value - wanted[k]!) <= 1e-9 * largest, `${name}: ${String(value)} on the page, ${String(wanted[k])} by the program`); });
     shown.push(name);
   }
-  assert.deepEqual(shown.sort(), ["hertzian_contact.toml", "starting_to_roll.toml", "wheel_on_rail.toml"]);
+  assert.deepEqual(shown.sort(), ["hertzian_contact.toml", "rubber_roller.toml", "starting_to_roll.toml", "wheel_on_rail.toml"]);
 });
 
 test("laws of friction that fall with the slip are shown with all of their numbers", async () => {
@@ -125,6 +130,7 @@ test("laws of friction that fall with the slip are shown with all of their numbe
 function changed(values: Values): Values {
   return Object.fromEntries(Object.entries(values).map(([key, value]) => {
     if (key === "motion.steps") return [key, value + 1];
+    if (key.endsWith("hardness")) return [key, value + 0.123456789];
     if (value === Infinity) return [key, 1.7 + key.length / 7];
     return [key, value === 0 ? 0.001 / 3 : value * 1.0123456789];
   }));
@@ -155,6 +161,18 @@ test("states come back from their case files with every number", async () => {
       assert.deepEqual([found.given, found.elements], [{ longitudinal, lateral }, [20, 31]]);
     }
   }
+  for (const given of ["force", "creepage"] as Given[]) {
+    for (const stiffness of stiffnesses) {
+      const state: State = { ...initialState(), view: "nip" }, ratio = { "body2.layers.1.poisson_ratio": 0.49 };
+      state.nip = { ...state.nip, values: changed({ ...state.nip.values, ...ratio }), given, stiffness, elements: [20, 31], more: { "solution.tolerance": 1e-7 / 3 } };
+      const found = (await back(state)).nip, other = { force: "creepage", creepage: "force" }[given];
+      const left = [`motion.${other}_longitudinal`, ...stiffnesses.filter((key) => key !== stiffness).map((key) => `body2.layers.1.${key}`)];
+      for (const key of Object.keys(state.nip.values).filter((key) => !left.includes(key))) assert.equal(found.values[key], state.nip.values[key], key);
+      assert.deepEqual([found.given, found.stiffness, found.elements, found.more], [given, stiffness, [20, 31], state.nip.more]);
+      state.nip.values["body2.layers.1.relaxation_shares.2"] = 0; // no second term
+      assert.equal((await back(state)).nip.values["body2.layers.1.relaxation_shares.2"], 0);
+    }
+  }
   for (const shape of Object.keys(shapes())) {
     const state: State = { ...initialState(), view: "rail" };
     const more = { "solution.grid": 30, "solution.tolerance": 1e-7 / 3, "track.curvature": 0.001 / 3, "track.gauge_height": 0.0091, "wheel.roll": 1e-3 / 3, "wheel.pitch_velocity": 0, "rail.trim": [-0.034, 0.036], "rail.unit": "mm", "rail.deviation_lateral": 1e-4 / 3, "wheelset.tape_circle": 1e-4, "material.hardness": 3e9 / 7 };
@@ -171,6 +189,7 @@ test("states come back from their links with every number", async () => {
   state.contact.more = { "solution.discretisation": "classical", "solution.slope_reduction.initial": 1 / 3 };
   state.rail = { ...state.rail, values: changed(state.rail.values), shape: "conformal", profiles: { rail: "a.txt", wheel: "b.txt" }, files: { "a.txt": "1 2" }, more: { "rail.unit": "in", "rail.trim": [-0.034, 1 / 30], "wheel.roll": 1 / 3 } };
   state.start = { ...state.start, values: changed(state.start.values), given: { longitudinal: "creepage", lateral: "force" }, elements: [20, 31], frame: 7 };
+  state.nip = { ...state.nip, values: changed(state.nip.values), given: "creepage", stiffness: "shear_modulus", elements: [20, 31], shown: "px", more: { "solution.tolerance": 1e-7 / 3 } };
   assert.deepEqual(await decode(await encode(state)), state);
   state.rail.more["rail.weight"] = 60;
   await assert.rejects(async () => decode(await encode(state)), /the core has no rail\.weight/);
@@ -179,11 +198,31 @@ test("states come back from their links with every number", async () => {
   await assert.rejects(async () => decode(await encode(state)), /motion\.creepage_lateral = 50: must be in \[-2, 2\]/);
 });
 
+test("what the view of nips does not have is named, and other views have no layers", async () => {
+  const roller = example("rubber_roller.toml"), layer = replaced(roller, "[load]", '[[body2.layers]]\nthickness = "2 mm"\nyoung_modulus = "3 MPa"\npoisson_ratio = 0.4\n\n[load]');
+  const ofSteel = replaced(roller, "[body2]", '[[body1.layers]]\nthickness = "2 mm"\nyoung_modulus = "3 MPa"\npoisson_ratio = 0.4\n\n[body2]');
+  const rolling = replaced(roller, 'rolling_speed = "5 m/s"', 'rolling_speed = "5 m/s"\nkind = "transient"'), relaxed = /relaxation_(shares|times) = .*\n/g;
+  const keys = (body: string, place: number) => ["poisson_ratio", "thickness", "young_modulus"].map((key) => `${body}.layers.${String(place)}.${key}`);
+  for (const [text, lacking] of [
+    [layer, keys("body2", 2)],
+    [ofSteel, keys("body1", 1)],
+    [replaced(replaced(roller, "[0.15, 0.1]", "[0.15, 0.1, 0.05]"), '["0.5 ms", "20 ms"]', '["0.5 ms", "20 ms", 1]'), ["body2.layers.1.relaxation_shares", "body2.layers.1.relaxation_times"]],
+    [replaced(roller, "poisson_ratio = 0.499", "poisson_ratio = 0.499\nbulk_relaxation_shares = [0.1]\nbulk_relaxation_times = [1]"), ["body2.layers.1.bulk_relaxation_shares", "body2.layers.1.bulk_relaxation_times"]],
+    [replaced(roller, "[motion]", "[motion]\ncreepage_lateral = 0.01"), ["motion.creepage_lateral"]],
+    [replaced(roller, "[motion]", '[motion]\ndirection = "backward"'), ["motion.direction"]],
+    [rolling.replaceAll(relaxed, ""), ["body2.layers.1.hardness", "body2.layers.1.poisson_ratio", "body2.layers.1.thickness"]],
+  ] as const) {
+    const said = await refusal(text);
+    assert.ok(said.startsWith("the page does not have this of the case: "), said);
+    for (const key of lacking) assert.ok(said.split(/[ ,]+/).includes(key), `${said} instead of ${key}`);
+  }
+});
+
 test("what the page does not have is named", async () => {
   const rolling = example("hertzian_contact.toml"), wheel = example("wheel_on_rail.toml");
   const classical = replaced(rolling, '"second_order"', '"classical"'), lacking = "the page does not have this of the case: ";
   for (const [text, why] of [
-    [replaced(classical, 'poisson_ratio = 0.28\n\n# [ellipse]', 'poisson_ratio = 0.3\n\n# [ellipse]'), `${lacking}body2.poisson_ratio`],
+    [replaced(classical, 'poisson_ratio = 0.28\n\n# [[body2', 'poisson_ratio = 0.3\n\n# [[body2'), `${lacking}body2.poisson_ratio`],
     [replaced(classical, 'spin = "0.4 1/m"', 'spin = "0.4 1/m"\nstep = "0.3 mm"'), `${lacking}motion.step`],
     [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nmemory_distance = 0.001 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.memory_distance`],
     [replaced(rolling, "creepage_longitudinal = 0.0018", "creepage_longitudinal = 50"), "motion.creepage_longitudinal = 50: must be in [-2, 2]"],

@@ -63,6 +63,12 @@ async function railField(page: Page, key: string, text: string): Promise<void> {
   await input.press("Enter");
 }
 
+async function nipField(page: Page, key: string, text: string): Promise<void> {
+  const input = page.locator(`#nip-${key.replaceAll(".", "-")}`);
+  await input.fill(text);
+  await input.press("Enter");
+}
+
 /** Nothing is computed, and nothing has been for longer than the page puts off what is not urgent. */
 async function settled(page: Page): Promise<void> {
   const quiet = await page.evaluateHandle(() => ({ since: performance.now() }));
@@ -123,6 +129,79 @@ test("a wheel on a rail has the program's forces", async () => {
   const file = await saved(page, "case as TOML");
   for (const name of ["60e1.prr", "s1002.prw"]) writeFileSync(path.join(scratch, name), readFileSync(path.join(profiles, name)));
   near(lateral! * 1e3, solvedByProgram(file).wheel!.force_y![0]!);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a nip has the program's numbers, and its free roller no force", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Nip" }).click();
+  const [fx] = await row(page, "longitudinal force fx"), [creepage, free] = await row(page, "longitudinal creepage"), [my] = await row(page, "rolling resistance moment my");
+  const exact = solvedByProgram(await saved(page, "case as TOML")).exact!;
+  near(fx! * 1e3, exact.fx!);
+  near(creepage! / 100, exact.creepage_longitudinal!);
+  near(my!, exact.my!);
+  near((await row(page, "peak pressure"))[0]! * 1e6, exact.peak_pressure!);
+  near((await row(page, "approach"))[0]! / 1e3, exact.approach!);
+  near((await row(page, "frictional power"))[0]!, exact.frictional_power!);
+  assert.equal((await row(page, "speed ratio"))[1]!.toFixed(3), ((2 - free! / 100) / (2 + free! / 100)).toFixed(3));
+  await page.getByLabel("rolling: given is").selectOption("creepage"); // that was found: the same nip
+  near(Number(await page.locator("#nip-motion-creepage_longitudinal").inputValue()), creepage!);
+  await nipField(page, "motion.creepage_longitudinal", String(free));
+  await page.waitForFunction(() => Math.abs(Number(document.querySelector("section:not([hidden]) .numbers td")?.textContent)) < 1e-3); // [kN], of four digits
+  await page.locator("section:not([hidden]) .panel", { hasText: "Force over creepage" }).locator("canvas").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a nip's refusals stand at its fields, and a deep one is warned of", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Nip" }).click();
+  await row(page, "longitudinal force fx");
+  const faint = page.locator("section.old:not([hidden])"), at = (key: string) => page.locator(`#nip-${key.replaceAll(".", "-")}-error`);
+  for (const [key, bad, why, good] of [
+    ["motion.force_longitudinal", "-3", "motion.force_longitudinal = -3000 [N]: must be in [-2400, 2400]", "-0.4"],
+    ["friction.coefficient", "0", "friction.coefficient = 0 [-]: must be positive", "0.6"],
+    ["body2.layers.1.hardness", "95", "body2.layers.1.hardness = 95 [ShoreA]: must be in [20, 90]", "60"],
+    ["body2.layers.1.relaxation_shares.1", "-0.1", "must be positive", "0"],
+    ["body2.layers.1.relaxation_times.2", "-3", "", "20"], // of a term without a share
+    ["body2.layers.1.relaxation_shares.2", "1.2", "sum of shares = 1.2 [-]: must be below 1", "0.2"],
+    ["body2.layers.1.relaxation_times.2", "-3", "must be positive", "20"],
+  ] as const) {
+    await nipField(page, key, bad);
+    if (why === "") await settled(page);
+    else await at(key).getByText(why).waitFor();
+    assert.equal(await faint.count(), why === "" ? 0 : 1, key);
+    await nipField(page, key, good);
+    await faint.waitFor({ state: "detached" });
+  }
+  await nipField(page, "body2.transverse_radius", "inf");
+  await page.locator("section:not([hidden]) .message").getByText("both bodies are straight").waitFor();
+  await nipField(page, "body2.transverse_radius", "20");
+  await faint.waitFor({ state: "detached" });
+  const remarks = page.locator("section:not([hidden]) .remarks");
+  assert.equal((await remarks.textContent()), "");
+  await nipField(page, "load.normal_force", "15");
+  await nipField(page, "body2.layers.1.hardness", "35");
+  await remarks.getByText(/The cover gives way by [\d.]+ % of its thickness: beyond 15 %/).waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a nip is dragged: of the loads in between the newest is computed", async () => {
+  const { page, errors } = await opened("", undefined, countRequests);
+  await page.getByRole("tab", { name: "Nip" }).click();
+  await settled(page);
+  const slider = page.getByRole("slider", { name: "normal force, kN" }).locator("visible=true");
+  await page.evaluate(() => { (window as unknown as Counting).asked.length = 0; });
+  await slider.focus();
+  for (let k = 0; k < 40; ++k) await page.keyboard.press("ArrowRight");
+  await settled(page);
+  const asked = await page.evaluate(() => (window as unknown as Counting).asked);
+  assert.ok(asked.filter((call) => call === "nip").length < 40 && asked.at(-1) === "nip_curve", asked.join(", "));
+  assert.equal(await page.locator("#nip-load-normal_force").inputValue(), "6");
+  near((await row(page, "peak pressure"))[0]! * 1e6, solvedByProgram(await saved(page, "case as TOML")).exact!.peak_pressure!);
+  console.log(await page.locator("section:not([hidden]) .time").textContent());
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -188,6 +267,13 @@ test("case files that are dropped have the program's numbers, or are refused by 
   await page.getByText("material.hardness = 3000000000").waitFor();
   await settled(page);
   near((await row(page, "lateral force"))[0]! * 1e3, solved("wheel_on_rail.toml").wheel!.force_y![0]!);
+  await dropped(page, [["rubber_roller.toml", example("rubber_roller.toml")]]);
+  await page.getByText("ms on 48 × 32 elements").waitFor({ timeout: 60000 });
+  assert.equal(await page.locator("#nip-body2-layers-1-relaxation_shares-2").inputValue(), "0.1");
+  await settled(page);
+  near((await row(page, "longitudinal creepage"))[0]! / 100, solved("rubber_roller.toml").exact!.creepage_longitudinal!);
+  await dropped(page, [["coated_roller.toml", example("coated_roller.toml")]]);
+  await page.getByText(/coated_roller.toml is not taken: the page does not have this of the case: body1.layers.1.poisson_ratio, body1.layers.1.thickness/).waitFor();
   await dropped(page, [["two_rollers.toml", example("two_rollers.toml")]]);
   await page.getByText(/two_rollers.toml is not taken: the page does not have this of the case: .*load.approach/).waitFor();
   await dropped(page, [["worn.toml", example("wheel_on_rail.toml").replace("profiles/s1002.prw", "worn/s1.prw")]]);
@@ -214,7 +300,7 @@ test("the program opens the page with a case, and what the page does not have is
   await page.getByRole("tab", { name: "Start and stop", selected: true }).waitFor({ timeout: 60000 });
   const layered = path.join(scratch, "layered.toml");
   writeFileSync(layered, readFileSync(path.join(profiles, "../hertzian_contact.toml"), "utf8").replace("# [layer] ", "[layer] ")
-    .replace("# shear_modulus = \"8.2 GPa\"", "shear_modulus = \"8.2 GPa\"").replace("# thickness = ", "thickness = ").replace('"second_order"', '"classical"'));
+    .replace("# shear_modulus = \"8.2 GPa\"", "shear_modulus = \"8.2 GPa\"").replace('# thickness = "10 um"', 'thickness = "10 um"').replace('"second_order"', '"classical"'));
   await page.goto(explore(layered));
   await page.getByText(/the page does not have this of the case: layer.shear_modulus, layer.thickness.* The page shows its own example instead/).waitFor({ timeout: 60000 });
   await page.close();
@@ -543,10 +629,11 @@ test("every field says what the program says of its key: what it is, its unit an
     const text = at.querySelector<HTMLInputElement>("input[type=text]")!, told = text.getAttribute("aria-describedby")!.split(" ").map((id) => document.getElementById(id)!.textContent);
     return { id: text.id, title: (at as HTMLElement).title, told: told.join(""), unit: at.querySelector(".unit")!.textContent };
   }));
-  assert.equal(fields.length, 50);
+  assert.equal(fields.length, 72);
   for (const { id, title, told, unit } of fields) {
-    const listed = execFileSync(program, ["init", "--keys", id.startsWith("rail-") ? "wheel" : "bodies"], { encoding: "utf8" }).split(/\n(?! {4})/).map((lines) => lines.split("\n    "));
-    const [head, text] = listed.find(([line, what]) => line!.startsWith(`${id.split("-").at(-1)!} `) && title.startsWith(what!)) ?? [];
+    const keys = execFileSync(program, ["init", "--keys", id.startsWith("rail-") ? "wheel" : "bodies"], { encoding: "utf8" });
+    const listed = keys.slice(id.includes("-layers-") ? keys.indexOf("[[body1.layers]]") : 0).split(/\n(?! {4})/).map((lines) => lines.split("\n    "));
+    const [head, text] = listed.find(([line, what]) => line!.startsWith(`${id.replace(/-\d+$/, "").split("-").at(-1)!} `) && title.startsWith(what!)) ?? [];
     assert.ok(head && text, `${id}: ${title}`);
     const [, si = "", range = ""] = /^(?: \[(.*?)\])?(?:, (.*))?$/.exec(title.slice(text.length))!;
     assert.ok(head.includes(si) && head.endsWith(range), `${id}: ${title} and ${head}`);
@@ -558,7 +645,7 @@ test("every field says what the program says of its key: what it is, its unit an
 });
 
 test("every control has a name; nothing is wider than a narrow screen", async () => {
-  for (const view of ["Contact", "Wheel on rail", "Start and stop"])
+  for (const view of ["Contact", "Wheel on rail", "Start and stop", "Nip"])
     for (const [width, scheme] of [[400, "dark"], [1400, "light"]] as const) {
       const { page, errors } = await opened("", { width, height: 900 }, undefined, scheme);
       await page.getByRole("tab", { name: view }).click();

@@ -1,0 +1,106 @@
+#include "explorer/core/nips.hpp"
+
+#include "explorer/core/solution_fields.hpp"
+#include "microslip/error.hpp"
+
+#include <string>
+#include <utility>
+
+namespace microslip::explorer {
+namespace {
+
+RollingProblem under_force(RollingProblem problem, double force) {
+  problem.motion.force_x = force;
+  return problem;
+}
+
+RollingProblem with_creepage(RollingProblem problem, double creepage) {
+  problem.motion.force_x.reset();
+  problem.motion.creepage.longitudinal = creepage;
+  return problem;
+}
+
+/// The surface speed of the undeformed body 1 over that of body 2: V (1 -+ xi/2) in the direction of rolling, from
+/// which particles come.
+double speed_ratio(const ContactSolution& solution, RollingDirection direction) {
+  const double creepage = solution.creepage.longitudinal, against = direction == RollingDirection::forward ? 1 : -1;
+  return (2 - against * creepage) / (2 + against * creepage);
+}
+
+io::Json totals_of(const ContactSolution& solution, RollingDirection direction, io::Json& units) {
+  io::Json all = {{"speed_ratio", io::json_number(speed_ratio(solution, direction))},
+                  {"status", to_string(solution.report.status)}};
+  for (const Quantity& q : quantities()) {
+    if (!q.applies(solution)) continue;
+    all[std::string(q.name)] = io::json_number(q.value(solution));
+    units[std::string(q.name)] = q.unit_of(solution);
+  }
+  if (!solution.report.reason.empty()) all["reason"] = solution.report.reason;
+  return all;
+}
+
+/// Fn mu [N].
+double largest_force(const RollingProblem& problem) {
+  return problem.friction.law.static_coefficient() * hertz_contact(problem).normal_force;
+}
+
+/// Throws Error for a case without layers, not of steady rolling, without friction, and for a force beyond friction.
+void check(const io::RollingCase& input) {
+  const RollingProblem& problem = input.problem;
+  if (!problem.layered || problem.motion.kind != ContactMotion::steady)
+    throw Error("nip: needs a case with layers and motion.kind = \"steady\"");
+  require_positive("friction.coefficient", problem.friction.law.static_coefficient(), "-");
+  const double largest = largest_force(problem);
+  if (const auto force = problem.motion.force_x)
+    require_between("motion.force_longitudinal", *force, "N", -largest, largest);
+}
+
+constexpr std::string_view fields[] = {"x", "y", "pressure", "bound", "px", "py"};
+
+/// The creepage under a force. Throws Error where it is not found.
+double creepage_under(double force, const RollingProblem& problem, Solver& solver) {
+  const ContactSolution solution = solver.solve(under_force(problem, force));
+  if (solution.report.status != Status::ok) throw Error("free rolling: " + solution.report.reason);
+  return solution.creepage.longitudinal;
+}
+
+} // namespace
+
+Solver& Nips::solver_for(const io::RollingCase& input) {
+  check(input);
+  if (input.method != solver_.method()) solver_ = Solver(input.method);
+  return solver_;
+}
+
+io::Json Nips::solve(const io::RollingCase& input) {
+  Solver& solver = solver_for(input);
+  const ContactSolution given = solver.solve(input.problem);
+  const ContactSolution free = solver.solve(under_force(input.problem, 0));
+  io::Json units = {{"speed_ratio", "-"}}, found = io::Json::object();
+  add_fields(given, fields, found, units);
+  found["state"] = states_of(given);
+  const RollingDirection direction = input.problem.motion.direction;
+  io::Json result = {{"given", totals_of(given, direction, units)}, {"free", totals_of(free, direction, units)}};
+  result["fields"] = std::move(found);
+  result["units"] = std::move(units);
+  return result;
+}
+
+io::Json Nips::curve(const io::RollingCase& input, int count) {
+  Solver& solver = solver_for(input);
+  const RollingProblem& problem = input.problem;
+  const double middle = creepage_under(0, problem, solver),
+               reach = 3 * (creepage_under(-0.5 * largest_force(problem), problem, solver) - middle);
+  io::Json curve = {{"units", {{"value", "-"}, {"fx", "N"}}}};
+  for (const char* member : {"value", "fx", "status"}) curve[member] = io::Json::array();
+  for (int k = 0; k < count; ++k) {
+    const double creepage = middle + reach * (2. * k / (count - 1) - 1);
+    const ContactForces forces = solver.solve(with_creepage(problem, creepage)).forces();
+    curve["value"].push_back(io::json_number(creepage));
+    curve["fx"].push_back(io::json_number(forces.fx));
+    curve["status"].push_back(to_string(forces.status));
+  }
+  return curve;
+}
+
+} // namespace microslip::explorer

@@ -1,0 +1,283 @@
+// A roller with an elastic cover on another roller: the nip, what it takes to roll, and how the free roller's speed differs.
+
+import { cover, moreInWords, nipCase, relaxationTerms, toPython } from "./case_text.ts";
+import { Chart, type Band } from "./chart.ts";
+import * as colours from "./colours.ts";
+import type { Core } from "./core.ts";
+import { output } from "./description.ts";
+import { element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
+import { drawMap, rowHeight, type MapContent } from "./field_map.ts";
+import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
+import { cellsUpToTheEdge, contactOfRow } from "./row_edge.ts";
+import type { Given, NipState, Stiffness, Values } from "./state.ts";
+import { digits, show, shownUnit } from "./units.ts";
+
+interface Totals {
+  fx: number; my: number; creepage_longitudinal: number; speed_ratio: number; approach: number; peak_pressure: number;
+  frictional_power: number; status: string; reason?: string;
+}
+interface Fields { x: number[]; y: number[]; pressure: number[]; bound: number[]; px: number[]; py: number[]; state: number[] }
+interface NipResult { given: Totals; free: Totals; fields: Fields }
+interface NipCurve { value: number[]; fx: number[]; status: string[] }
+
+const layer = (key: string) => `${cover}.${key}`;
+const radius = { from: 20, to: 500, step: 1 } as const, ratio = { step: 0.001 } as const;
+const groups: Record<"Load and motion" | "Cover" | "Covered roller" | "Upper roller", FieldSpec[]> = {
+  "Load and motion": [
+    { key: "load.normal_force", label: "normal force", from: 0.2, to: 20, step: 0.05 },
+    { key: "friction.coefficient", label: "friction", from: 0.05, to: 1.5, step: 0.01 },
+    { key: "motion.force_longitudinal", label: "force on the upper roller", from: -2, to: 2, step: 0.01 },
+    { key: "motion.creepage_longitudinal", label: "longitudinal creepage", unit: "%", from: -20, to: 20, step: 0.05 },
+    { key: "motion.rolling_speed", label: "speed", unit: "m/s", from: 0.1, to: 30, step: 0.1 },
+  ],
+  Cover: [
+    { key: layer("thickness"), label: "thickness", from: 1, to: 50, step: 0.5 },
+    { key: layer("hardness"), label: "hardness", step: 0.5 },
+    { key: layer("young_modulus"), label: "Young's modulus", unit: "MPa", from: 0.5, to: 50, step: 0.1 },
+    { key: layer("shear_modulus"), label: "shear modulus", unit: "MPa", from: 0.2, to: 20, step: 0.1 },
+    { key: layer("poisson_ratio"), label: "Poisson's ratio", ...ratio },
+    { key: layer("relaxation_shares.1"), label: "share that relaxes", to: 0.9, from: 0, step: 0.01 },
+    { key: layer("relaxation_times.1"), label: "within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
+    { key: layer("relaxation_shares.2"), label: "second share", to: 0.9, from: 0, step: 0.01 },
+    { key: layer("relaxation_times.2"), label: "within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
+  ],
+  "Covered roller": [
+    { key: "body2.rolling_radius", label: "radius", ...radius },
+    { key: "body2.transverse_radius", label: "crown, radius across", unit: "m", from: 1, to: 100, step: 0.5 },
+    { key: "body2.young_modulus", label: "core, Young's modulus" },
+    { key: "body2.poisson_ratio", label: "core, Poisson's ratio" },
+  ],
+  "Upper roller": [
+    { key: "body1.rolling_radius", label: "radius", ...radius },
+    { key: "body1.transverse_radius", label: "radius across", unit: "m" },
+    { key: "body1.young_modulus", label: "Young's modulus" },
+    { key: "body1.poisson_ratio", label: "Poisson's ratio" },
+  ],
+};
+const names = { hardness: "hardness", young_modulus: "Young's modulus", shear_modulus: "shear modulus" } as const;
+const force = "motion.force_longitudinal", creepage = "motion.creepage_longitudinal";
+
+/** Of the approach over the cover's thickness; strains of linear elasticity are small. */
+const largestIndentation = 0.15;
+const points = 31;
+
+export class NipView {
+  readonly root = element("section", { class: "view", "aria-label": "Nip" });
+  readonly #form = new Form("nip", this.root);
+  readonly #choices: { set: (state: NipState) => void }[] = [];
+  readonly #map = element("canvas", { class: "map small", role: "img" });
+  readonly #numbers = element("table", { class: "numbers" });
+  readonly #remarks = element("ul", { class: "remarks", role: "status" });
+  readonly #more = element("p", { class: "hint" });
+  readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
+  readonly #time = element("p", { class: "time" });
+  readonly #along: Chart;
+  readonly #curve: Chart;
+  #found: NipResult | undefined;
+  #later = 0;
+
+  constructor(readonly core: Core, public state: NipState, readonly changed: () => void) {
+    const along = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
+    this.#along = new Chart(along, 280);
+    this.#curve = new Chart(curve);
+    this.root.append(
+      element("div", { class: "controls" }, ...this.#controls()),
+      element("div", { class: "pictures" },
+        element("div", { class: "panel wide" }, element("h3", {}, "Along the nip, in its middle"), along, stateLegend(),
+          this.#form.message, this.#remarks, this.#time),
+        element("div", { class: "panel" }, element("h3", {}, "The nip as it is set, and with a free roller"), this.#numbers, this.#spoken,
+          element("p", { class: "hint" }, "Free: no longitudinal force. The speed ratio is the upper roller's surface speed over the covered one's, both of the undeformed radius: (2 − ξ)/(2 + ξ) with the creepage ξ.")),
+        element("div", { class: "panel" }, element("h3", {}, "Force over creepage"), curve),
+        element("div", { class: "panel wide" }, element("h3", {}, "From above; x and y have scales of their own"), element("div", { class: "choices" }, this.#shownChoice()), this.#map)));
+  }
+
+  /** Takes over another state, as from a link; `solve` is the next step. */
+  set(state: NipState): void {
+    this.state = state;
+    for (const choice of this.#choices) choice.set(state);
+    this.#showFields();
+    this.#form.set(state.values);
+  }
+
+  /** The nip and the free roller first; the curve once nothing has changed for a while. */
+  solve(): void {
+    void this.core.ask<NipResult>("nip", { call: "nip", case: nipCase(this.state) }).then((reply) => {
+      if (!reply) return;
+      this.#form.refuse(named(reply.error?.message ?? "", this.state.values));
+      if (!reply.result) return;
+      this.#found = reply.result;
+      this.#time.textContent = `exact theory, both: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.state.elements.join(" × ")} elements`;
+      this.draw();
+      clearTimeout(this.#later);
+      this.#later = window.setTimeout(() => { this.#askCurve(); }, 150);
+    });
+  }
+
+  exports(): Record<string, () => void> {
+    return {
+      "case as TOML": () => { save("nip.toml", nipCase(this.state)); },
+      "case as Python": () => { save("nip.py", toPython(nipCase(this.state))); },
+      "nip as CSV": () => { save("nip.csv", this.#along.csv(), "text/csv"); },
+      "forces as CSV": () => { save("nip_forces.csv", this.#curve.csv(), "text/csv"); },
+      "picture as PNG": () => { this.#along.canvas()?.toBlob((blob) => { if (blob) save("nip.png", blob); }); },
+    };
+  }
+
+  #changed(): void {
+    this.solve();
+    this.changed();
+  }
+
+  #controls(): HTMLElement[] {
+    const made = (spec: FieldSpec) => this.#form.add(spec, this.state.values[spec.key]!, (value) => {
+      this.state.values[spec.key] = value;
+      this.#changed();
+    }).root;
+    const given = new Choice("rolling: given is", { force: "the force", creepage: "the creepage" }, this.state.given, (value) => { this.#give(value as Given); });
+    const stiffness = new Choice("stiffness by", names, this.state.stiffness, (value) => {
+      this.state.stiffness = value as Stiffness;
+      this.#showFields();
+      this.#changed();
+    });
+    this.#choices.push({ set: (state) => { given.set(state.given); stiffness.set(state.stiffness); } });
+    const before: Record<string, Choice> = { [force]: given, [layer("hardness")]: stiffness };
+    const all = Object.entries(groups).map(([name, specs]) => element("fieldset", {}, element("legend", {}, name),
+      ...specs.flatMap((spec) => (before[spec.key] ? [before[spec.key]!.root, made(spec)] : [made(spec)]))));
+    this.#showFields();
+    const meaning = element("p", { class: "hint" }, "A negative force on the upper roller is one with which the covered roller drives it. Of the cover's shear modulus shares relax; the stiffness is that of short times.");
+    return [...all, meaning, this.#more];
+  }
+
+  /** The other input form of the motion, which stays the same one. */
+  #give(given: Given): void {
+    const { values } = this.state;
+    this.state.given = given;
+    if (this.#found) Object.assign(values, { [force]: this.#found.given.fx, [creepage]: this.#found.given.creepage_longitudinal });
+    for (const field of this.#form.fields) if (field.spec.key === force || field.spec.key === creepage) field.set(values[field.spec.key]!);
+    this.#showFields();
+    this.#changed();
+  }
+
+  #showFields(): void {
+    const { given, stiffness } = this.state;
+    for (const { spec: { key }, root } of this.#form.fields) {
+      if (key === force || key === creepage) root.hidden = (key === force) !== (given === "force");
+      const kind = key.slice(layer("").length);
+      if (key.startsWith(layer("")) && kind in names) root.hidden = kind !== stiffness;
+    }
+    this.#more.textContent = moreInWords(this.state.more);
+    this.#form.show();
+  }
+
+  #shownChoice(): HTMLElement {
+    const words: Record<NipState["shown"], string> = { "adhesion and slip": "adhesion and slip", pressure: "pressure", px: "traction px", py: "traction py" };
+    const choice = new Choice("seen from above", words, this.state.shown, (value) => {
+      this.state.shown = value as NipState["shown"];
+      this.draw();
+      this.changed();
+    });
+    this.#choices.push({ set: (state) => { choice.set(state.shown); } });
+    return choice.root;
+  }
+
+  draw(): void {
+    const found = this.#found;
+    if (!found) return;
+    const { fields: f } = found, middle = f.y.reduce((least, y) => (Math.abs(y) < Math.abs(least) ? y : least), Infinity);
+    const places = [...new Set(f.x)].sort((one, other) => one - other), width = places.length > 1 ? places[1]! - places[0]! : 1e-3;
+    const rows = { ...f, width: f.x.map(() => width) };
+    const [from, to] = contactOfRow(rows, middle) ?? [0, 0];
+    const inContact = f.y.filter((_, k) => f.state[k] !== 0), height = rowHeight(f.y);
+    const size = { along: to - from, across: Math.max(...inContact) - Math.min(...inContact) + height };
+    this.#drawMap(rows, height);
+    this.#drawAlong(f, middle, width);
+    this.#showNumbers(found, size);
+    this.#drawCurve(this.#curve.content);
+  }
+
+  #drawMap(rows: Fields & { width: number[] }, height: number): void {
+    const { shown } = this.state, colour: Record<NipState["shown"], MapContent["colour"]> = {
+      "adhesion and slip": "state",
+      pressure: { values: rows.pressure, unit: "MPa", scale: 1e-6, signed: false },
+      px: { values: rows.px, unit: "MPa", scale: 1e-6, signed: true },
+      py: { values: rows.py, unit: "MPa", scale: 1e-6, signed: true },
+    };
+    drawMap(this.#map, { cells: { ...rows, height }, parts: cellsUpToTheEdge(rows, height), colour: colour[shown], isStretched: true });
+  }
+
+  #drawAlong(f: Fields, middle: number, width: number): void {
+    const at = f.y.flatMap((y, k) => (y === middle ? [k] : [])).sort((one, other) => f.x[one]! - f.x[other]!);
+    const mega = (values: number[], sign = 1) => at.map((k) => (sign * values[k]!) / 1e6);
+    const bands = at.filter((k) => f.state[k] !== 0).map((k): Band => ({
+      from: (f.x[k]! - width / 2) * 1e3, to: (f.x[k]! + width / 2) * 1e3, colour: f.state[k] === 2 ? colours.slip : colours.adhesion,
+    }));
+    this.#along.draw({
+      x: at.map((k) => f.x[k]! * 1e3), xLabel: "x [mm], rolls this way →", yLabel: "MPa", bands,
+      curves: [
+        { name: "pressure", colour: colours.table, values: mega(f.pressure) },
+        { name: "bound, friction × pressure", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
+        { name: "−bound", colour: colours.bound, values: mega(f.bound, -1), dash: [4, 4] },
+        { name: "px", colour: colours.exact, values: mega(f.px) },
+      ],
+    });
+  }
+
+  #showNumbers({ given, free }: NipResult, size: { along: number; across: number }): void {
+    const ofFree = (text: string) => (free.status === "ok" ? text : "–");
+    const both = (text: (of: Totals) => string) => [text(given), ofFree(text(free))];
+    const row = (name: Exclude<keyof Totals, "status" | "reason" | "speed_ratio">, unit?: string): Row => {
+      const { unit: si, text, label } = output("bodies", name), shown = unit ?? shownUnit(si);
+      return { name: label!, unit: shown, what: text, values: both((of) => show(of[name], si, shown)) };
+    };
+    const thickness = this.state.values[layer("thickness")]!, indentation = given.approach / thickness;
+    fillTable(this.#numbers, ["as set", "free"], [
+      { ...row("fx"), values: [row("fx").values[0]!, ofFree("0")] }, row("creepage_longitudinal", "%"),
+      { name: "speed ratio", unit: "", values: both((of) => of.speed_ratio.toFixed(4)) },
+      { name: "nip width, in its middle", unit: "mm", what: "length of the contact along x", values: [digits(size.along * 1e3), ""] },
+      { name: "contact across", unit: "mm", what: "length of the contact along y", values: [digits(size.across * 1e3), ""] },
+      row("peak_pressure", "MPa"), row("approach"),
+      { name: "approach over thickness", unit: "%", values: both((of) => digits((100 * of.approach) / thickness)) },
+      row("frictional_power"), row("my"),
+    ]);
+    const notOk = (name: string, { status, reason }: Totals) => (status === "ok" ? [] : [`${name}: ${sentence(statusInWords(status, reason))}`]);
+    const tooDeep = indentation > largestIndentation
+      ? [`The cover gives way by ${digits(100 * indentation)} % of its thickness: beyond ${String(100 * largestIndentation)} % strains are too large for linear elasticity, and numbers are rough.`] : [];
+    fillRemarks(this.#remarks, [...notOk("as set", given), ...notOk("free", free), ...tooDeep]);
+    const text = `nip ${digits(size.along * 1e3)} mm wide, peak pressure ${digits(given.peak_pressure / 1e6)} MPa, force ${digits(given.fx)} N`;
+    this.#spoken.textContent = text;
+    this.#map.setAttribute("aria-label", `${this.state.shown} in the nip from above: ${text}`);
+  }
+
+  #askCurve(): void {
+    void this.core.ask<NipCurve>("nip curve", { call: "nip_curve", case: nipCase(this.state), count: points }).then((reply) => {
+      if (!reply) return;
+      if (!reply.result) {
+        this.#curve.refuse(`No curve: ${sentence(withoutPlace(reply.error!.message))}`);
+        return;
+      }
+      const { value, fx, status } = reply.result, left = status.filter((one) => one !== "ok");
+      const remark = left.length ? `${String(left.length)} of ${String(status.length)} points are left out, ${[...new Set(left)].join(", ").replaceAll("_", " ")}.` : "";
+      this.#drawCurve({
+        x: value.map((at) => 100 * at), xLabel: "longitudinal creepage [%]", yLabel: "Fx [kN]",
+        curves: [{ name: "force on the upper roller", colour: colours.exact, values: fx.map((at, k) => (status[k] === "ok" ? at / 1e3 : null)) }],
+      }, remark);
+    });
+  }
+
+  #drawCurve(content: Chart["content"], remark = ""): void {
+    if (content && this.#found) this.#curve.draw({ ...content, present: 100 * this.#found.given.creepage_longitudinal }, remark);
+  }
+}
+
+function stateLegend(): HTMLElement {
+  const swatch = (colour: string, name: string) => element("span", {}, element("span", { class: "swatch", style: `background: ${colour}` }), name);
+  return element("p", { class: "hint legend" }, "behind the curves: ", swatch(colours.adhesion, "adhesion"), swatch(colours.slip, "slip"));
+}
+
+/** The core's words on a term of the relaxation, which it counts among those that the case has, with the key of its field. */
+function named(message: string, values: Values): string {
+  const terms = relaxationTerms(values), key = (what: string, index: number) => layer(`relaxation_${what}s.${String(terms[index])}`);
+  return message
+    .replace(/relaxation_shares\[(\d+)\]\.(share|time)/, (_, index: string, what: string) => key(what, Number(index)))
+    .replace("sum of relaxation_shares.share", `${key("share", 0)}: sum of shares`);
+}
