@@ -19,12 +19,12 @@ LayeredBody covered(double thickness, const Material& material, const PronySerie
   return {{{thickness, {material, relaxation}}}, rigid};
 }
 
-/// A nip of two rollers of 1 mm in line contact, 60 elements along 10 mm.
+/// A nip of two rollers of 1 mm in line contact, 40 elements along 10 mm.
 RollingProblem nip_of_rollers(const LayeredBody& body1, const LayeredBody& body2, double force_per_length = 2e3,
                               double speed = 1) {
   constexpr double length = 1e-3;
   RollingProblem p;
-  p.geometry = GapFormula{ElementGrid::across_line(5e-3, 60, 0, length),
+  p.geometry = GapFormula{ElementGrid::across_line(5e-3, 40, 0, length),
                           [](double x, double) { return 0.5 * radii.curvature() * x * x; }};
   p.layered = LayeredBodies{body1, body2, speed};
   p.load = {NormalLoad::Given::force, force_per_length * length};
@@ -71,7 +71,7 @@ TEST(Nip, ElasticBodiesHaveNoHysteresis) {
 TEST(Nip, DrivesSupplyWhatIsLost) {
   const PronySeries relaxation = {{0.4, 2e-3}, {0.2, 2e-2}};
   for (const double speed : {1.0, -1.0})
-    for (const double creepage : {-0.01, 0.0, 0.02}) {
+    for (const double creepage : {-0.01, 0.02}) {
       RollingProblem p =
           nip_of_rollers(covered(5e-3, hard, {{0.3, 1e-3}}), covered(3e-3, rubber, relaxation), 2e3, speed);
       p.motion.creepage.longitudinal = creepage;
@@ -119,19 +119,18 @@ TEST(Nip, EqualRollersShareTheirHysteresis) {
 TEST(Nip, AFreeRollerHasNoDrive) {
   const LayeredBody cover = covered(3e-3, rubber, {{0.5, 5e-3}});
   Solver solver(method);
-  for (const double speed : {1.0, -1.0})
-    for (const Roller driven : {Roller::body1, Roller::body2}) {
-      const RollingProblem p = nip_of_rollers(cover, cover, 2e3, speed);
-      const FreeRoller free = roll_without_torque(solver, p, radii, driven);
-      ASSERT_EQ(free.solution.report.status, Status::ok) << free.solution.report.reason;
-      const Nip nip = nip_of(p, free.solution, radii);
-      const auto [own, others] =
-          driven == Roller::body1 ? std::pair{nip.body1, nip.body2} : std::pair{nip.body2, nip.body1};
-      EXPECT_NEAR(own.drive, 0, 1e-6 * nip.traction_capacity);
-      EXPECT_NEAR(others.drive, nip.hysteresis_power + nip.slip_power, 0.01 * others.drive); // V is 1 m/s
-      EXPECT_LT(free.speed_ratio, 1); // it lags, since its hysteresis brakes it
-      EXPECT_GT(free.speed_ratio, 0.98);
-    }
+  for (const auto& [speed, driven] : {std::pair{1.0, Roller::body1}, {-1.0, Roller::body2}}) {
+    const RollingProblem p = nip_of_rollers(cover, cover, 2e3, speed);
+    const FreeRoller free = roll_without_torque(solver, p, radii, driven);
+    ASSERT_EQ(free.solution.report.status, Status::ok) << free.solution.report.reason;
+    const Nip nip = nip_of(p, free.solution, radii);
+    const auto [own, others] =
+        driven == Roller::body1 ? std::pair{nip.body1, nip.body2} : std::pair{nip.body2, nip.body1};
+    EXPECT_NEAR(own.drive, 0, 1e-6 * nip.traction_capacity);
+    EXPECT_NEAR(others.drive, nip.hysteresis_power + nip.slip_power, 0.01 * others.drive); // V is 1 m/s
+    EXPECT_LT(free.speed_ratio, 1); // it lags, since its hysteresis brakes it
+    EXPECT_GT(free.speed_ratio, 0.98);
+  }
 }
 
 /// A rigid roller without torque has no tangential force; it is overdriven by an incompressible cover, which is drawn
@@ -153,7 +152,7 @@ TEST(Nip, AnIncompressibleCoverOverdrives) {
 TEST(Nip, WarnsWhereSmallStrainsAndPlaneLayersEnd) {
   const auto warnings_of = [](double thickness, double force) {
     const Nip nip = solve(nip_of_rollers({{}, rigid}, covered(thickness, rubber), force)).nip;
-    EXPECT_NEAR(nip.body2.strain, nip.indentation / thickness, 2e-3 * nip.body2.strain);
+    EXPECT_NEAR(nip.body2.strain, nip.indentation / thickness, 5e-3 * nip.body2.strain);
     EXPECT_EQ(nip.warnings.all.has(Warning::large_strain), nip.body2.strain > 0.15);
     return nip.warnings;
   };
@@ -184,7 +183,7 @@ TEST(Nip, OfHalfSpacesIsHertz) {
   const RollingProblem p = nip_of_rollers({{}, rigid}, {{}, {rubber}}, 500);
   const Nip nip = solve(p).nip;
   const LineContact hertz = line_contact_from_load(0.5 * radii.curvature(), p.layered->surfaces(), 500);
-  EXPECT_NEAR(nip.width, 2 * hertz.half_width, 2 * 10e-3 / 60);
+  EXPECT_NEAR(nip.width, 2 * hertz.half_width, 2 * 10e-3 / 40);
   EXPECT_NEAR(nip.peak_pressure, hertz.peak_pressure, 0.02 * hertz.peak_pressure);
 }
 
