@@ -109,8 +109,8 @@ py::array sampled_field(const ContactSolution& self, const std::string& name, co
 }
 
 /// The stresses inside at all combinations of coordinates.
-States states_inside(const ContactSolution& self, const Material& body1, const Material& body2, const py::object& x,
-                     const py::object& y, const py::object& z) {
+States states_inside(const ContactSolution& self, const InteriorBody& body1, const InteriorBody& body2,
+                     const py::object& x, const py::object& y, const py::object& z) {
   InteriorGrid points;
   for (const auto& [name, given, axis] :
        {std::tuple("x", &x, &points.x), std::tuple("y", &y, &points.y), std::tuple("z", &z, &points.z)}) {
@@ -165,11 +165,25 @@ void bind_solution(py::module_& module) {
            "A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid,\n"
            "in the field's unit [SI]: the value of the element that a centre lies in, zero where there is\n"
            "none. Error for a field that the solution does not have.")
-      .def("interior_states", &states_inside, "body1"_a, "body2"_a, "x"_a, "y"_a, "z"_a,
+      .def(
+          "interior_states",
+          [](const ContactSolution& self, const Material& body1, const Material& body2, const py::object& x,
+             const py::object& y, const py::object& z) { return states_inside(self, body1, body2, x, y, z); },
+          "body1"_a, "body2"_a, "x"_a, "y"_a, "z"_a,
            "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,\n"
            "y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.\n"
            "Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without\n"
            "pressures, as those of the simplified theory.")
+      .def(
+          "interior_states",
+          [](const ContactSolution& self, const LayeredBodies& bodies, const py::object& x, const py::object& y,
+             const py::object& z) {
+            const auto& [body1, body2, velocity] = bodies;
+            return states_inside(self, {body1, velocity}, {body2, velocity}, x, y, z);
+          },
+          "bodies"_a, "x"_a, "y"_a, "z"_a,
+          "The same of LayeredBodies; on the interface of two layers points lie in the one nearer to the\n"
+          "surface [m]. Error for points in a rigid core, too.")
       .def("_repr_html_", &table);
   add_labelled_arrays(solution);
   add_value(solution, {"status", "fx", "fy", "mz", "creepage", "grid"});
