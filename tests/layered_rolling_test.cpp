@@ -379,6 +379,14 @@ TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   RollingProblem flat = p;
   flat.geometry = GapCurvatures{0, 0};
   EXPECT_NE(refusal(flat, exact).find("curvature"), std::string::npos) << refusal(flat, exact);
+  RollingProblem pressed_flat = p;
+  pressed_flat.geometry = GapCurvatures{5, 0};
+  pressed_flat.load.value = 1e10;
+  EXPECT_NE(refusal(pressed_flat, exact).find("radius"), std::string::npos) << refusal(pressed_flat, exact);
+  Method second_order = exact;
+  second_order.discretisation = Discretisation::second_order;
+  EXPECT_NE(refusal(p, second_order).find("classical for bodies with layers"), std::string::npos)
+      << refusal(p, second_order);
   Method accurate = exact;
   accurate.accuracy = 1e-3;
   EXPECT_NE(refusal(p, accurate).find("accuracy"), std::string::npos);

@@ -84,9 +84,9 @@ std::complex<double> transform(const ElementGrid& grid, const Field& values, dou
   return sum;
 }
 
-/// Power [W] that body 2 turns into heat, with the tractions that its strips have: 2 V/pi times the integral of sin(k dx)
-/// sin(k dx/2)/k^2 Im(p^H C p) over k, C its response at the frequency -V k. (The sines are those of differences over two
-/// strips and of a strip.)
+/// Power [W] that body 2 turns into heat, with the tractions that its strips have: 2 V/pi times the integral of sin(k
+/// dx) sin(k dx/2)/k^2 Im(p^H C p) over k, C its response at the frequency -V k. (The sines are those of differences
+/// over two strips and of a strip.)
 double hysteresis(const LayeredBody& body, double speed, const ElementGrid& grid, const ContactStepSolution& s) {
   static const GaussLegendre rule(16);
   const double width = 8 / (grid.mx * grid.dx), end = 200 / grid.dx;
@@ -154,13 +154,15 @@ void report_energy(Report& report) {
   const PronySeries slow = {{0.4, 1e-3}, {0.2, 1e-2}}, quick = {{0.5, 2e-4}};
   const std::pair<const char*, LayeredBody> elastic[] = {
       {"a ball on rubber on a rigid core", {{{h, {rubber}}}, {rigid}}},
-      {"a ball on three layers on steel", {{{h / 4, {{2e10, 0.3}}}, {h, {plastic}}, {h, {{1e8, 0.49}}}}, {{82e9, 0.28}}}},
+      {"a ball on three layers on steel",
+       {{{h / 4, {{2e10, 0.3}}}, {h, {plastic}}, {h, {{1e8, 0.49}}}}, {{82e9, 0.28}}}},
   };
   for (const auto& [name, body] : elastic)
     report.bounded(name, "{:.1e}", std::abs(balance_of(report, body, square).difference), "<= 1e-10");
   const std::pair<const char*, LayeredBody> viscoelastic[] = {
       {"a roller on a relaxing cover on a rigid core", {{{h, {rubber, slow}}}, {rigid}}},
-      {"  on two relaxing layers on steel", {{{h / 4, {plastic, slow}}, {h, {{2e8, 0.45}, quick, slow}}}, {{82e9, 0.28}}}},
+      {"  on two relaxing layers on steel",
+       {{{h / 4, {plastic, slow}}, {h, {{2e8, 0.45}, quick, slow}}}, {{82e9, 0.28}}}},
   };
   for (const auto& [name, body] : viscoelastic) {
     const Balance balance = balance_of(report, body, ElementGrid::across_line(half, 96));

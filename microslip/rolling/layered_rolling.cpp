@@ -82,6 +82,7 @@ ElementGrid wider(ElementGrid grid) {
   return grid;
 }
 
+constexpr const char* too_long = "layers: the contact of the rollers is longer than their radius 1/(2 A)";
 constexpr const char* not_found = "layers: no contact area is found whose size is that of its elements";
 
 bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid) {
@@ -129,6 +130,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
   auto [a, b] = hertzian_lengths(problem, curvatures);
   double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
+    if (is_line(curvatures) && a > *far_of(curvatures)) throw Error(too_long);
     const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});

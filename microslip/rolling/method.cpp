@@ -62,6 +62,8 @@ constexpr Rule rules[] = {
        return p.layered && !p.layered->are_elastic() &&
               !(is_steady(p) && p.layered->speed == rolling_velocity(p.motion));
      }},
+    {"solution.discretisation", "must be classical for bodies with layers",
+     [](Problem p, How m) { return p.layered && m.discretisation == Discretisation::second_order; }},
     {"solution.elements", "must be constant for bodies with layers",
      [](Problem p, How m) { return p.layered && elements_of(p, m) != ElementShape::constant; }},
     {"motion.step", "must be the elements' length for bodies with layers",

@@ -24,8 +24,7 @@ public:
   /// Sets the elements that are about in contact, those with a pressure.
   void expect_contact(std::span<const double> pressure, RollingDirection direction);
   /// q = M^-1 p on the elements in contact; others are not written.
-  void precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
-                    std::span<double> qy);
+  void precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx, std::span<double> qy);
 
 private:
   /// An element in contact; the first one of its row that particles enter leads.
