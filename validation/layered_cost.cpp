@@ -38,8 +38,10 @@ void report_products(Report& report) {
   report.heading("Steady rolling of a ball on 48 x 48 elements, over those of half-spaces of rubber and steel");
   const double half_spaces = static_cast<double>(report_of({{}, {rubber}}).products);
   const std::tuple<const char*, Material, ViscoelasticMaterial, double> covers[] = {
-      {"rubber on steel", rubber, {steel}, 1.2},           {"rubber on a rigid core", rubber, rigid, 1.2},
-      {"five times softer than steel, on it", soft, {steel}, 1.2}, {"ten times stiffer than steel, on it", hard, {steel}, 1.4},
+      {"rubber on steel", rubber, {steel}, 1.2},
+      {"rubber on a rigid core", rubber, rigid, 1.2},
+      {"five times softer than steel, on it", soft, {steel}, 1.2},
+      {"ten times stiffer than steel, on it", hard, {steel}, 1.4},
       {"incompressible on a rigid core", incompressible, rigid, 3},
   };
   for (const auto& [name, layer, below, bound] : covers)

@@ -64,9 +64,7 @@ RollingProblem random_problem(Draw& draw) {
 
 void report_random_contacts(Report& report, const Progress& progress) {
   constexpr int contacts = 2000;
-  report.heading(
-      "2000 random contacts in steady rolling, 12 to 20 elements across: balls and rollers, up to 10 layers on "
-      "each body, moduli over four decades, thicknesses over three, up to 3 relaxation times");
+  report.heading("2000 random contacts in steady rolling: balls and rollers, up to 10 layers on each body");
   Draw draw(1);
   int solved = 0, refused = 0;
   double steps = 0, products = 0;
