@@ -261,6 +261,30 @@ TEST(LayeredRolling, AThinIncompressibleCoverFlows) {
   EXPECT_NEAR((4 * peak_of_half - peak) / 3, 1, 0.01);
 }
 
+/// Transient rolling over two elements in a step, on layers of the substrate's material: that of half-spaces. Over a
+/// part of an element there are no influence numbers.
+TEST(LayeredRolling, StepsAreWholeElementsOfAGrid) {
+  LayeredBodies bodies = steel_without_layers();
+  bodies.body2.layers = {{1e-3, {stiff}}};
+  RollingProblem p = rolling_of(bodies, 10e3);
+  const ElementGrid grid = ElementGrid::across_ellipse(2e-3, 3e-3, 16, 16, 1);
+  p.geometry = GapFormula{grid, [](double x, double y) { return 5 * x * x + 2.5 * y * y; }};
+  p.motion.kind = ContactMotion::transient;
+  p.motion.steps = 3;
+  p.motion.step = 2 * grid.dx;
+  RollingProblem plain = p;
+  plain.layered.reset();
+  plain.bodies = bodies.surfaces();
+  const Method method{.theory = Theory::exact, .discretisation = Discretisation::classical, .tolerance = 1e-10};
+  const ContactSolution a = Solver(method).solve(p), b = Solver(method).solve(plain);
+  ASSERT_EQ(a.report.status, Status::ok);
+  EXPECT_GT(std::abs(b.totals.fx), 100);
+  EXPECT_NEAR(a.totals.fx, b.totals.fx, 1e-6 * 3e3);
+  EXPECT_NEAR(a.totals.fy, b.totals.fy, 1e-6 * 3e3);
+  p.motion.step = 1.5 * grid.dx;
+  EXPECT_THROW(Solver(method).solve(p), Error);
+}
+
 /// A ball and rollers with covers, elastic and viscoelastic, with creepages and spin.
 std::vector<RollingProblem> rolling_covers() {
   LayeredBodies on_steel = {{{{1e-3, {{3e8, 0.4}}}}, {stiff}},
@@ -379,6 +403,14 @@ TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   RollingProblem flat = p;
   flat.geometry = GapCurvatures{0, 0};
   EXPECT_NE(refusal(flat, exact).find("curvature"), std::string::npos) << refusal(flat, exact);
+  RollingProblem pressed_flat = p;
+  pressed_flat.geometry = GapCurvatures{5, 0};
+  pressed_flat.load.value = 1e10;
+  EXPECT_NE(refusal(pressed_flat, exact).find("radius"), std::string::npos) << refusal(pressed_flat, exact);
+  Method second_order = exact;
+  second_order.discretisation = Discretisation::second_order;
+  EXPECT_NE(refusal(p, second_order).find("classical for bodies with layers"), std::string::npos)
+      << refusal(p, second_order);
   Method accurate = exact;
   accurate.accuracy = 1e-3;
   EXPECT_NE(refusal(p, accurate).find("accuracy"), std::string::npos);

@@ -10,6 +10,7 @@
 #include "validation/draw.hpp"
 #include "validation/interior_integral.hpp"
 #include "validation/layer_on_half_space.hpp"
+#include "validation/layered_cost.hpp"
 #include "validation/layered_energy.hpp"
 #include "validation/layered_integral.hpp"
 #include "validation/layered_random_contacts.hpp"
@@ -203,6 +204,23 @@ void report_inside(Report& report) {
                  "<= 1e-7");
   report.bounded("jump of tractions between the stiff skin and below", "{:.1e}", interface_error(skin), "<= 1e-7");
   report.bounded("  between the layers with a soft bond", "{:.1e}", interface_error(bond), "<= 1e-7");
+}
+
+/// Influence of an element of the side 1 on itself, of a thin layer on a rigid core, beside that of springs: h (1 - 2
+/// nu)/(2 G (1 - nu)) inwards and h/G along the surface. Differences over the larger one, h/G.
+double difference_from_springs(double thickness, double nu) {
+  const LayeredBody body = {{{thickness, {{1, nu}}}}, {rigid}};
+  const Influence a = LayeredInfluence({rigid_body, body}, {1, 1}, 1, 1).at(0, 0);
+  return std::max(std::abs(a.xx / thickness - 1), std::abs(a.zz / thickness - (1 - 2 * nu) / (2 * (1 - nu))));
+}
+
+void report_thin_influence(Report& report) {
+  report.heading(
+      "Influence on itself of an element on a thin layer on a rigid core: differences from springs, over h/G");
+  for (const double nu : {0.3, 0.5})
+    for (const double thickness : {0.01, 1e-3})
+      report.bounded(fmt::format("nu = {}, h = dx/{:.0f}", nu, 1 / thickness), "{:.1e}",
+                     difference_from_springs(thickness, nu), "<= 1e-7");
 }
 
 /// Square elements around the origin, an odd number along each side.
@@ -422,6 +440,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   report_responses(report);
   report_influence(report);
   report_inside(report);
+  report_thin_influence(report);
   report.heading("A rigid sphere on two layers of a0/2 on steel, 201 x 201 elements: computed, published");
   report_coated_sphere(report, "E and E", 1, 1, 1, 1, 1.1);
   report_coated_sphere(report, "E/4 on E/2", 0.25, 0.5, 0.582, 1.373, 1.5);
@@ -433,6 +452,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   report_viscoelastic_layer(report);
   report_thin_viscoelastic_layers(report);
   report_rollers(report);
+  report_layered_cost(report);
   report_energy(report);
   try {
     report_random_contacts(report, part(options.progress, 0.1, 1));

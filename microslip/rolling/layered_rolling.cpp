@@ -82,10 +82,18 @@ ElementGrid wider(ElementGrid grid) {
   return grid;
 }
 
+constexpr const char* too_long = "layers: the contact of the rollers is longer than their radius 1/(2 A)";
 constexpr const char* not_found = "layers: no contact area is found whose size is that of its elements";
 
-bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid) {
-  return table.mx() == grid.mx + 1 && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
+/// Elements that a particle passes in a step; of steps that are not whole elements the next more.
+int elements_of_step(const Motion& motion, const ElementGrid& grid) {
+  const double elements = motion.step / grid.dx;
+  if (!(elements < grid.mx)) throw Error("step", motion.step, "m", "shorter than the grid of bodies with layers");
+  return std::max(1, static_cast<int>(std::ceil(elements)));
+}
+
+bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid, int ahead) {
+  return table.mx() == grid.mx + ahead && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
          table.is_of_strips() == grid.line;
 }
 
@@ -129,6 +137,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
   auto [a, b] = hertzian_lengths(problem, curvatures);
   double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
+    if (is_line(curvatures) && a > *far_of(curvatures)) throw Error(too_long);
     const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});
@@ -171,8 +180,9 @@ LayeredSurfaces& LayeredRolling::surfaces(const LayeredBodies& bodies) {
 ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                                          const Progress& progress) {
   LayeredSurfaces& bodies = surfaces(*problem.layered);
-  if (!table_ || far_ != far || !has_elements_of(*table_, gap.grid)) {
-    table_ = layered_table(bodies, gap.grid, far, essential_part(progress, 0, 0));
+  const int ahead = elements_of_step(problem.motion, gap.grid);
+  if (!table_ || far_ != far || !has_elements_of(*table_, gap.grid, ahead)) {
+    table_ = layered_table(bodies, gap.grid, far, essential_part(progress, 0, 0), ahead);
     far_ = far;
   }
   return solve_steps(sequence_, step_with(table_, problem, method_, std::move(gap)), problem.motion.steps, progress);

@@ -62,10 +62,14 @@ constexpr Rule rules[] = {
        return p.layered && !p.layered->are_elastic() &&
               !(is_steady(p) && p.layered->speed == rolling_velocity(p.motion));
      }},
+    {"solution.discretisation", "must be classical for bodies with layers",
+     [](Problem p, How m) { return p.layered && m.discretisation == Discretisation::second_order; }},
     {"solution.elements", "must be constant for bodies with layers",
      [](Problem p, How m) { return p.layered && elements_of(p, m) != ElementShape::constant; }},
-    {"motion.step", "must be the elements' length for bodies with layers",
-     [](Problem p, How) { return p.layered && p.motion.step != 0; }},
+    {"motion.step", "must be the elements' length for bodies with layers by their radii",
+     [](Problem p, How) {
+       return p.layered && p.motion.step != 0 && std::holds_alternative<GapCurvatures>(p.geometry);
+     }},
     {"motion.force_longitudinal, motion.force_lateral", "need {load.normal_force} with layers",
      [](Problem p, How) {
        return p.layered && p.load.given == NormalLoad::Given::approach && (p.motion.force_x || p.motion.force_y);

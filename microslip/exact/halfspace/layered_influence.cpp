@@ -109,10 +109,10 @@ std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies,
 }
 
 std::shared_ptr<const InfluenceTable> layered_table(LayeredSurfaces& surfaces, const ElementGrid& grid,
-                                                    std::optional<double> far, const Progress& progress) {
+                                                    std::optional<double> far, const Progress& progress, int ahead) {
   check(grid);
   if (grid.shape != ElementShape::constant) throw Error("layers: need constant elements");
-  const int columns = grid.mx + 1;
+  const int columns = grid.mx + ahead;
   if (!far) far = grid.mx * grid.dx;
   const ElementSides sides = {grid.dx, grid.dy, grid.line ? far : std::nullopt};
   const LayeredInfluence influence(surfaces, sides, columns, grid.my, progress);

@@ -47,14 +47,15 @@ private:
   bool mirrored_;      ///< they roll along -x
 };
 
-/// Table of the influence of layered bodies' elements, for ElementResponse: one column more than the grid has, which
-/// slip in rolling needs. That of viscoelastic bodies is for steady rolling with their speed. Throws Error as
-/// LayeredInfluence does, and for other elements than constant ones. In line contact displacements of half-spaces below
-/// layers approach 0 at the distance `far` from the element, or else at the grid's length; those of layers on rigid
-/// cores decay by themselves.
+/// Table of the influence of layered bodies' elements, for ElementResponse: `ahead` columns more than the grid has,
+/// which slip in rolling over that many elements in a step needs. That of viscoelastic bodies is for steady rolling
+/// with their speed. Throws Error as LayeredInfluence does, and for other elements than constant ones. In line contact
+/// displacements of half-spaces below layers approach 0 at the distance `far` from the element, or else at the grid's
+/// length; those of layers on rigid cores decay by themselves.
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,
                                                     const Progress& progress = {});
 std::shared_ptr<const InfluenceTable> layered_table(LayeredSurfaces& surfaces, const ElementGrid& grid,
-                                                    std::optional<double> far = {}, const Progress& progress = {});
+                                                    std::optional<double> far = {}, const Progress& progress = {},
+                                                    int ahead = 1);
 
 } // namespace microslip
