@@ -102,34 +102,46 @@ public:
   /// `top`: the least depth of the planes, which reach as far beyond the elements as `reach`.
   LayerPlanes(const LayeredBody& body, Body number, double speed, const ElementGrid& grid,
               const SurfaceTractions& tractions, double top, double reach, const Progress& progress)
-      : layers_(planes(body, number, speed, grid, tractions, top, reach, progress)) {}
+      : whole_(body, number, grid, tractions, speed), joined_(joined_in(grid, top)),
+        layers_(planes(body, number, speed, joined(grid, tractions, joined_), reach, progress)) {}
 
   template <class Measure> PlanePeak largest(double depth, const Measure& measure, const Progress& progress) {
     return largest_of(layers_.at_depth(depth, progress), layers_.grid(), depth, measure);
   }
 
+  /// The value at the place of a peak by all elements, where they were joined.
+  template <class Measure> PlanePeak by_all(PlanePeak peak, const Measure& measure, const Progress& progress) const {
+    if (joined_ > 1) peak.value = measure(whole_.at(peak.place, progress).stress);
+    return peak;
+  }
+
   /// Both of an interface, from the same states.
   InterfacePeak interface(Body body, int layer, double depth, const Progress& progress) {
+    const auto shear_of = [](const Stress& s) { return std::hypot(s.xz, s.yz); };
+    const auto tension_of = [](const Stress& s) { return s.zz; };
+    const auto size_of = [](const Stress& s) { return std::abs(s.zz); };
     const std::vector<InteriorState> states = layers_.at_depth(depth, progress);
-    const PlanePeak shear =
-        largest_of(states, layers_.grid(), depth, [](const Stress& s) { return std::hypot(s.xz, s.yz); });
-    const PlanePeak tension = largest_of(states, layers_.grid(), depth, [](const Stress& s) { return s.zz; });
-    const PlanePeak size = largest_of(states, layers_.grid(), depth, [](const Stress& s) { return std::abs(s.zz); });
-    const bool pulls = tension.value > no_tension * size.value;
+    const auto peak_of = [&](const auto& measure) { return largest_of(states, layers_.grid(), depth, measure); };
+    const PlanePeak shear = by_all(peak_of(shear_of), shear_of, progress),
+                    tension = by_all(peak_of(tension_of), tension_of, progress);
+    const bool pulls = tension.value > no_tension * peak_of(size_of).value;
     return {body, layer, shear.value, shear.place, pulls ? tension.value : 0, tension.place};
   }
 
 private:
-  static InteriorLayers planes(const LayeredBody& body, Body number, double speed, const ElementGrid& grid,
-                               const SurfaceTractions& tractions, double top, double reach, const Progress& progress) {
+  static double smaller_side(const ElementGrid& grid) { return grid.line ? grid.dx : std::min(grid.dx, grid.dy); }
+  static int joined_in(const ElementGrid& grid, double top) {
     constexpr double elements_in_depth = 12;
-    const double smaller = grid.line ? grid.dx : std::min(grid.dx, grid.dy);
-    const int n = std::max(1, static_cast<int>(std::min(top / elements_in_depth / smaller, double(grid.mx))));
-    const Load load = joined(grid, tractions, n);
-    const int margin = static_cast<int>(std::min(std::ceil(reach / (n * smaller)), double(most_margin)));
+    return std::max(1, static_cast<int>(std::min(top / elements_in_depth / smaller_side(grid), double(grid.mx))));
+  }
+  static InteriorLayers planes(const LayeredBody& body, Body number, double speed, const Load& load, double reach,
+                               const Progress& progress) {
+    const int margin = static_cast<int>(std::min(std::ceil(reach / smaller_side(load.grid)), double(most_margin)));
     return InteriorLayers(InteriorField(body, number, load.grid, load.tractions(), speed), margin, progress);
   }
 
+  InteriorField whole_;
+  int joined_; ///< elements along each side
   InteriorLayers layers_;
 };
 
@@ -194,7 +206,7 @@ PlanePeak largest_in_layer(LayerPlanes& planes, double top, double bottom, doubl
     if (!depth) break;
     search.add(plane(*depth));
   }
-  return search.best();
+  return planes.by_all(search.best(), von_mises, progress);
 }
 
 void add_peaks(const LayeredBody& body, Body number, double speed, const ElementGrid& grid,

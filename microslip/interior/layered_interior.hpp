@@ -33,11 +33,11 @@ struct LayeredPeaks {
 };
 
 /// What loads the layers of two bodies and the bonds between them. States are those of InteriorField at elements'
-/// centres and as far beyond the elements as it is deep, at interfaces three times that and half the contact's width,
-/// in planes whose distance is an eighth of the contact's
-/// half-width or a third of the depth, with parabolas in planes and across them, up to 3 % of
-/// these distances. Deeper than 12 elements elements are joined, as many as are a twelfth of the depth. Accuracy some
-/// 0.2 % of the value; nearer to the surface than an element it is that of the tractions there.
+/// centres and beyond the elements, as far as it is deep, at interfaces three times that and half the contact's width.
+/// Planes of a layer have distances of an eighth of the contact's half-width or a third of the depth; parabolas in and
+/// across them tell where to look next, down to 3 % of that. Deeper than 12 elements elements are joined, as many as
+/// are a twelfth of the depth, to find the place, at which the value is then that of all. Accuracy some 0.1 % of the
+/// value, nearer than two elements to the surface 0.5 %; nearer than one it is that of the tractions there.
 ///
 /// Cost some 15 planes for each layer (InteriorLayers), 10 ms each on 1000 elements and 0.3 s of viscoelastic
 /// layers. Throws Error as InteriorField does, Stopped where `progress` returns false.
