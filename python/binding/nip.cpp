@@ -58,8 +58,9 @@ void bind_rollers(py::module_& module) {
 
 void bind_peaks(py::module_& module) {
   py::class_<LayerPeak> layer(module, "LayerPeak", "The largest von Mises stress in a layer or what is below all.");
-  layer.def_property_readonly(
-           "body", [](const LayerPeak& self) { return number_of(self.body); }, "1 or 2.")
+  layer
+      .def_property_readonly(
+          "body", [](const LayerPeak& self) { return number_of(self.body); }, "1 or 2.")
       .def_readonly("layer", &LayerPeak::layer, "From the surface inwards, from 0; the number of layers: below all.")
       .def_readonly("von_mises", &LayerPeak::von_mises, "[Pa].")
       .def_property_readonly(

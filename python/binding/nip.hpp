@@ -32,7 +32,6 @@ template <>
 inline constexpr auto fields<InterfacePeak> =
     members<&InterfacePeak::body, &InterfacePeak::layer, &InterfacePeak::shear, &InterfacePeak::shear_place,
             &InterfacePeak::tension, &InterfacePeak::tension_place>;
-template <>
-inline constexpr auto fields<LayeredPeaks> = members<&LayeredPeaks::layers, &LayeredPeaks::interfaces>;
+template <> inline constexpr auto fields<LayeredPeaks> = members<&LayeredPeaks::layers, &LayeredPeaks::interfaces>;
 
 } // namespace microslip::python

@@ -170,10 +170,10 @@ void bind_solution(py::module_& module) {
           [](const ContactSolution& self, const Material& body1, const Material& body2, const py::object& x,
              const py::object& y, const py::object& z) { return states_inside(self, body1, body2, x, y, z); },
           "body1"_a, "body2"_a, "x"_a, "y"_a, "z"_a,
-           "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,\n"
-           "y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.\n"
-           "Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without\n"
-           "pressures, as those of the simplified theory.")
+          "Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,\n"
+          "y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.\n"
+          "Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without\n"
+          "pressures, as those of the simplified theory.")
       .def(
           "interior_states",
           [](const ContactSolution& self, const LayeredBodies& bodies, const py::object& x, const py::object& y,
