@@ -56,6 +56,10 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
+# **How to read it.** The coating, twice as stiff as steel, is stretched and compressed as the steel below it is, and
+# answers with twice the stress: at 3 um it jumps from 300 to 240 MPa. The largest stress of the steel below stays where
+# it was.
+#
 # ## The bond
 #
 # Shear stress in the bond over the friction, in full sliding: from some friction on it is the traction at the surface
@@ -75,5 +79,9 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
+# **How to read it.** Without friction a thicker coating has the larger shear stress in its bond, which lies nearer to
+# the depth where pressure shears most. With friction the traction at the surface reaches the bond, undiminished if the
+# coating is thin: at 0.5 the thinnest coating is the worst off.
+#
 # The same case as a file for `microslip solve` is `examples/coated_roller.toml`; formulas and accuracy are in
 # [Bodies with layers](../layers.md).

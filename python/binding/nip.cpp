@@ -60,16 +60,16 @@ void bind_peaks(py::module_& module) {
   py::class_<LayerPeak> layer(module, "LayerPeak", "The largest von Mises stress in a layer or what is below all.");
   layer
       .def_property_readonly(
-          "body", [](const LayerPeak& self) { return number_of(self.body); }, "1 or 2.")
-      .def_readonly("layer", &LayerPeak::layer, "From the surface inwards, from 0; the number of layers: below all.")
+          "body", [](const LayerPeak& self) { return number_of(self.body); }, "1 or 2 [-].")
+      .def_readonly("layer", &LayerPeak::layer, "From the surface inwards, from 0 [-]; the number of layers: below all.")
       .def_readonly("von_mises", &LayerPeak::von_mises, "[Pa].")
       .def_property_readonly(
           "place", [](const LayerPeak& self) { return place(self.place); }, "x, y and depth [m].");
   add_value(layer, {"body", "layer", "von_mises", "place"});
   py::class_<InterfacePeak> bond(module, "InterfacePeak", "The largest stresses between a layer and what is below.");
   bond.def_property_readonly(
-          "body", [](const InterfacePeak& self) { return number_of(self.body); }, "1 or 2.")
-      .def_readonly("layer", &InterfacePeak::layer, "The one above, from 0.")
+          "body", [](const InterfacePeak& self) { return number_of(self.body); }, "1 or 2 [-].")
+      .def_readonly("layer", &InterfacePeak::layer, "The one above, from 0 [-].")
       .def_readonly("shear", &InterfacePeak::shear, "[Pa].")
       .def_property_readonly(
           "shear_place", [](const InterfacePeak& self) { return place(self.shear_place); }, "x, y and depth [m].")

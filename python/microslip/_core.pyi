@@ -346,11 +346,16 @@ class ContactSolution:
         """A field at the centres of any ElementGrid, by its name in `fields`, shape (my, mx) of that grid,
         in the field's unit [SI]: the value of the element that a centre lies in, zero where there is
         none. Error for a field that the solution does not have."""
+    @overload
     def interior_states(self, body1: Material, body2: Material, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> InteriorStates:
         """Displacements [m] and stresses [Pa] inside the bodies at all combinations of the coordinates x,
         y, z [m], numbers or lists; z >= 0 lies in body 1, z < 0 in body 2, whose Material are given.
         Returns InteriorStates of shape (len(z), len(y), len(x)). Error for a solution without
         pressures, as those of the simplified theory."""
+    @overload
+    def interior_states(self, bodies: LayeredBodies, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> InteriorStates:
+        """The same of LayeredBodies; on the interface of two layers points lie in the one nearer to the
+        surface [m]. Error for points in a rigid core, too."""
     def to_dataframe(self) -> Any:
         """All arrays, and inputs that vary, as a pandas.DataFrame, a row for each element; in attrs the units [SI], the
         numbers that all rows share, what result it is, and the version; needs pandas."""
@@ -704,6 +709,18 @@ class ExactResult:
     def limit(self) -> AccurateContact | None:
         """AccurateContact if the case asks for an accuracy, else None."""
     @property
+    def nip(self) -> Nip | None:
+        """The Nip of bodies with layers in steady rolling, else None."""
+    @property
+    def free_roller1(self) -> FreeRoller | None:
+        """The FreeRoller that body 1 is without torque, under a given force; else None."""
+    @property
+    def free_roller2(self) -> FreeRoller | None:
+        """The same of body 2."""
+    @property
+    def peaks(self) -> LayeredPeaks | None:
+        """LayeredPeaks, like the Nip, else None."""
+    @property
     def curve(self) -> CreepCurve | None:
         """The CreepCurve through the case, None if it is not steady rolling."""
     def to_dict(self) -> dict[str, Any]:
@@ -764,6 +781,23 @@ class ForceArrays:
     def to_xarray(self) -> Any:
         """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
         attrs what result it is, and the version; needs xarray."""
+
+class FreeRoller:
+    """Steady rolling in which one roller has no torque."""
+    @property
+    def speed_ratio(self) -> float:
+        """Its surface speed over that of the other one [-]; above 1 it is overdriven."""
+    @property
+    def creepage(self) -> float:
+        """Longitudinal creepage [-]."""
+    @property
+    def fx(self) -> float:
+        """Longitudinal force on body 1 [N]."""
+    @property
+    def solution(self) -> ContactSolution:
+        """The ContactSolution."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class FrictionLaw:
     """The friction coefficient mu as a function of the slip velocity v [m/s]:
@@ -889,6 +923,29 @@ class InterfaceLayer:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class InterfacePeak:
+    """The largest stresses between a layer and what is below."""
+    @property
+    def body(self) -> int:
+        """1 or 2."""
+    @property
+    def layer(self) -> int:
+        """The one above, from 0."""
+    @property
+    def shear(self) -> float:
+        """[Pa]."""
+    @property
+    def shear_place(self) -> tuple:
+        """x, y and depth [m]."""
+    @property
+    def tension(self) -> float:
+        """[Pa]; 0 if they are pressed together all over."""
+    @property
+    def tension_place(self) -> tuple:
+        """x, y and depth [m], of tension above 0."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class InteriorField:
     """Displacements and stresses in a body from the tractions on its surface, as sums over the
     elements of a grid. Elastic half-space; a line contact gives the plane field of endless strips.
@@ -986,6 +1043,23 @@ class InteriorStates:
         """All arrays and inputs as an xarray.Dataset with their units [SI], numbers that all share without dimensions; in
         attrs what result it is, and the version; needs xarray."""
 
+class LayerPeak:
+    """The largest von Mises stress in a layer or what is below all."""
+    @property
+    def body(self) -> int:
+        """1 or 2."""
+    @property
+    def layer(self) -> int:
+        """From the surface inwards, from 0; the number of layers: below all."""
+    @property
+    def von_mises(self) -> float:
+        """[Pa]."""
+    @property
+    def place(self) -> tuple:
+        """x, y and depth [m]."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class LayeredBodies:
     """Two bodies with layers in contact, in place of half-spaces, for the exact theory on classical elements."""
     def __init__(self, body1: LayeredBody, body2: LayeredBody, rolling_velocity: float = 0.0) -> None:
@@ -1020,6 +1094,17 @@ class LayeredBody:
     @property
     def is_elastic(self) -> bool:
         """Whether no material of it relaxes."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
+class LayeredPeaks:
+    """What loads layers and the bonds between them."""
+    @property
+    def layers(self) -> list[LayerPeak]:
+        """List of LayerPeak."""
+    @property
+    def interfaces(self) -> list[InterfacePeak]:
+        """List of InterfacePeak."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -1133,6 +1218,47 @@ class Method:
         """table [-]: the CreepForceTable of theory 'table'; left out: the one that microslip has"""
     def to_dict(self) -> dict[str, Any]:
         """All keywords [SI units] as a dict, None for what is not given; arrays are copies."""
+
+class Nip:
+    """Results of steady rolling as users of rollers name them."""
+    @property
+    def width(self) -> float:
+        """Length of the contact along x [m]."""
+    @property
+    def peak_pressure(self) -> float:
+        """[Pa]."""
+    @property
+    def indentation(self) -> float:
+        """Approach of both rollers [m]."""
+    @property
+    def traction(self) -> float:
+        """Tangential force [N]."""
+    @property
+    def traction_capacity(self) -> float:
+        """mu Fn [N]."""
+    @property
+    def utilisation(self) -> float:
+        """Traction over its capacity [-]."""
+    @property
+    def hysteresis_power(self) -> float:
+        """Power lost inside the rollers [W]."""
+    @property
+    def slip_power(self) -> float:
+        """Power lost in slip [W]."""
+    @property
+    def rolling_resistance(self) -> float:
+        """Hysteresis over the speed [N]."""
+    @property
+    def body1(self) -> RollerState:
+        """RollerState of body 1."""
+    @property
+    def body2(self) -> RollerState:
+        """RollerState of body 2."""
+    @property
+    def warnings(self) -> list[str]:
+        """Texts: strains beyond small ones, a cover or nip beside the radii."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
 
 class NormalProblem:
     """The normal contact problem of any gap on a grid of elements with constant pressure: p_n >= 0, e
@@ -1315,6 +1441,26 @@ class PronyTerm:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class RollerState:
+    """What a nip asks of one roller."""
+    @property
+    def pressure_power(self) -> float:
+        """Power that pressure takes from it [W]."""
+    @property
+    def drive(self) -> float:
+        """Torque over the radius that its drive must supply [N]; negative: it is driven."""
+    @property
+    def indentation(self) -> float:
+        """Largest displacement inwards [m]."""
+    @property
+    def cover(self) -> float:
+        """Thickness of its cover [m]."""
+    @property
+    def strain(self) -> float:
+        """Indentation over the cover's thickness [-], 0 without a cover."""
+    def to_dict(self) -> dict[str, Any]:
+        """All fields [SI units] as a dict; arrays are copies."""
+
 class RollingCase:
     """What a case file says; read_case and parse_case make them."""
     @property
@@ -1394,7 +1540,7 @@ class RollingProblem:
             b [m]: its lateral semi-axis; positive
             gap [m]: in place of a and b, GapCurvatures or the distance h of the bodies at the centres of the grid's elements, shape (my, mx)
             grid [m]: the ElementGrid of such a distance
-            normal_force [N]: force that presses the bodies together; or approach; positive
+            normal_force [N]: force that presses the bodies together; or approach. Of cylinders with layers, all transverse radii inf, this and all forces are those of a metre; positive
             approach [m]: relative approach of distant points, in place of normal_force; positive
             friction [-]: a FrictionLaw, or a coefficient for Coulomb's
             memory_distance [m]: distance of slip over which friction follows the slip velocity; in [0, 1e+06]; default 0.0
@@ -1434,7 +1580,7 @@ class RollingProblem:
         """grid [m]: the ElementGrid of such a distance"""
     @property
     def normal_force(self) -> float | None:
-        """normal_force [N]: force that presses the bodies together; or approach; positive"""
+        """normal_force [N]: force that presses the bodies together; or approach. Of cylinders with layers, all transverse radii inf, this and all forces are those of a metre; positive"""
     @property
     def approach(self) -> float | None:
         """approach [m]: relative approach of distant points, in place of normal_force; positive"""
@@ -2765,6 +2911,10 @@ def inputs(kind: Literal["rail", "wheel"]) -> list:
     it is a number of a wheel's state, and a text. The section body is that of body1 and body2, profile that
     of all sections with a profile."""
 
+def layered_peaks(bodies: LayeredBodies, solution: ContactSolution) -> LayeredPeaks:
+    """The LayeredPeaks [Pa] of LayeredBodies and a ContactSolution of them, to some 0.2 %. Error for a
+    solution without pressures. Ctrl-C ends it."""
+
 def line_contact_from_half_width(curvature: float, material: CombinedMaterial, half_width: float) -> LineContact:
     """Line contact from the half-width a [m]."""
 
@@ -2777,6 +2927,10 @@ def line_shakedown_limit(traction_coefficient: float) -> float:
 
 def nadal_limit(angle: float, friction: float) -> float:
     """Nadal's limit of Y/Q [-] at the contact angle [rad] with friction [-]."""
+
+def nip_of(problem: RollingProblem | EllipticContact, solution: ContactSolution, radius1: float, radius2: float) -> Nip:
+    """The Nip of a solved RollingProblem of LayeredBodies, from its ContactSolution in steady rolling and
+    the rollers' radii [m], positive convex, infinite flat. Error for others and without contact."""
 
 def parse_case(text: str, name: str = 'case') -> RollingCase:
     """Reads TOML text, SI units; `name` is the file's name for messages [-]."""
@@ -2815,7 +2969,7 @@ def solve_case(case: RollingCase) -> RollingContactResult:
     units [-]. Ctrl-C ends it. Returns RollingContactResult; not converging is a status."""
 
 def standard_solid(instantaneous: Material, creep: MaterialCreep) -> ViscoelasticMaterial:
-    """The ViscoelasticMaterial of a standard linear solid, from its Material and MaterialCreep [-, s].
+    """The ViscoelasticMaterial [Pa] of a standard linear solid, from its Material and MaterialCreep.
     Error for constants out of range."""
 
 def surface_fatigue_index(traction_coefficient: float, peak_pressure: float, shear_yield_strength: float) -> float:
