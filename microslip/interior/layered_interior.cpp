@@ -150,7 +150,11 @@ private:
 std::vector<double> depths_of(double top, double bottom, double half_width) {
   const double end = 2.5 * top + 1.5 * half_width;
   std::vector<double> depths;
-  for (double z = top; z < std::min(bottom, end); z += std::max(half_width / 8, z / 3)) depths.push_back(z);
+  double z = top;
+  while (z < std::min(bottom, end)) {
+    depths.push_back(z);
+    z += std::max(half_width / 8, z / 3);
+  }
   if (bottom < std::numeric_limits<double>::infinity()) {
     if (depths.size() == 1) depths.push_back((top + bottom) / 2);
     depths.push_back(bottom);

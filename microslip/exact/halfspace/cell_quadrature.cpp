@@ -35,7 +35,11 @@ std::vector<Cell> columns_beyond(double begin, double dx, const std::vector<doub
   std::vector<Cell> columns;
   if (lengths.empty()) return columns;
   const double end = begin + forgotten * *std::max_element(lengths.begin(), lengths.end());
-  for (double x = begin; x < end; x += columns.back().width) columns.push_back({x, 0, std::max(dx, x / 2), 0});
+  double x = begin;
+  while (x < end) {
+    columns.push_back({x, 0, std::max(dx, x / 2), 0});
+    x += columns.back().width;
+  }
   return columns;
 }
 
