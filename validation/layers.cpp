@@ -1,11 +1,14 @@
 #include "validation/studies.hpp"
 
 #include "microslip/elasticity/hertz.hpp"
+#include "microslip/elasticity/interior_response.hpp"
 #include "microslip/elasticity/layered_response.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/halfspace/layered_influence.hpp"
+#include "microslip/interior/layered_interior.hpp"
 #include "validation/clock.hpp"
 #include "validation/draw.hpp"
+#include "validation/interior_integral.hpp"
 #include "validation/layer_on_half_space.hpp"
 #include "validation/layered_integral.hpp"
 #include "validation/report.hpp"
@@ -120,6 +123,88 @@ void report_influence(Report& report) {
   report_time("viscoelastic", polymer);
 }
 
+double largest_difference(const InteriorState& a, const InteriorState& b, double displacement) {
+  return std::max(
+      {std::abs(a.ux - b.ux) / displacement, std::abs(a.uy - b.uy) / displacement, std::abs(a.uz - b.uz) / displacement,
+       std::abs(a.stress.xx - b.stress.xx), std::abs(a.stress.yy - b.stress.yy), std::abs(a.stress.zz - b.stress.zz),
+       std::abs(a.stress.xy - b.stress.xy), std::abs(a.stress.xz - b.stress.xz), std::abs(a.stress.yz - b.stress.yz)});
+}
+
+/// Largest difference of states below an element from double integrals, stresses over the traction, displacements over
+/// the surface's under the element. `memory` is how far layers remember [m]; with it and depth the number of directions
+/// grows that the integrals need.
+double interior_error(const LayeredBody& body, double speed, double memory, const std::vector<double>& depths) {
+  const ElementGrid grid = {.mx = 1, .my = 1, .x0 = 0, .y0 = 0, .dx = sides.dx, .dy = sides.dy};
+  const std::vector<double> one = {1};
+  const InteriorField along(body, Body::first, grid, {one, {}, {}}, speed),
+      across(body, Body::first, grid, {{}, one, {}}, speed), normal(body, Body::first, grid, {{}, {}, one}, speed);
+  const double displacement = LayeredInfluence({body, rigid_body, speed}, sides, 1, 1).at(0, 0).zz;
+  double largest = 0;
+  for (const double depth : depths)
+    for (const auto& [x, y] : {std::pair{-0.05, 0.02}, {0.3, 0.2}}) {
+      const double distance = std::hypot(x, y) + std::hypot(sides.dx, sides.dy) / 2;
+      const int directions = 64 + static_cast<int>(40 * (distance + memory) / depth);
+      const InteriorInfluence exact = interior_integral(body, speed, sides, x, y, depth, directions);
+      largest = std::max({largest, largest_difference(along.at({x, y, depth}), exact.px, displacement),
+                          largest_difference(across.at({x, y, depth}), exact.py, displacement),
+                          largest_difference(normal.at({x, y, depth}), exact.pn, displacement)});
+    }
+  return largest;
+}
+
+/// Largest jump of tractions across a body's interfaces under an element with all three tractions.
+double interface_error(const LayeredBody& body) {
+  const ElementGrid grid = {.mx = 1, .my = 1, .x0 = 0, .y0 = 0, .dx = sides.dx, .dy = sides.dy};
+  const std::vector<double> one = {1};
+  const InteriorField field(body, Body::first, grid, {one, one, one});
+  double largest = 0;
+  for (std::size_t n = 0; n < body.layers.size(); ++n)
+    for (const double x : {0.0, 0.17, 1.3}) {
+      const double depth = bottoms_of(body)[n];
+      const Stress above = field.at({x, 0.04, depth}).stress, below = field.at({x, 0.04, depth * (1 + 1e-10)}).stress;
+      largest = std::max(
+          {largest, std::abs(above.xz - below.xz), std::abs(above.yz - below.yz), std::abs(above.zz - below.zz)});
+    }
+  return largest;
+}
+
+/// Largest error of states in random stacks, at a depth of a random layer.
+double random_interior_error(int stacks) {
+  Draw draw(7);
+  double largest = 0;
+  for (int n = 0; n < stacks; ++n) {
+    LayeredBody body = {{}, {{draw.power(1, 1e6), draw.number(0, 0.5)}}};
+    const int layers = draw.count(1, 4);
+    for (int k = 0; k < layers; ++k)
+      body.layers.push_back(
+          {draw.power(0.05, 1), {{draw.power(1, 1e6), draw.chance(0.3) ? 0.5 : draw.number(0, 0.5)}}});
+    if (draw.chance(0.3)) body.substrate = {rigid};
+    const auto bottom = static_cast<std::size_t>(draw.count(0, layers - 1));
+    largest = std::max(largest, interior_error(body, 0, 0, {bottoms_of(body)[bottom]}));
+  }
+  return largest;
+}
+
+void report_inside(Report& report) {
+  report.heading("States below an element of 0.2 x 0.3: largest differences from double integrals");
+  const Material soft = {1, 0.4}, hard = {10, 0.3};
+  const LayeredBody skin = {{{0.05, {hard}}, {0.4, {soft}}}, {{3, 0.2}}}, roller = {{{0.2, {{1, 0.5}}}}, {rigid}},
+                    bond = {{{0.2, {soft}}, {0.05, {{1e-4, 0.5}}}, {0.4, {hard}}}, {soft}},
+                    polymer = {{{0.5, {soft, {{0.5, 1}, {0.2, 0.1}}, PronySeries{}}}}, {hard, {{0.3, 3}}}};
+  const auto figure = [&](const char* name, const LayeredBody& body, double speed, const std::vector<double>& depths) {
+    constexpr double longest_time = 4.3; // of the polymer's substrate, retarded
+    report.bounded(name, "{:.1e}", interior_error(body, speed, speed * longest_time, depths), "<= 1e-7");
+  };
+  figure("a stiff skin of 0.05 on a soft layer", skin, 0, {0.05, 0.2, 0.45, 0.7});
+  figure("incompressible, h = 0.2 on a rigid core", roller, 0, {0.1, 0.2});
+  figure("two layers with a bond ten thousand times softer", bond, 0, {0.1, 0.2, 0.23, 0.5, 1});
+  figure("viscoelastic, h = 0.5, V = 0.05", polymer, 0.05, {0.3, 0.5, 0.7});
+  figure("viscoelastic, h = 0.5, V = 0.5", polymer, 0.5, {0.5, 0.7});
+  report.bounded("20 random stacks, moduli over six decades", "{:.1e}", random_interior_error(20), "<= 1e-7");
+  report.bounded("jump of tractions between the stiff skin and below", "{:.1e}", interface_error(skin), "<= 1e-7");
+  report.bounded("  between the layers with a soft bond", "{:.1e}", interface_error(bond), "<= 1e-7");
+}
+
 /// Square elements around the origin, an odd number along each side.
 ElementGrid square(double half_side, int n) {
   const double d = 2 * half_side / n;
@@ -174,6 +259,36 @@ void report_coated_sphere(Report& report, const char* name, double surface, doub
   report.near("  radius of contact [a0]", "{:.4f}",
               contact_radius(step.grid, s.normal.pressure, s.totals.peak_pressure) / a0, "{:.3f}", radius,
               5e-3 * radius);
+}
+
+/// A sphere's pressure on two equal layers, whose largest von Mises stress Hertz's theory has, and on others.
+void report_peaks(Report& report) {
+  report.heading("Largest stresses under a rigid sphere on two layers of a0/2 on steel, 48 x 48 elements");
+  constexpr double a0 = 1e-3, sphere = 0.2, young = 210e9, nu = 0.3;
+  const double force = 4.0 / 3 * young / (1 - nu * nu) * std::pow(a0, 3) / sphere;
+  const double p0 = 1.5 * force / (std::numbers::pi * a0 * a0);
+  const auto peaks_on = [&](double surface, double below, double half_side) {
+    const auto layer = [](double share) { return BodyLayer{a0 / 2, {Material::from_young(share * young, nu)}}; };
+    const LayeredBody body = {{layer(surface), layer(below)}, {steel}};
+    ContactStep step = sphere_on(body, square(half_side * a0, 48), sphere, force);
+    step.frictionless = true;
+    const ContactStepSolution s = ContactSequence().solve(step);
+    return layered_peaks({rigid_body, body}, step.grid, {{}, {}, s.normal.pressure});
+  };
+  const LayeredPeaks equal = peaks_on(1, 1, 1.2);
+  report.near("E and E: von Mises in the layer of the maximum [p0]", "{:.4f}", equal.layers[0].von_mises / p0, "{:.3f}",
+              0.620, 2e-3);
+  report.near("  in the depth [a0]", "{:.3f}", equal.layers[0].place.depth / a0, "{:.3f}", 0.481, 5e-3);
+  const auto lines = [&](const char* name, const LayeredPeaks& peaks) {
+    for (const LayerPeak& peak : peaks.layers)
+      report.line(fmt::format("  {}: von Mises in layer {} {:.3f} p0, in the depth {:.3f} a0", name, peak.layer,
+                              peak.von_mises / p0, peak.place.depth / a0));
+    for (const InterfacePeak& peak : peaks.interfaces)
+      report.line(fmt::format("  {}: below layer {} shear {:.3f} p0, tension {:.4f} p0", name, peak.layer,
+                              peak.shear / p0, peak.tension / p0));
+  };
+  lines("E/4 on E/2", peaks_on(0.25, 0.5, 1.6));
+  lines("4 E on 2 E", peaks_on(4, 2, 0.9));
 }
 
 /// Slope of the force on a ball by the longitudinal creepage, nearly without slip, on an elastic layer on a rigid core;
@@ -363,10 +478,12 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report_responses(report);
   report_influence(report);
+  report_inside(report);
   report.heading("A rigid sphere on two layers of a0/2 on steel, 201 x 201 elements: computed, published");
   report_coated_sphere(report, "E and E", 1, 1, 1, 1, 1.1);
   report_coated_sphere(report, "E/4 on E/2", 0.25, 0.5, 0.582, 1.373, 1.5);
   report_coated_sphere(report, "4 E on 2 E", 4, 2, 0, 0.695, 0.8);
+  report_peaks(report);
   if (options.progress && !options.progress(0.3)) return false;
   report_thin_layers(report);
   if (options.progress && !options.progress(0.6)) return false;

@@ -58,18 +58,6 @@ Rule rule_for(double x, double side, double distance) {
   return split_at_edges(x, side);
 }
 
-void add(InteriorState& sum, double w, const InteriorState& s) {
-  sum.ux += w * s.ux, sum.uy += w * s.uy, sum.uz += w * s.uz;
-  sum.stress.xx += w * s.stress.xx, sum.stress.yy += w * s.stress.yy, sum.stress.zz += w * s.stress.zz;
-  sum.stress.xy += w * s.stress.xy, sum.stress.xz += w * s.stress.xz, sum.stress.yz += w * s.stress.yz;
-}
-
-void add(InteriorInfluence& sum, double w, const InteriorInfluence& a) {
-  add(sum.px, w, a.px);
-  add(sum.py, w, a.py);
-  add(sum.pn, w, a.pn);
-}
-
 /// Gap between the points within a side from x and an element around 0.
 double gap(double x, double side) {
   return std::max(0.0, std::abs(x) - side);

@@ -213,15 +213,35 @@ InteriorState opposite(const InteriorState& s) {
   return {-s.ux, -s.uy, -s.uz, {-s.stress.xx, -s.stress.yy, -s.stress.zz, -s.stress.xy, -s.stress.xz, -s.stress.yz}};
 }
 
-/// Seen in the reflection, body 2 is pressed by the same pressure and pulled by the opposite tangential tractions.
 InteriorInfluence all_tractions(const Derivatives& d, const Material& material, Body body) {
   const InteriorInfluence first = {from_traction_x(d, material), exchanged(from_traction_x(exchanged(d), material)),
                                    from_pressure(d, material)};
-  if (body == Body::first) return first;
-  return {opposite(reflected(first.px)), opposite(reflected(first.py)), reflected(first.pn)};
+  return body == Body::first ? first : of_body_2(first);
 }
 
 } // namespace
+
+void add(InteriorState& to, double factor, const InteriorState& a) {
+  to.ux += factor * a.ux;
+  to.uy += factor * a.uy;
+  to.uz += factor * a.uz;
+  to.stress.xx += factor * a.stress.xx;
+  to.stress.yy += factor * a.stress.yy;
+  to.stress.zz += factor * a.stress.zz;
+  to.stress.xy += factor * a.stress.xy;
+  to.stress.xz += factor * a.stress.xz;
+  to.stress.yz += factor * a.stress.yz;
+}
+
+void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
+  add(to.px, factor, a.px);
+  add(to.py, factor, a.py);
+  add(to.pn, factor, a.pn);
+}
+
+InteriorInfluence of_body_2(const InteriorInfluence& of_body_1) {
+  return {opposite(reflected(of_body_1.px)), opposite(reflected(of_body_1.py)), reflected(of_body_1.pn)};
+}
 
 InteriorInfluence interior_influence(const Material& material, Body body, double dx, double dy, double x, double y,
                                      double depth) {

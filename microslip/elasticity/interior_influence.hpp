@@ -21,6 +21,14 @@ struct InteriorInfluence {
   InteriorState pn;     ///< from unit pressure, which presses body 1 along +z
 };
 
+/// Adds `factor` times a state, or the influence of each traction.
+void add(InteriorState& to, double factor, const InteriorState& state);
+void add(InteriorInfluence& to, double factor, const InteriorInfluence& influence);
+
+/// Influence on body 2 from that on body 1 of the same material: seen in the reflection at the surface, it is pressed
+/// by the same pressure and pulled by the opposite tangential tractions.
+InteriorInfluence of_body_2(const InteriorInfluence& of_body_1);
+
 /// Rectangle of sides dx, dy centred at the origin, point (x, y) in the depth `depth` >= 0 [m] below the surface: z =
 /// depth in body 1, z = -depth in body 2. At the surface sigma_xz = -px, sigma_yz = -py, sigma_zz = -pn in both bodies.
 ///

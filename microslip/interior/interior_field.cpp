@@ -37,26 +37,15 @@ constexpr std::array<Parity, components> component_parity = {{{true, false},
                                                               {true, true},
                                                               {true, false},
                                                               {false, true}}};
-constexpr int retarded_components = 3; // the displacements, which come first
+constexpr int displacements = 3; // which come first
 
+constexpr int at_once = 64;                     // elements between two calls of progress
 constexpr std::size_t work_of_threads = 100000; // points times elements that are worth several threads
 
 /// Parity of the influence of a load on a component: odd where only one of them is.
 Parity influence_parity(int load, int component) {
   const Parity a = load_parity[load], b = component_parity[component];
   return {a.odd_x != b.odd_x, a.odd_y != b.odd_y};
-}
-
-void add(InteriorState& sum, double p, const InteriorState& s) {
-  sum.ux += p * s.ux;
-  sum.uy += p * s.uy;
-  sum.uz += p * s.uz;
-  sum.stress.xx += p * s.stress.xx;
-  sum.stress.yy += p * s.stress.yy;
-  sum.stress.zz += p * s.stress.zz;
-  sum.stress.xy += p * s.stress.xy;
-  sum.stress.xz += p * s.stress.xz;
-  sum.stress.yz += p * s.stress.yz;
 }
 
 double require_depth(double depth) {
@@ -73,7 +62,7 @@ std::vector<double> copy_of(const char* name, std::span<const double> p, std::si
 }
 
 /// Memory of InteriorLayers for a point, at most [bytes], and for the kernels of several depths.
-constexpr double memory_for_point = 900, memory_for_retarded_point = 1400;
+constexpr double memory_for_point = 900, memory_for_retarded_point = 1600;
 constexpr std::size_t most_kept = std::size_t(256) << 20;
 
 ElementGrid with_margin(const InteriorField& field, int margin) {
@@ -128,6 +117,13 @@ InteriorField::InteriorField(const Material& material, Body body, const ElementG
   retarded_far_away_.pn.uz = (behind.pn.uz + ahead.pn.uz) / 2;
 }
 
+InteriorField::InteriorField(const LayeredBody& body, Body number, const ElementGrid& grid,
+                             const SurfaceTractions& tractions, double speed)
+    : layers_(std::make_shared<LayeredElements>(body, number, grid, speed)), material_(body.top().instantaneous),
+      body_(number), grid_(grid) {
+  set_tractions(tractions);
+}
+
 void InteriorField::set_tractions(const SurfaceTractions& tractions) {
   px_ = copy_of("px", tractions.px, grid_.count());
   py_ = copy_of("py", tractions.py, grid_.count());
@@ -144,7 +140,7 @@ void InteriorField::set_tractions(const SurfaceTractions& tractions) {
   }
 }
 
-InteriorInfluence InteriorField::influence(double x, double y, double depth) const {
+InteriorInfluence InteriorField::half_space_influence(double x, double y, double depth) const {
   const double far = grid_.mx * grid_.dx;
   if (grid_.shape == ElementShape::bilinear)
     return grid_.line ? bilinear_line_interior_influence(material_, body_, grid_.dx, x, depth, far)
@@ -153,10 +149,22 @@ InteriorInfluence InteriorField::influence(double x, double y, double depth) con
   return interior_influence(material_, body_, grid_.dx, grid_.dy, x, y, depth);
 }
 
+std::vector<InteriorInfluence> InteriorField::influence(double x_first, int count, double y, double depth,
+                                                        const Progress& progress) const {
+  if (layers_ && layers_->is_elastic()) return layers_->row(x_first, count, y, depth);
+  std::vector<InteriorInfluence> row(count);
+  for (int i = 0; i < count && !layers_; ++i) {
+    if (i % at_once == 0) go_on(progress, 0);
+    row[i] = half_space_influence(x_first + i * grid_.dx, y, depth);
+  }
+  return row;
+}
+
 std::vector<InteriorInfluence> InteriorField::retarded_influence(double x_first, int count, double y,
                                                                  double depth) const {
+  if (layers_) return layers_->row(x_first, count, y, depth);
   std::vector<InteriorInfluence> row = retarded_row<InteriorInfluence>(
-      delay_, [&](double x) { return influence(x, y, depth); }, grid_.dx, x_first, count);
+      delay_, [&](double x) { return half_space_influence(x, y, depth); }, grid_.dx, x_first, count);
   for (InteriorInfluence& a : row) {
     a.px.ux -= retarded_far_away_.px.ux;
     a.py.uy -= retarded_far_away_.py.uy;
@@ -165,15 +173,21 @@ std::vector<InteriorInfluence> InteriorField::retarded_influence(double x_first,
   return row;
 }
 
-/// Row by row, as the history of an element's displacement is that of the next one as well.
-void InteriorField::add_late(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const {
+int InteriorField::retarded_components() const {
+  if (layers_) return layers_->is_elastic() ? 0 : components;
+  return delay_.ratio > 0 ? displacements : 0;
+}
+
+/// Adds what is retarded, and of layers all, row by row, as the history of an element's displacement is that of the
+/// next one as well.
+void InteriorField::add_rows(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const {
   for (const auto& [begin, end] : loaded_rows_) {
     go_on(progress, 0);
-    const int first = loaded_[begin].i, last = loaded_[end - 1].i, row = loaded_[begin].j;
-    const auto retarded =
-        retarded_influence(point.x - grid_.x(last), last - first + 1, point.y - grid_.y(row), point.depth);
+    const int first = loaded_[begin].i, last = loaded_[end - 1].i;
+    const double y = point.y - grid_.y(loaded_[begin].j);
+    const auto influences = retarded_influence(point.x - grid_.x(last), last - first + 1, y, point.depth);
     for (std::size_t k = begin; k < end; ++k) {
-      const InteriorInfluence& a = retarded[static_cast<std::size_t>(last - loaded_[k].i)];
+      const InteriorInfluence& a = influences[static_cast<std::size_t>(last - loaded_[k].i)];
       add(sum, loaded_[k].px, a.px);
       add(sum, loaded_[k].py, a.py);
       add(sum, loaded_[k].pn, a.pn);
@@ -182,20 +196,23 @@ void InteriorField::add_late(const InteriorPoint& point, const Progress& progres
 }
 
 InteriorState InteriorField::at(const InteriorPoint& point, const Progress& progress) const {
-  constexpr std::size_t at_once = 64;
   require_finite("x", point.x, "m");
   require_finite("y", point.y, "m");
   require_depth(point.depth);
   InteriorState sum;
+  if (layers_) {
+    add_rows(point, progress, sum);
+    return sum;
+  }
   for (std::size_t k = 0; k < loaded_.size(); ++k) {
     if (k % at_once == 0) go_on(progress, 0);
     const LoadedElement& e = loaded_[k];
-    const InteriorInfluence a = influence(point.x - grid_.x(e.i), point.y - grid_.y(e.j), point.depth);
+    const InteriorInfluence a = half_space_influence(point.x - grid_.x(e.i), point.y - grid_.y(e.j), point.depth);
     if (e.px != 0) add(sum, e.px, a.px);
     if (e.py != 0) add(sum, e.py, a.py);
     if (e.pn != 0) add(sum, e.pn, a.pn);
   }
-  if (has_retardation()) add_late(point, progress, sum);
+  if (has_retardation()) add_rows(point, progress, sum);
   return sum;
 }
 
@@ -247,10 +264,8 @@ InteriorLayers::Influences InteriorLayers::influences(double depth, const Progre
   const int threads = field_.has_retardation() ? omp_get_max_threads() : threads_for(grid_.count(), 1000);
   distribute(grid_.my, threads, progress, [&](int j, int, const Progress& on) {
     const double y = j * grid_.dy;
-    for (int i = 0; i < grid_.mx; ++i) {
-      if (i % 64 == 0) on(0);
-      found.quadrant[static_cast<std::size_t>(j) * grid_.mx + i] = field_.influence(i * grid_.dx, y, depth);
-    }
+    const auto at_once = field_.influence(0, grid_.mx, y, depth, on);
+    std::copy(at_once.begin(), at_once.end(), found.quadrant.begin() + std::ptrdiff_t(j) * grid_.mx);
     if (!field_.has_retardation()) return;
     const auto row = field_.retarded_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
     std::copy(row.begin(), row.end(), found.retarded.begin() + std::ptrdiff_t(j) * width);
@@ -267,7 +282,7 @@ InteriorLayers::LoadKernels InteriorLayers::find_kernels(int load, const Influen
   for (int component = 0; component < components; ++component) {
     const auto value = [&](const InteriorInfluence& a) { return component_of(a.*loads[load], component); };
     const Parity parity = influence_parity(load, component);
-    const bool retarded = component < retarded_components && !influences.retarded.empty();
+    const bool retarded = component < field_.retarded_components() && !influences.retarded.empty();
     // Half of what is retarded at offsets i and -i of a row, the latter with a sign.
     const auto half = [&](int j, int i, double sign) {
       const InteriorInfluence* row = &influences.retarded[static_cast<std::size_t>(j) * width + middle];
@@ -336,7 +351,7 @@ std::vector<InteriorState> InteriorLayers::at_depth(double depth, std::span<cons
       const int load = loads_[in];
       Parity parity = influence_parity(load, component);
       terms.push_back({in, &of_depth[load][next[in]++], parity});
-      if (!field_.has_retardation() || component >= retarded_components) continue;
+      if (component >= field_.retarded_components()) continue;
       parity.odd_x = !parity.odd_x;
       terms.push_back({in, &of_depth[load][next[in]++], parity});
     }

@@ -3,11 +3,13 @@
 #include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/interior_influence.hpp"
 #include "microslip/elasticity/viscoelastic.hpp"
+#include "microslip/interior/layered_elements.hpp"
 #include "microslip/numerics/parity_toeplitz.hpp"
 #include "microslip/progress.hpp"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,29 +34,42 @@ struct InteriorPoint {
 /// docs/theory-interior.md, section 6. Bilinear elements have no steps; their sums have the errors of
 /// bilinear_interior_influence.
 ///
-/// For a body in steady rolling with a retarded part (Retardation), displacements are those of this part (I11). Its
-/// stresses are the elastic ones: they depend on the tractions and on Poisson's ratio, which does not change with time.
-/// Const calls may be made from several threads.
+/// A body with layers is elastic, or viscoelastic in steady rolling; then all of its state is retarded. Its elements
+/// are constant, its points not in a rigid core; on an interface they lie in the upper layer (layer_at).
+///
+/// For a half-space in steady rolling with a retarded part (Retardation), displacements are those of this part (I11).
+/// Its stresses are the elastic ones: they depend on the tractions and on Poisson's ratio, which does not change with
+/// time. Const calls may be made from several threads.
 class InteriorField {
 public:
   /// Copies the tractions. Throws Error for a material or grid out of range, and for tractions whose number is not that
   /// of the elements or which are not finite.
   InteriorField(const Material& material, Body body, const ElementGrid& grid, const SurfaceTractions& tractions,
                 const Retardation& retardation = {});
+  /// A body with layers, of which viscoelastic ones roll with `speed` [m/s], positive along +x. Throws Error likewise,
+  /// and for bilinear elements.
+  InteriorField(const LayeredBody& body, Body number, const ElementGrid& grid, const SurfaceTractions& tractions,
+                double speed = 0);
   /// Replaces the tractions by others, copied. Throws Error as the constructor does.
   void set_tractions(const SurfaceTractions& tractions);
 
   /// Cost: 0.3 us for every element with tractions; bilinear ones 16 times that far away and as much as 2 ms each near
-  /// the surface; with a retardation some 100 times as much. Throws Error unless depth >= 0 and all is finite.
+  /// the surface; with a retardation some 100 times as much; with layers 2 us for every element between the first and
+  /// the last with tractions in a row, and some 5 ms for a new depth (viscoelastic ones ten times as much). Throws
+  /// Error unless depth >= 0 and all is finite, and for a point in a rigid core.
   InteriorState at(const InteriorPoint& point, const Progress& progress = {}) const;
   /// States at many points, shared among OpenMP's threads. `progress` is called often; false throws Stopped.
   std::vector<InteriorState> at(std::span<const InteriorPoint> points, const Progress& progress = {}) const;
 
-  /// Instantaneous influence of an element at an offset from it.
-  InteriorInfluence influence(double x, double y, double depth) const;
-  /// The retarded displacements at `count` offsets x_first, x_first + dx, ..., and no stresses.
+  /// Influence of an element at `count` offsets x_first, x_first + dx, ... from it: the instantaneous one, and of
+  /// elastic layers.
+  std::vector<InteriorInfluence> influence(double x_first, int count, double y, double depth,
+                                           const Progress& progress = {}) const;
+  /// What is retarded: displacements of a half-space, and no stresses; all of a body with viscoelastic layers.
   std::vector<InteriorInfluence> retarded_influence(double x_first, int count, double y, double depth) const;
-  bool has_retardation() const { return delay_.ratio > 0; }
+  /// How many of the nine components of a state have a retarded part; displacements come first.
+  int retarded_components() const;
+  bool has_retardation() const { return retarded_components() > 0; }
 
   const ElementGrid& grid() const { return grid_; }
   /// Tractions and pressures of all elements, index j mx + i.
@@ -72,8 +87,10 @@ private:
     std::size_t begin, end;
   };
 
-  void add_late(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const;
+  InteriorInfluence half_space_influence(double x, double y, double depth) const;
+  void add_rows(const InteriorPoint& point, const Progress& progress, InteriorState& sum) const;
 
+  std::shared_ptr<const LayeredElements> layers_; ///< none: a half-space
   Material material_;
   Retardation delay_;
   Body body_;
@@ -91,7 +108,7 @@ private:
 /// Cost for a plane of N points: N influences and 9 transforms of kernels for each of px, py, pn that is not zero, on a
 /// quarter of a grid padded to 4N, and 9 transforms back; a few rows of the plane cost a fifth of the latter. Kernels
 /// depend on the depth only and are kept, up to 256 MB, for other tractions. With a retardation 120 more influences for
-/// each point. Memory: some 900 bytes for a point, 1400 with a retardation, besides the kernels that are kept, 300
+/// each point. Memory: some 900 bytes for a point, 1600 with a retardation, besides the kernels that are kept, 300
 /// bytes for a point of each depth.
 class InteriorLayers {
 public:

@@ -31,9 +31,10 @@ std::vector<InteriorPoint> plane_of(const InteriorGrid& points, double depth) {
   return plane;
 }
 
-bool are_same(const InteriorBody& a, const InteriorBody& b) {
-  return a.material.shear_modulus == b.material.shear_modulus && a.material.poisson_ratio == b.material.poisson_ratio &&
-         a.retardation == b.retardation;
+InteriorField field_of(const InteriorBody& body, Body number, const ElementGrid& elements,
+                       const SurfaceTractions& tractions) {
+  if (body.layered) return {*body.layered, number, elements, tractions, body.speed};
+  return {body.material, number, elements, tractions, body.retardation};
 }
 
 /// A measure of stress, what counts as extreme, and, where the measure costs more than it, a bound of that.
@@ -115,12 +116,10 @@ std::vector<double> on_grid(const Elements& e, const std::vector<double>& tracti
 InteriorLayers& InteriorSequence::layers_of(const InteriorBody& body, Body number, const ElementGrid& elements,
                                             const SurfaceTractions& tractions, const Progress& progress) {
   auto& known = bodies_[number == Body::first ? 0 : 1];
-  if (known && are_same(known->body, body) && known->layers.grid() == elements)
+  if (known && known->body == body && known->layers.grid() == elements)
     known->layers.set_tractions(tractions, progress);
   else
-    known.emplace(
-        OfBody{body, InteriorLayers(InteriorField(body.material, number, elements, tractions, body.retardation), 0,
-                                    progress)});
+    known.emplace(OfBody{body, InteriorLayers(field_of(body, number, elements, tractions), 0, progress)});
   return known->layers;
 }
 
@@ -146,7 +145,7 @@ std::vector<InteriorState> InteriorSequence::states(const InteriorBody& body1, c
       if (layers[n] == nullptr) layers[n] = &layers_of(body, number, elements, tractions, of_plane);
       plane = layers[n]->at_depth(std::abs(z), *columns, *rows, of_plane);
     } else {
-      if (!fields[n]) fields[n].emplace(body.material, number, elements, tractions, body.retardation);
+      if (!fields[n]) fields[n].emplace(field_of(body, number, elements, tractions));
       plane = fields[n]->at(plane_of(points, std::abs(z)), of_plane);
     }
     all.insert(all.end(), plane.begin(), plane.end());

@@ -11,7 +11,8 @@
 
 namespace microslip {
 
-/// Points inside the bodies: all combinations of the coordinates [m]; z >= 0 lies in body 1, z < 0 in body 2.
+/// Points inside the bodies: all combinations of the coordinates [m]; z >= 0 lies in body 1, z < 0 in body 2. On the
+/// interface of two layers they lie in the one nearer to the surface.
 struct InteriorGrid {
   std::vector<double> x, y, z;
 
@@ -21,14 +22,21 @@ struct InteriorGrid {
   double z_of(std::size_t point) const { return z[point / x.size() / y.size()]; }
 };
 
-/// A body whose interior field is wanted: elastic, or with a retarded part of its deformation.
+/// A body whose interior field is wanted: elastic, with a retarded part of its deformation, or with layers.
 struct InteriorBody {
   InteriorBody(const Material& elastic) : material(elastic) {} // NOLINT(google-explicit-constructor)
   InteriorBody(const Material& instantaneous, const Retardation& retarded)
       : material(instantaneous), retardation(retarded) {}
+  /// Of viscoelastic layers in steady rolling with `rolling_speed` [m/s].
+  InteriorBody(const LayeredBody& body, double rolling_speed)
+      : material(body.top().instantaneous), layered(body), speed(rolling_speed) {}
 
-  Material material;
+  Material material; ///< of the surface
   Retardation retardation = {};
+  std::optional<LayeredBody> layered = {};
+  double speed = 0;
+
+  friend bool operator==(const InteriorBody&, const InteriorBody&) = default;
 };
 
 /// Displacements and stresses at the points of a grid, x fastest, then y, then z: by InteriorLayers where there are

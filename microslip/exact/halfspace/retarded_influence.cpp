@@ -9,16 +9,20 @@
 namespace microslip {
 namespace {
 
-void add(InteriorState& to, double factor, const InteriorState& a) {
+void add_retarded(InteriorState& to, double factor, const InteriorState& a) {
   to.ux += factor * a.ux;
   to.uy += factor * a.uy;
   to.uz += factor * a.uz;
 }
 
-void add(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
-  add(to.px, factor, a.px);
-  add(to.py, factor, a.py);
-  add(to.pn, factor, a.pn);
+void add_retarded(InteriorInfluence& to, double factor, const InteriorInfluence& a) {
+  add_retarded(to.px, factor, a.px);
+  add_retarded(to.py, factor, a.py);
+  add_retarded(to.pn, factor, a.pn);
+}
+
+void add_retarded(Influence& to, double factor, const Influence& a) {
+  add(to, factor, a);
 }
 
 /// Integrals of exp(-q/l)/l A(x + sign q) over q (B4), (B5), sign = +-1, l > 0.
@@ -59,7 +63,7 @@ private:
   void add_nodes(const Rule& rule, Count count, double x, double from, double to, Value& sum) const {
     for (Count k = 0; k < count; ++k) {
       const double q = rule.node(k, from, to);
-      add(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + sign_ * q));
+      add_retarded(sum, rule.weight(k, from, to) * std::exp(-q / length_) / length_, influence_(x + sign_ * q));
     }
   }
 
@@ -81,12 +85,12 @@ std::vector<Value> retarded_row(const Retardation& retardation, const RowInfluen
     const double x = x_first + i * dx;
     Value& here = row[static_cast<std::size_t>(i)];
     if (length == 0) {
-      add(here, retardation.ratio, influence(x));
+      add_retarded(here, retardation.ratio, influence(x));
     } else if (k == 0) {
-      add(here, retardation.ratio, integral.whole(x));
+      add_retarded(here, retardation.ratio, integral.whole(x));
     } else {
-      add(here, retardation.ratio, integral.up_to(x, dx));
-      add(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
+      add_retarded(here, retardation.ratio, integral.up_to(x, dx));
+      add_retarded(here, decay, row[static_cast<std::size_t>(forward ? i + 1 : i - 1)]);
     }
   }
   return row;

@@ -1,64 +1,17 @@
 #include "microslip/exact/halfspace/rolled_influence.hpp"
 
 #include "microslip/elasticity/layered_line_kernels.hpp"
-#include "microslip/numerics/gauss_legendre.hpp"
+#include "microslip/exact/halfspace/cell_quadrature.hpp"
 #include "microslip/numerics/threads.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <utility>
+#include <vector>
 
 namespace microslip {
 namespace {
-
-constexpr double forgotten = 40; // exp(-40) is below rounding
-
-/// Gauss's rules for cells by how large they are: errors of 1e-9. Weights that fade are exact for polynomials of half
-/// the degree only, and need more nodes.
-const GaussLegendre& rule_for(double size_over_scale, bool fading) {
-  static const std::array<GaussLegendre, 3> even{GaussLegendre(6), GaussLegendre(4), GaussLegendre(3)};
-  static const std::array<GaussLegendre, 3> with_fading{GaussLegendre(9), GaussLegendre(6), GaussLegendre(4)};
-  return (fading ? with_fading : even)[size_over_scale > 0.33 ? 0 : size_over_scale > 0.1 ? 1 : 2];
-}
-
-/// Weights that integrate polynomials times exp(-x/l) over [0, width], through the nodes of a rule.
-std::vector<double> fading_weights(const GaussLegendre& rule, double width, double length) {
-  static const GaussLegendre fine(24);
-  const double end = std::min(width, forgotten * length);
-  std::vector<double> weights(rule.count());
-  for (std::size_t k = 0; k < fine.count(); ++k) {
-    const double x = fine.node(k, 0, end), weight = fine.weight(k, 0, end) * std::exp(-x / length);
-    for (std::size_t g = 0; g < rule.count(); ++g) {
-      double basis = 1;
-      for (std::size_t o = 0; o < rule.count(); ++o)
-        if (o != g) basis *= (x - rule.node(o, 0, width)) / (rule.node(g, 0, width) - rule.node(o, 0, width));
-      weights[g] += weight * basis;
-    }
-  }
-  return weights;
-}
-
-/// A rectangle over which kernels are integrated [m].
-struct Cell {
-  double x, y, width, height; ///< x, y: of its corner towards minus infinity
-
-  double distance() const {
-    const auto outside = [](double low, double size) { return std::max({low, -low - size, 0.0}); };
-    return std::hypot(outside(x, width), outside(y, height));
-  }
-};
-
-/// Integrals over a cell of each part's kernel, and of that times exp(-(x' - x)/l), x the cell's begin.
-struct CellIntegrals {
-  std::vector<Influence> whole, fading;
-
-  explicit CellIntegrals(std::size_t parts) : whole(parts), fading(parts) {}
-};
 
 /// The influence of a point force at a point whose direction from it has the cosine c and the sine s.
 Influence directed(const PointKernel& a, double c, double s) {
@@ -72,6 +25,7 @@ class LayerLines {
 public:
   explicit LayerLines(const LayeredKernels& kernels) : kernels_(kernels), point_(kernels.parts()) {}
 
+  using Value = Influence;
   static constexpr bool exact_across = false;
   std::size_t parts() const { return point_.size(); }
   /// Distance from the origin below which kernels are smooth [m].
@@ -96,6 +50,7 @@ class LayerStrips {
 public:
   explicit LayerStrips(const LayeredLineKernels& kernels) : kernels_(kernels), line_(kernels.parts()) {}
 
+  using Value = Influence;
   static constexpr bool exact_across = true;
   std::size_t parts() const { return line_.size(); }
   double smooth_distance() const { return 2 * kernels_.thickness(); }
@@ -122,6 +77,7 @@ public:
   HalfSpaceLines(std::span<const HalfSpaceCreep> creep, const ElementSides& sides)
       : creep_(creep), far_(sides.far), smooth_distance_(1e-12 * sides.dx) {}
 
+  using Value = Influence;
   static constexpr bool exact_across = true;
   std::size_t parts() const { return creep_.size() + 1; }
   double smooth_distance() const { return smooth_distance_; }
@@ -159,126 +115,22 @@ private:
   double smooth_distance_;
 };
 
-/// Integrates kernels over cells.
-template <class Lines> class CellQuadrature {
-public:
-  CellQuadrature(Lines lines, std::vector<double> lengths)
-      : lines_(std::move(lines)), lengths_(std::move(lengths)), line_(lines_.parts()) {}
-
-  void integrate(const Cell& cell, CellIntegrals& out) {
-    std::fill(out.whole.begin(), out.whole.end(), Influence{});
-    std::fill(out.fading.begin(), out.fading.end(), Influence{});
-    add_cell(cell, cell.x, out);
-  }
-
-private:
-  void add_cell(const Cell& cell, double begin, CellIntegrals& out) {
-    const double scale = std::hypot(lines_.smooth_distance(), cell.distance()), largest = 0.7 * scale;
-    const double height = Lines::exact_across ? 0 : cell.height;
-    if (cell.width > largest && cell.width >= height) {
-      const double half = cell.width / 2;
-      add_cell({cell.x, cell.y, half, cell.height}, begin, out);
-      add_cell({cell.x + half, cell.y, half, cell.height}, begin, out);
-    } else if (height > largest) {
-      const double half = cell.height / 2;
-      add_cell({cell.x, cell.y, cell.width, half}, begin, out);
-      add_cell({cell.x, cell.y + half, cell.width, half}, begin, out);
-    } else {
-      add_points(cell, rule_for(std::max(cell.width, height) / scale, !lengths_.empty()), begin, out);
-    }
-  }
-
-  void add_points(const Cell& cell, const GaussLegendre& rule, double begin, CellIntegrals& out) {
-    const std::vector<std::vector<double>>& fading = fading_of(rule, cell.width);
-    for (std::size_t g = 0; g < rule.count(); ++g) {
-      lines_.find(rule.node(g, cell.x, cell.x + cell.width), cell, rule, line_);
-      for (std::size_t m = 0; m < line_.size(); ++m) {
-        add(out.whole[m], rule.weight(g, 0, cell.width), line_[m]);
-        if (m == 0) continue;
-        const double faded = cell.x > begin ? std::exp((begin - cell.x) / lengths_[m - 1]) : 1;
-        add(out.fading[m], faded * fading[m - 1][g], line_[m]);
-      }
-    }
-  }
-
-  const std::vector<std::vector<double>>& fading_of(const GaussLegendre& rule, double width) {
-    const auto [found, is_new] = fading_.try_emplace({width, rule.count()});
-    if (is_new)
-      for (const double length : lengths_) found->second.push_back(fading_weights(rule, width, length));
-    return found->second;
-  }
-
-  Lines lines_;
-  std::vector<double> lengths_; ///< V T of the retarded parts [m]
-  /// Weights of each length and node, by width and number of nodes.
-  std::map<std::pair<double, std::size_t>, std::vector<std::vector<double>>> fading_;
-  std::vector<Influence> line_;
-};
-
-/// Columns beyond the elements, from nearest to farthest, as far as the longest memory reaches: each is half as wide as
-/// it is far from the middle.
-std::vector<Cell> columns_beyond(double begin, double dx, const std::vector<double>& lengths) {
-  std::vector<Cell> columns;
-  if (lengths.empty()) return columns;
-  const double end = begin + forgotten * *std::max_element(lengths.begin(), lengths.end());
-  for (double x = begin; x < end; x += columns.back().width) columns.push_back({x, 0, std::max(dx, x / 2), 0});
-  return columns;
-}
-
-/// Rows of elements, whose sums S run from the far end towards minus x. An object for each thread.
-template <class Lines> class RolledRows {
-public:
-  RolledRows(const Lines& lines, const std::vector<double>& lengths)
-      : lengths_(lengths), quadrature_(lines, lengths), integrals_(lines.parts()), sums_(lines.parts()) {}
-
-  void add_to(const ElementSides& sides, const std::vector<Cell>& beyond, int j, InfluenceRows& rows) {
-    const double y = (j - 0.5) * sides.dy;
-    std::fill(sums_.begin(), sums_.end(), Influence{});
-    for (auto cell = beyond.rbegin(); cell != beyond.rend(); ++cell) {
-      quadrature_.integrate({cell->x, y, cell->width, sides.dy}, integrals_);
-      continue_sums(cell->width);
-    }
-    const bool symmetric = lengths_.empty();
-    for (int i = rows.columns() - 1; i >= (symmetric ? 0 : 1 - rows.columns()); --i) {
-      quadrature_.integrate({(i - 0.5) * sides.dx, y, sides.dx, sides.dy}, integrals_);
-      const Influence u = displacement(sides.dx);
-      add(rows.at(i, j), 1, u);
-      if (symmetric && i > 0) add(rows.at(-i, j), 1, mirrored_in_x(u));
-      continue_sums(sides.dx);
-    }
-  }
-
-private:
-  Influence displacement(double dx) const {
-    Influence sum = integrals_.whole[0];
-    for (std::size_t m = 1; m < sums_.size(); ++m) {
-      add(sum, 1, integrals_.whole[m]);
-      add(sum, -1, integrals_.fading[m]);
-      add(sum, -std::expm1(-dx / lengths_[m - 1]), sums_[m]);
-    }
-    return sum;
-  }
-  void continue_sums(double width) {
-    for (std::size_t m = 1; m < sums_.size(); ++m) {
-      Influence next = integrals_.fading[m];
-      add(next, std::exp(-width / lengths_[m - 1]), sums_[m]);
-      sums_[m] = next;
-    }
-  }
-
-  std::vector<double> lengths_;
-  CellQuadrature<Lines> quadrature_;
-  CellIntegrals integrals_;
-  std::vector<Influence> sums_; ///< S
-};
-
+/// Adds the influence of rows of elements; half of each row of symmetric ones.
 template <class Lines>
 void add_rows(const Lines& lines, const std::vector<double>& lengths, const std::vector<Cell>& beyond,
               const ElementSides& sides, const Progress& progress, InfluenceRows& rows) {
+  const bool symmetric = lengths.empty();
+  const int first = symmetric ? 0 : 1 - rows.columns();
   const int threads = threads_for(static_cast<std::size_t>(rows.rows()) * static_cast<std::size_t>(rows.columns()), 64);
-  std::vector<RolledRows<Lines>> of_thread(static_cast<std::size_t>(threads), {lines, lengths});
+  std::vector<RolledRows<Lines>> of_thread(static_cast<std::size_t>(threads), {lines, lengths, beyond});
   distribute(rows.rows(), threads, progress, [&](int j, int thread, const Progress&) {
-    of_thread[static_cast<std::size_t>(thread)].add_to(sides, beyond, j, rows);
+    const auto add_at = [&](int n, const Influence& u) {
+      const int i = first + n;
+      add(rows.at(i, j), 1, u);
+      if (symmetric && i > 0) add(rows.at(-i, j), 1, mirrored_in_x(u));
+    };
+    of_thread[static_cast<std::size_t>(thread)].find(first * sides.dx, rows.columns() - first, j * sides.dy, sides.dx,
+                                                     sides.dy, add_at);
   });
 }
 
