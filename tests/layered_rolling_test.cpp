@@ -261,6 +261,39 @@ TEST(LayeredRolling, AThinIncompressibleCoverFlows) {
   EXPECT_NEAR((4 * peak_of_half - peak) / 3, 1, 0.01);
 }
 
+/// A ball and rollers with covers, elastic and viscoelastic, with creepages and spin.
+std::vector<RollingProblem> rolling_covers() {
+  LayeredBodies on_steel = {{{{1e-3, {{3e8, 0.4}}}}, {stiff}},
+                            {{{2e-3, {{1e6, 0.45}}}, {1e-3, {{1e7, 0.5}}}}, {stiff}}};
+  LayeredBodies relaxing = on_steel;
+  relaxing.body2.layers[0].material.shear_relaxation = {{0.4, 1e-3}, {0.2, 1e-4}};
+  relaxing.speed = 10;
+  std::vector<RollingProblem> problems = {rolling_of(on_steel, 2), rolling_of(relaxing, 2), rollers_of(on_steel, 500),
+                                          rollers_of(relaxing, 500)};
+  for (RollingProblem& p : problems) p.motion.creepage = {0.01, -0.004, 1};
+  return problems;
+}
+
+ContactSolution solved_sharply(const RollingProblem& p) {
+  ContactSolution s = Solver({.theory = Theory::exact, .mx = 14, .my = 12, .tolerance = 1e-12}).solve(p);
+  EXPECT_EQ(s.report.status, Status::ok);
+  return s;
+}
+
+/// The creepages that forces belong to are found from these forces.
+TEST(LayeredRolling, ForcesGivenAreThoseOfTheirCreepages) {
+  for (RollingProblem p : rolling_covers()) {
+    p.motion.creepage = {1e-3, -4e-4, 0}; // most of the contact sticks
+    const ContactSolution s = solved_sharply(p);
+    RollingProblem by_force = p;
+    by_force.motion.creepage = {};
+    by_force.motion.force_x = s.totals.fx, by_force.motion.force_y = s.totals.fy;
+    const ContactSolution found = solved_sharply(by_force);
+    EXPECT_NEAR(found.creepage.longitudinal, p.motion.creepage.longitudinal, 1e-6 * 1e-3);
+    EXPECT_NEAR(found.creepage.lateral, p.motion.creepage.lateral, 1e-6 * 1e-3);
+  }
+}
+
 /// Transient rolling over two elements in a step, on layers of the substrate's material: that of half-spaces. Over a
 /// part of an element there are no influence numbers.
 TEST(LayeredRolling, StepsAreWholeElementsOfAGrid) {
@@ -283,25 +316,6 @@ TEST(LayeredRolling, StepsAreWholeElementsOfAGrid) {
   EXPECT_NEAR(a.totals.fy, b.totals.fy, 1e-6 * 3e3);
   p.motion.step = 1.5 * grid.dx;
   EXPECT_THROW(Solver(method).solve(p), Error);
-}
-
-/// A ball and rollers with covers, elastic and viscoelastic, with creepages and spin.
-std::vector<RollingProblem> rolling_covers() {
-  LayeredBodies on_steel = {{{{1e-3, {{3e8, 0.4}}}}, {stiff}},
-                            {{{2e-3, {{1e6, 0.45}}}, {1e-3, {{1e7, 0.5}}}}, {stiff}}};
-  LayeredBodies relaxing = on_steel;
-  relaxing.body2.layers[0].material.shear_relaxation = {{0.4, 1e-3}, {0.2, 1e-4}};
-  relaxing.speed = 10;
-  std::vector<RollingProblem> problems = {rolling_of(on_steel, 2), rolling_of(relaxing, 2), rollers_of(on_steel, 500),
-                                          rollers_of(relaxing, 500)};
-  for (RollingProblem& p : problems) p.motion.creepage = {0.01, -0.004, 1};
-  return problems;
-}
-
-ContactSolution solved_sharply(const RollingProblem& p) {
-  ContactSolution s = Solver({.theory = Theory::exact, .mx = 14, .my = 12, .tolerance = 1e-12}).solve(p);
-  EXPECT_EQ(s.report.status, Status::ok);
-  return s;
 }
 
 /// Forces and moments times factors, relative to friction and its moment about the contact.

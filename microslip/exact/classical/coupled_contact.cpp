@@ -143,8 +143,8 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
                                        cx,
                                        cy,
                                        grid_.element_area(),
-                                       step.force_x,
-                                       step.force_y,
+                                       step.frictionless ? std::nullopt : step.force_x,
+                                       step.frictionless ? std::nullopt : step.force_y,
                                        friction.slip_dependent};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
   CoupledNewton::Options options{.tolerance = step.motion.tolerance,
