@@ -64,18 +64,17 @@ coefficient = 0.3
 theory = "${theory}"
 `,
 });
-/** A nip whose elements stay, or change with the load. */
-const nip = (varies) => (k) => ({
-  call: "nip",
-  case: read("rubber_roller.toml").replace("grid = [48, 32]", "grid = [32, 16]").replace(varies === "load" ? "4 kN" : "-400 N", varies === "load" ? `${4 + k / 50} kN` : `${-400 - k} N`),
-});
+const cylinders = read("rubber_roller.toml");
+const crowned = cylinders.replace(/inf(?=\n.*\n.*\n\n\[\[body2)/, "20").replace("10 kN", "4 kN").replace("grid = 80", "grid = [32, 16]");
+const nip = (rollers, from, to) => (k) => ({ call: "nip", case: rollers.replace(from, to(k)) });
 const kinds = {
   "FASTSIM2, 20 x 20": ellipse("fastsim2", 20),
   "exact theory, 24 x 24": ellipse("exact", 24),
   "wheel on a rail, fastsim2": wheel("fastsim2"),
   "wheel on a rail, exact": wheel("exact"),
-  "nip, another load": nip("load"),
-  "nip, another force": nip("force"),
+  "nip of cylinders, load": nip(cylinders, "10 kN", (k) => `${10 + k / 20} kN`),
+  "nip of crowned, load": nip(crowned, "4 kN", (k) => `${4 + k / 50} kN`),
+  "nip of crowned, force": nip(crowned, "-400 N", (k) => `${-400 - k} N`),
 };
 
 const median = (values) => values.slice().sort((a, b) => a - b)[Math.floor(values.length / 2)];

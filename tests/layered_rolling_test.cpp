@@ -99,6 +99,21 @@ TEST(LayeredRolling, ElementsFollowTheContact) {
   }
 }
 
+/// Elements follow the pressed bodies, whatever rolls them.
+TEST(LayeredRolling, ElementsAreTheSameUnderAForceAsWithItsCreepage) {
+  RollingProblem p = rolling_of(covered(2e-3), 200);
+  p.motion.force_x = 20;
+  const Method method{.theory = Theory::exact, .mx = 12, .my = 12, .tolerance = 1e-9};
+  const ContactSolution under_force = Solver(method).solve(p);
+  ASSERT_EQ(under_force.report.status, Status::ok);
+  p.motion.force_x.reset();
+  p.motion.creepage = under_force.creepage;
+  const ContactSolution with_creepage = Solver(method).solve(p);
+  EXPECT_EQ(under_force.elements.grid.dx, with_creepage.elements.grid.dx);
+  EXPECT_EQ(under_force.elements.grid.dy, with_creepage.elements.grid.dy);
+  EXPECT_NEAR(with_creepage.totals.fx, 20, 1e-6 * 60);
+}
+
 /// The second solve of a problem takes elements and influence numbers from the first, another solver finds the same.
 TEST(LayeredRolling, KeptElementsChangeNothing) {
   Solver solver({.theory = Theory::exact, .mx = 12, .my = 12});

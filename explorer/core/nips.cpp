@@ -1,6 +1,8 @@
 #include "explorer/core/nips.hpp"
 
 #include "explorer/core/solution_fields.hpp"
+#include "microslip/contact/warnings.hpp"
+#include "microslip/elasticity/shore_hardness.hpp"
 #include "microslip/error.hpp"
 
 #include <string>
@@ -36,6 +38,16 @@ io::Json totals_of(const ContactSolution& solution, RollingDirection direction, 
     units[std::string(q.name)] = q.unit_of(solution);
   }
   if (!solution.report.reason.empty()) all["reason"] = solution.report.reason;
+  return all;
+}
+
+/// How stiff a layer is at short times, by the keys of case files that may say so; its hardness as far as there is one.
+io::Json stiffness_of(const Material& material) {
+  const double young = young_modulus(material.shear_modulus, material.poisson_ratio);
+  io::Json all = {{"shear_modulus", io::json_number(material.shear_modulus)},
+                  {"young_modulus", io::json_number(young)}};
+  if (young >= young_modulus_of_shore_a(softest_shore_a) && young <= young_modulus_of_shore_a(hardest_shore_a))
+    all["hardness"] = io::json_number(shore_a_of_young_modulus(young));
   return all;
 }
 
@@ -82,6 +94,8 @@ io::Json Nips::solve(const io::RollingCase& input) {
   const RollingDirection direction = input.problem.motion.direction;
   io::Json result = {{"given", totals_of(given, direction, units)}, {"free", totals_of(free, direction, units)}};
   result["fields"] = std::move(found);
+  if (const auto& layers = input.body2.layers; !layers.empty())
+    result["cover"] = stiffness_of(layers.front().material.instantaneous);
   result["units"] = std::move(units);
   return result;
 }

@@ -13,6 +13,7 @@ public:
   /// The contact as the case has it, `given`, with its fields, and the same as it rolls without a longitudinal force,
   /// `free`: a JSON object. Both have all quantities, and the speed ratio: the surface speed of the undeformed body 1
   /// over that of body 2, with the creepage xi (2 - xi)/(2 + xi) in rolling along +x.
+  /// `cover` has the stiffness of body 2's surface as moduli and as hardness.
   /// Throws Error for a case without layers, not about steady rolling or without friction, and for a force beyond it.
   io::Json solve(const io::RollingCase& input);
 

@@ -36,8 +36,11 @@ std::string ellipse_case() {
 std::string starting_case() {
   return contents(examples / "starting_to_roll.toml");
 }
+/// The example's rollers with a crown.
 std::string nip_case() {
-  return with(contents(examples / "rubber_roller.toml"), "grid = [48, 32]", "grid = [16, 8]");
+  const std::string steel = "\nyoung_modulus = \"210 GPa\"\npoisson_ratio = 0.28\n\n[[body2.layers]]";
+  const std::string text = contents(examples / "rubber_roller.toml");
+  return with(with(with(text, "inf" + steel, "20" + steel), "\"10 kN\"", "\"4 kN\""), "grid = 80", "grid = [16, 8]");
 }
 std::string wheel_case() {
   std::string text = with(contents(examples / "wheel_on_rail.toml"), "profiles/60e1.prr", "60e1.prr");
@@ -335,6 +338,20 @@ TEST_F(ExplorerTest, FindsTheNipAsTheProgramDoesAndTheFreeRoller) {
   EXPECT_EQ(found["units"]["my"], "N m");
 }
 
+/// Moduli and hardness of the cover, each put in place of the others, are the same cover.
+TEST_F(ExplorerTest, TellsTheStiffnessOfACoverInOtherWords) {
+  const io::Json cover = result({{"call", "nip"}, {"case", nip_case()}})["cover"];
+  EXPECT_NEAR(cover["hardness"].get<double>(), 60, 1e-9);
+  for (const char* key : {"hardness", "young_modulus", "shear_modulus"}) {
+    const std::string text = with(nip_case(), "hardness = \"60 ShoreA\"", std::string(key) + " = " + cover[key].dump());
+    const io::Json same = result({{"call", "nip"}, {"case", text}})["cover"];
+    for (const auto& [name, value] : cover.items())
+      EXPECT_NEAR(same[name].get<double>(), value.get<double>(), 1e-12 * value.get<double>()) << key << ", " << name;
+  }
+  const std::string soft = with(nip_case(), "hardness = \"60 ShoreA\"", "young_modulus = 5e5");
+  EXPECT_FALSE(result({{"call", "nip"}, {"case", soft}})["cover"].contains("hardness"));
+}
+
 /// The upper roller sees the same when rolling, force and axes are turned round.
 TEST_F(ExplorerTest, FreeRollersHaveTheSameSpeedRatioInEitherDirection) {
   const std::string backward = with(with(nip_case(), "\"-400 N\"", "\"400 N\""), "rolling_speed = \"5 m/s\"",
@@ -378,6 +395,16 @@ TEST_F(ExplorerTest, KeepsElementsOfNipsWithoutTrace) {
       EXPECT_NEAR(kept[name].get<double>(), anew[name].get<double>(), 1e-5 * std::abs(anew[name].get<double>()))
           << name;
   }
+}
+
+/// Of cylinders the nip is one row of strips.
+TEST_F(ExplorerTest, FindsTheNipOfCylinders) {
+  const std::string text = with(contents(examples / "rubber_roller.toml"), "grid = 80", "grid = 20");
+  const io::Json found = result({{"call", "nip"}, {"case", text}});
+  EXPECT_EQ(found["fields"]["y"].get<std::set<double>>(), std::set<double>{0});
+  EXPECT_NEAR(found["given"]["fx"].get<double>(), -400, 1e-5 * 0.6 * 10e3);
+  const io::Json whole = result({{"call", "solve"}, {"case", text}});
+  EXPECT_NEAR(found["free"]["speed_ratio"].get<double>(), whole["nip"]["speed_ratio1"].get<double>(), 1e-5);
 }
 
 TEST_F(ExplorerTest, RefusesWhatIsNoNip) {

@@ -264,8 +264,8 @@ InteriorLayers::Influences InteriorLayers::influences(double depth, const Progre
   const int threads = field_.has_retardation() ? omp_get_max_threads() : threads_for(grid_.count(), 1000);
   distribute(grid_.my, threads, progress, [&](int j, int, const Progress& on) {
     const double y = j * grid_.dy;
-    const auto at_once = field_.influence(0, grid_.mx, y, depth, on);
-    std::copy(at_once.begin(), at_once.end(), found.quadrant.begin() + std::ptrdiff_t(j) * grid_.mx);
+    const auto elastic = field_.influence(0, grid_.mx, y, depth, on);
+    std::copy(elastic.begin(), elastic.end(), found.quadrant.begin() + std::ptrdiff_t(j) * grid_.mx);
     if (!field_.has_retardation()) return;
     const auto row = field_.retarded_influence((1 - grid_.mx) * grid_.dx, width, y, depth);
     std::copy(row.begin(), row.end(), found.retarded.begin() + std::ptrdiff_t(j) * width);

@@ -142,6 +142,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
+    step.force_x = step.force_y = {}; // which nothing takes
     const ContactStepSolution s = ContactSequence().solve(step);
     const std::optional<Patch> patch = loaded_part(grid, s.fields.pressure);
     if (!patch) break;

@@ -105,8 +105,8 @@ function lacking(keys: string[]): Error {
 
 function viewOf({ kind, inputs }: Inputs): View {
   if (kind !== "rolling_contact") return "rail";
-  if (inputs["motion.kind"] === "transient") return "start";
-  return Object.keys(inputs).some((key) => /^body\d\.layers\./.test(key)) ? "nip" : "contact";
+  if (Object.keys(inputs).some((key) => /^body\d\.layers\./.test(key))) return "nip";
+  return inputs["motion.kind"] === "transient" ? "start" : "contact";
 }
 
 /** The state of a case. Throws an Error in the reader's words, or with the names of the keys that the page does not have. */

@@ -17,7 +17,7 @@ interface Totals {
   frictional_power: number; status: string; reason?: string;
 }
 interface Fields { x: number[]; y: number[]; pressure: number[]; bound: number[]; px: number[]; py: number[]; state: number[] }
-interface NipResult { given: Totals; free: Totals; fields: Fields }
+interface NipResult { given: Totals; free: Totals; fields: Fields; cover: Partial<Record<Stiffness, number>> }
 interface NipCurve { value: number[]; fx: number[]; status: string[] }
 
 const layer = (key: string) => `${cover}.${key}`;
@@ -69,6 +69,8 @@ export class NipView {
   readonly #numbers = element("table", { class: "numbers" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #more = element("p", { class: "hint" });
+  readonly #perMetre = element("p", { class: "hint" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
+  readonly #above: HTMLElement;
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #along: Chart;
@@ -80,15 +82,16 @@ export class NipView {
     const along = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
     this.#along = new Chart(along, 280);
     this.#curve = new Chart(curve);
+    this.#above = element("div", { class: "panel wide" }, element("h3", {}, "From above; x and y have scales of their own"), element("div", { class: "choices" }, this.#shownChoice()), this.#map);
     this.root.append(
       element("div", { class: "controls" }, ...this.#controls()),
       element("div", { class: "pictures" },
         element("div", { class: "panel wide" }, element("h3", {}, "Along the nip, in its middle"), along, stateLegend(),
           this.#form.message, this.#remarks, this.#time),
-        element("div", { class: "panel" }, element("h3", {}, "The nip as it is set, and with a free roller"), this.#numbers, this.#spoken,
+        element("div", { class: "panel" }, element("h3", {}, "The nip as it is set, and with a free roller"), this.#numbers, this.#spoken, this.#perMetre,
           element("p", { class: "hint" }, "Free: no longitudinal force. The speed ratio is the upper roller's surface speed over the covered one's, both of the undeformed radius: (2 − ξ)/(2 + ξ) with the creepage ξ.")),
         element("div", { class: "panel" }, element("h3", {}, "Force over creepage"), curve),
-        element("div", { class: "panel wide" }, element("h3", {}, "From above; x and y have scales of their own"), element("div", { class: "choices" }, this.#shownChoice()), this.#map)));
+        this.#above));
   }
 
   /** Takes over another state, as from a link; `solve` is the next step. */
@@ -106,7 +109,7 @@ export class NipView {
       this.#form.refuse(named(reply.error?.message ?? "", this.state.values));
       if (!reply.result) return;
       this.#found = reply.result;
-      this.#time.textContent = `exact theory, both: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.state.elements.join(" × ")} elements`;
+      this.#time.textContent = `exact theory, both: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.#ofCylinders ? String(this.state.elements[0]) : this.state.elements.join(" × ")} elements`;
       this.draw();
       clearTimeout(this.#later);
       this.#later = window.setTimeout(() => { this.#askCurve(); }, 150);
@@ -134,11 +137,7 @@ export class NipView {
       this.#changed();
     }).root;
     const given = new Choice("rolling: given is", { force: "the force", creepage: "the creepage" }, this.state.given, (value) => { this.#give(value as Given); });
-    const stiffness = new Choice("stiffness by", names, this.state.stiffness, (value) => {
-      this.state.stiffness = value as Stiffness;
-      this.#showFields();
-      this.#changed();
-    });
+    const stiffness = new Choice("stiffness by", names, this.state.stiffness, (value) => { this.#stiffen(value as Stiffness); });
     this.#choices.push({ set: (state) => { given.set(state.given); stiffness.set(state.stiffness); } });
     const before: Record<string, Choice> = { [force]: given, [layer("hardness")]: stiffness };
     const all = Object.entries(groups).map(([name, specs]) => element("fieldset", {}, element("legend", {}, name),
@@ -154,6 +153,16 @@ export class NipView {
     this.state.given = given;
     if (this.#found) Object.assign(values, { [force]: this.#found.given.fx, [creepage]: this.#found.given.creepage_longitudinal });
     for (const field of this.#form.fields) if (field.spec.key === force || field.spec.key === creepage) field.set(values[field.spec.key]!);
+    this.#showFields();
+    this.#changed();
+  }
+
+  /** Says in other words how stiff the cover is, which stays the same one, if these words are for it. */
+  #stiffen(by: Stiffness): void {
+    const key = layer(by), same = this.#found?.cover[by];
+    this.state.stiffness = by;
+    if (same !== undefined) this.state.values[key] = same;
+    this.#form.fields.find(({ spec }) => spec.key === key)!.set(this.state.values[key]!);
     this.#showFields();
     this.#changed();
   }
@@ -189,10 +198,17 @@ export class NipView {
     const [from, to] = contactOfRow(rows, middle) ?? [0, 0];
     const inContact = f.y.filter((_, k) => f.state[k] !== 0), height = rowHeight(f.y);
     const size = { along: to - from, across: Math.max(...inContact) - Math.min(...inContact) + height };
-    this.#drawMap(rows, height);
+    this.#above.hidden = this.#ofCylinders;
+    this.#perMetre.hidden = !this.#ofCylinders;
+    if (!this.#ofCylinders) this.#drawMap(rows, height);
     this.#drawAlong(f, middle, width);
     this.#showNumbers(found, size);
     this.#drawCurve(this.#curve.content);
+  }
+
+  get #ofCylinders(): boolean {
+    const { values } = this.state;
+    return [1, 2].every((body) => Math.abs(values[`body${String(body)}.transverse_radius`]!) === Infinity);
   }
 
   #drawMap(rows: Fields & { width: number[] }, height: number): void {
@@ -234,7 +250,7 @@ export class NipView {
       { ...row("fx"), values: [row("fx").values[0]!, ofFree("0")] }, row("creepage_longitudinal", "%"),
       { name: "speed ratio", unit: "", values: both((of) => of.speed_ratio.toFixed(4)) },
       { name: "nip width, in its middle", unit: "mm", what: "length of the contact along x", values: [digits(size.along * 1e3), ""] },
-      { name: "contact across", unit: "mm", what: "length of the contact along y", values: [digits(size.across * 1e3), ""] },
+      ...(this.#ofCylinders ? [] : [{ name: "contact across", unit: "mm", what: "length of the contact along y", values: [digits(size.across * 1e3), ""] }]),
       row("peak_pressure", "MPa"), row("approach"),
       { name: "approach over thickness", unit: "%", values: both((of) => digits((100 * of.approach) / thickness)) },
       row("frictional_power"), row("my"),

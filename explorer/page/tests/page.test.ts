@@ -149,6 +149,13 @@ test("a nip has the program's numbers, and its free roller no force", async () =
   near(Number(await page.locator("#nip-motion-creepage_longitudinal").inputValue()), creepage!);
   await nipField(page, "motion.creepage_longitudinal", String(free));
   await page.waitForFunction(() => Math.abs(Number(document.querySelector("section:not([hidden]) .numbers td")?.textContent)) < 1e-3); // [kN], of four digits
+  const approach = (await row(page, "approach over thickness"))[0]!;
+  for (const [stiffness, inputs] of [["young_modulus", "3.605"], ["shear_modulus", "1.202"], ["hardness", "60"]] as const) { // the same cover
+    await page.getByLabel("stiffness by").selectOption(stiffness);
+    await settled(page);
+    assert.equal(await page.locator(`#nip-body2-layers-1-${stiffness}`).inputValue(), inputs);
+    near((await row(page, "approach over thickness"))[0]!, approach);
+  }
   await page.locator("section:not([hidden]) .panel", { hasText: "Force over creepage" }).locator("canvas").waitFor();
   assert.deepEqual(errors, []);
   await page.close();
@@ -175,8 +182,8 @@ test("a nip's refusals stand at its fields, and a deep one is warned of", async 
     await nipField(page, key, good);
     await faint.waitFor({ state: "detached" });
   }
-  await nipField(page, "body2.transverse_radius", "inf");
-  await page.locator("section:not([hidden]) .message").getByText("both bodies are straight").waitFor();
+  await nipField(page, "body2.transverse_radius", "-20");
+  await page.locator("section:not([hidden]) .message").getByText("must be positive").waitFor();
   await nipField(page, "body2.transverse_radius", "20");
   await faint.waitFor({ state: "detached" });
   const remarks = page.locator("section:not([hidden]) .remarks");
@@ -268,7 +275,8 @@ test("case files that are dropped have the program's numbers, or are refused by 
   await settled(page);
   near((await row(page, "lateral force"))[0]! * 1e3, solved("wheel_on_rail.toml").wheel!.force_y![0]!);
   await dropped(page, [["rubber_roller.toml", example("rubber_roller.toml")]]);
-  await page.getByText("ms on 48 × 32 elements").waitFor({ timeout: 60000 });
+  await page.getByText("ms on 80 elements").waitFor({ timeout: 60000 });
+  await page.getByText("those of a metre along them").waitFor();
   assert.equal(await page.locator("#nip-body2-layers-1-relaxation_shares-2").inputValue(), "0.1");
   await settled(page);
   near((await row(page, "longitudinal creepage"))[0]! / 100, solved("rubber_roller.toml").exact!.creepage_longitudinal!);
