@@ -61,7 +61,8 @@ void bind_peaks(py::module_& module) {
   layer
       .def_property_readonly(
           "body", [](const LayerPeak& self) { return number_of(self.body); }, "1 or 2 [-].")
-      .def_readonly("layer", &LayerPeak::layer, "From the surface inwards, from 0 [-]; the number of layers: below all.")
+      .def_readonly("layer", &LayerPeak::layer,
+                    "From the surface inwards, from 0 [-]; the number of layers: below all.")
       .def_readonly("von_mises", &LayerPeak::von_mises, "[Pa].")
       .def_property_readonly(
           "place", [](const LayerPeak& self) { return place(self.place); }, "x, y and depth [m].");

@@ -927,10 +927,10 @@ class InterfacePeak:
     """The largest stresses between a layer and what is below."""
     @property
     def body(self) -> int:
-        """1 or 2."""
+        """1 or 2 [-]."""
     @property
     def layer(self) -> int:
-        """The one above, from 0."""
+        """The one above, from 0 [-]."""
     @property
     def shear(self) -> float:
         """[Pa]."""
@@ -1047,10 +1047,10 @@ class LayerPeak:
     """The largest von Mises stress in a layer or what is below all."""
     @property
     def body(self) -> int:
-        """1 or 2."""
+        """1 or 2 [-]."""
     @property
     def layer(self) -> int:
-        """From the surface inwards, from 0; the number of layers: below all."""
+        """From the surface inwards, from 0 [-]; the number of layers: below all."""
     @property
     def von_mises(self) -> float:
         """[Pa]."""
