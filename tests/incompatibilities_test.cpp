@@ -179,7 +179,8 @@ TEST(Incompatibilities, AreSaidInTheKeysOfTheInterface) {
   EXPECT_EQ(found.message(KeyStyle::option), "--slip-start: needs --theory exact without --step");
   EXPECT_EQ(found.message(KeyStyle::keyword), "slip_start: needs theory=\"exact\" without step");
   const Incompatibility two{"body1.creep_ratio, body2.creep_ratio", "are none"};
-  EXPECT_EQ(two.message(KeyStyle::option), "--creep-ratio, --creep-ratio: are none");
+  EXPECT_EQ(two.message(), "body1.creep_ratio, body2.creep_ratio: are none");
+  EXPECT_EQ(two.message(KeyStyle::option), "--creep-ratio: are none");
 }
 
 } // namespace
