@@ -79,7 +79,7 @@ public:
     const HertzContact hertz = hertz_contact(input.problem);
     Solved solved{hertz, solver_->solve(input.problem, progress), cases::case_warnings(input, hertz).all};
     if (!cases::has_nip(input, solved.contact)) return solved;
-    solved.nip = nip_of(input.problem, solved.contact, cases::roller_radii(input));
+    solved.nip = nip_of(input.problem, solved.contact, cases::roller_radii(input), progress);
     solved.warnings = solved.nip->warnings.all;
     return solved;
   }

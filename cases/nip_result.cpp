@@ -14,7 +14,7 @@ bool has_nip(const io::RollingCase& input, const ContactSolution& solution) {
 NipResult nip_result(const io::RollingCase& input, const ContactSolution& solution, Solver& solver,
                      const Progress& progress) {
   const RollerRadii radii = roller_radii(input);
-  NipResult result{.nip = nip_of(input.problem, solution, radii)};
+  NipResult result{.nip = nip_of(input.problem, solution, radii, progress)};
   if (input.problem.load.given != NormalLoad::Given::force) return result;
   const auto without_torque = [&](Roller driven) -> std::optional<FreeRoller> {
     FreeRoller found = roll_without_torque(solver, input.problem, radii, driven, progress);

@@ -2,13 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 namespace microslip::io {
 namespace {
 
-Json::json_pointer pointer_to(const std::string& path) {
-  return path == "/" ? Json::json_pointer() : Json::json_pointer("/" + path);
+/// A member by its path, with objects on the way, also where a name is a number: no member is one of a list.
+Json& member_at(Json& members, const std::string& path) {
+  Json* at = &members;
+  std::stringstream names(path == "/" ? "" : path);
+  for (std::string name; std::getline(names, name, '/');) {
+    if (at->is_null()) *at = Json::object();
+    at = &(*at)[name];
+  }
+  return *at;
 }
 
 Json to_json(double value) {
@@ -38,12 +47,12 @@ bool JsonResult::leaves_out(const std::string& path) const {
 
 void JsonResult::scalar(const std::string& path, double value, const std::string& unit, const std::string&) {
   if (leaves_out(path)) return;
-  members_[pointer_to(path)] = json_number(value);
+  member_at(members_, path) = json_number(value);
   units_[path] = unit;
 }
 
 void JsonResult::text(const std::string& path, const std::string& value, const std::string&) {
-  if (!leaves_out(path)) members_[pointer_to(path)] = value;
+  if (!leaves_out(path)) member_at(members_, path) = value;
 }
 
 void JsonResult::array(const std::string& path, const Values& values, const std::string& unit, const std::string&,
@@ -54,13 +63,13 @@ void JsonResult::array(const std::string& path, const Values& values, const std:
     for (const auto number : numbers) all.push_back(to_json(number));
   };
   std::visit(add, values);
-  members_[pointer_to(path)] = std::move(all);
+  member_at(members_, path) = std::move(all);
   units_[path] = unit;
   if (shape.size() > 1) shapes_[path] = shape;
 }
 
 void JsonResult::attribute(const std::string& path, const std::string& name, const std::string& value) {
-  if (!leaves_out(path + "/")) members_[pointer_to(path)][name] = value;
+  if (!leaves_out(path + "/")) member_at(members_, path)[name] = value;
 }
 
 Json JsonResult::document() const {

@@ -99,6 +99,9 @@ public:
   /// Runs a check and puts file and line before its message: those of the key, if it is there, or of the table.
   void at(std::string_view key, const std::function<void()>& check) const;
 
+  /// Full name of a key, for messages: "load.normal_force".
+  std::string full(std::string_view key) const;
+
   /// Prefix of a message about a key: file and line, of the key, if it is there, or of the table.
   std::string line_of(std::string_view key) const;
 
@@ -111,7 +114,6 @@ private:
       : table_(table), name_(std::move(name)), section_(name_), file_(parent.file_), keys_(parent.keys_),
         inputs_(parent.inputs_), read_(parent.read_) {}
   const toml::node* find(std::string_view key) const { return table_ == nullptr ? nullptr : table_->get(key); }
-  std::string full(std::string_view key) const;
   /// "[load]" and what comes then; nothing in a table without a name.
   std::string in_section(const char* after) const;
   [[noreturn]] void refuse_missing(std::string_view key) const;

@@ -58,9 +58,10 @@ struct Nip {
 /// Fx + D_2/V2, and their power is hysteresis_power + slip_power. Derivatives are central differences, which take
 /// nothing from elastic bodies. Pressure acts across the surface as it is deformed, so that it turns no rigid roller,
 /// whose radius is the surface's: D_i = 0. Throws Error without layered bodies, for other than steady rolling, for a
-/// solution without contact, and for radii that do not fit the problem's curvatures to 1e-6. It takes influence numbers
-/// of each body that is not rigid.
-Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii);
+/// solution without contact, and for radii that do not fit the problem's curvatures to 1e-6, Stopped where `progress`
+/// returns false. It takes influence numbers of each body that is not rigid.
+Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
+           const Progress& progress = {});
 
 /// Steady rolling in which one roller has no torque.
 struct FreeRoller {

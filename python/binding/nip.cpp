@@ -49,7 +49,9 @@ void bind_rollers(py::module_& module) {
   module.def(
       "nip_of",
       [](const RollingProblem& problem, const ContactSolution& solution, double radius1, double radius2) {
-        return nip_of(problem, solution, {radius1, radius2});
+        return long_work([&](const Progress& progress) {
+          return nip_of(problem, solution, {radius1, radius2}, progress);
+        });
       },
       "problem"_a, "solution"_a, "radius1"_a, "radius2"_a,
       "The Nip of a solved RollingProblem of LayeredBodies, from its ContactSolution in steady rolling and\n"
