@@ -296,7 +296,8 @@ WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, co
         WheelRailSolution solution = solver.solve(s.state, s.vertical_force, within);
         for (const ContactSolution& fields : solution.fields)
           if (has_points)
-            interior.push_back(interior_states(input.material, input.material, fields, input.interior, within));
+            interior.push_back(interior_states(io::interior_body(input, Body::first),
+                                               io::interior_body(input, Body::second), fields, input.interior, within));
         // Of a sweep with the theory fastsim2 they were needed for stresses only.
         if (!is_single && input.method.theory == Theory::fastsim2) solution.fields.clear();
         return solution;

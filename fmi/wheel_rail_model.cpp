@@ -55,7 +55,9 @@ std::optional<double> start_number(const NamedInput& named) {
 /// Returns true for inputs of a wheel on a rail except lists and numbers that a case may leave open.
 bool is_parameter(const NamedInput& named) {
   const std::string_view section = named.input->section, path = named.path;
-  if (named.input->is_state || section.empty() || section == "interior" || path.starts_with("right_")) return false;
+  if (named.input->is_state || named.input->is_in_list || section.empty() || section == "interior" ||
+      path.starts_with("right_"))
+    return false;
   return is_text(named) || (named.input->kind != InputKind::numbers && start_number(named));
 }
 

@@ -1,10 +1,10 @@
 #include "io/case_file.hpp"
 
+#include "io/body_layers.hpp"
 #include "io/input_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/option_words.hpp"
 #include "io/toml_section.hpp"
-#include "microslip/elasticity/shore_hardness.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -30,48 +30,10 @@ void read_radii(const TomlSection& body, BodyInput& input) {
   input.transverse_radius = body.number(radius_keys[1]);
 }
 
-/// Shares of a modulus that relax, and their times; none without either.
-PronySeries read_relaxation(const TomlSection& layer, std::string_view shares_key, std::string_view times_key) {
-  if (!layer.has(shares_key) && !layer.has(times_key)) return {};
-  const std::vector<double> shares = layer.numbers(shares_key), times = layer.numbers(times_key);
-  PronySeries series;
-  layer.at(times_key, [&] {
-    if (shares.size() != times.size())
-      throw Error(layer.full(times_key) + ": has " + std::to_string(times.size()) + " numbers, " +
-                  std::string(shares_key) + " has " + std::to_string(shares.size()));
-    for (std::size_t k = 0; k < shares.size(); ++k) series.push_back({shares[k], times[k]});
-    double sum = 0;
-    for (const auto& [share, time] : series) {
-      require_positive(layer.full(shares_key), share, "-");
-      require_positive(layer.full(times_key), time, "s");
-      sum += share;
-    }
-    if (!(sum < 1)) throw Error(layer.full(shares_key), sum, "-", "of a sum below 1");
-  });
-  return series;
-}
-
-Material read_layer_material(const TomlSection& layer) {
-  const auto key = layer.one_of({"young_modulus", "shear_modulus", "hardness"});
-  const double value = layer.number(key), poisson_ratio = layer.number("poisson_ratio");
-  if (key == "shear_modulus") return {value, poisson_ratio};
-  return Material::from_young(key == "hardness" ? young_modulus_of_shore_a(value) : value, poisson_ratio);
-}
-
-BodyLayer read_body_layer(const TomlSection& layer) {
-  layer.allow_described();
-  BodyLayer input{.thickness = layer.number("thickness"), .material = {read_layer_material(layer)}};
-  input.material.shear_relaxation = read_relaxation(layer, "relaxation_shares", "relaxation_times");
-  input.material.bulk_relaxation = read_relaxation(layer, "bulk_relaxation_shares", "bulk_relaxation_times");
-  return input;
-}
-
 BodyInput read_body(const TomlSection& body) {
   body.allow_described({"layers"});
   BodyInput input;
-  for (const TomlSection& layer : body.sections("layers")) input.layers.push_back(read_body_layer(layer));
-  body.at("layers",
-          [&] { require_count("layers", static_cast<int>(input.layers.size()), 0, LayeredBody::most_layers); });
+  input.layers = read_body_layers(body);
   const auto key = body.one_of("young_modulus", "shear_modulus");
   const double modulus = body.number(key), poisson_ratio = body.number("poisson_ratio");
   input.material =

@@ -1,5 +1,6 @@
 #include "io/wheel_rail_case.hpp"
 
+#include "io/body_layers.hpp"
 #include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
@@ -108,7 +109,7 @@ std::optional<PlacedProfile> read_right_profile(const TomlSection& root, const s
                                                 ProfileFiles* profiles) {
   if (!root.has(name)) return {};
   const TomlSection section = root.required_section(name);
-  section.allow_described();
+  section.allow_described({"layers"});
   return read_profile(section, name, role, profiles);
 }
 
@@ -237,7 +238,7 @@ double number_of_state(const TomlSection& root, std::string_view section_name, s
 }
 
 LoadedWheelState read_state(const TomlSection& root, const TomlSection& wheel, const std::vector<Sweep>& sweeps) {
-  wheel.allow_described();
+  wheel.allow_described({"layers"});
   LoadedWheelState loaded;
   for (const StateQuantity& q : state_quantities())
     q.of(loaded.state) = number_of_state(root, q.section, q.name, sweeps);
@@ -278,7 +279,7 @@ GivenWheelset read_wheelset_state(const TomlSection& root, const TomlSection& wh
   for (const auto key : {height_key, roll_key})
     if (wheel.has(key))
       wheel.at(key, [&] { throw Error("wheel." + std::string(key) + ": is found from the load of both wheels"); });
-  wheel.allow_described();
+  wheel.allow_described({"layers"});
   GivenWheelset given;
   for (const WheelsetStateQuantity& q : wheelset_state_quantities())
     if (q.name != height_key && q.name != roll_key)
@@ -312,7 +313,14 @@ std::vector<LoadedWheelsetState> states_of(const TomlSection& wheel, const Given
   return states;
 }
 
-/// All sections but [wheel] and [sweep].
+/// Layers of the sections that have a wheel and a rail. Throws Error for a method that cannot have them.
+WheelRailLayers read_layers(const TomlSection& wheel, const TomlSection& rail, const WheelRailSetting& input) {
+  WheelRailLayers layers{read_body_layers(wheel), read_body_layers(rail)};
+  (layers.wheel.empty() ? rail : wheel).at("layers", [&] { require_layers(layers.on(input.material), input.method); });
+  return layers;
+}
+
+/// All sections but [wheel] and [sweep], and no layers.
 WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables, ProfileFiles* profiles) {
   TomlSection::Words sections = {"track",    "rail",     "wheelset", "wheel", "material",
                                  "friction", "solution", "interior", "sweep"};
@@ -328,7 +336,7 @@ WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables
   root.allow_described(sections);
   const TomlSection track = root.required_section("track"), rail = root.required_section("rail"),
                     wheelset = root.required_section("wheelset");
-  rail.allow_described();
+  rail.allow_described({"layers"});
   wheelset.allow_described();
   const Material material = read_material(root.required_section("material"));
   return {.title = root.text("title", ""),
@@ -337,6 +345,7 @@ WheelRailSetting read_setting(const TomlSection& root, const CreepTables& tables
           .rail = read_profile(rail, "rail", ProfileRole::rail, profiles),
           .wheel = read_profile(wheelset, "wheelset", ProfileRole::wheel, profiles),
           .material = material,
+          .layers = {},
           .strength = read_strength(root.required_section("material")),
           .friction = read_friction(root.required_section("friction")),
           .method = read_method(root.optional_section("solution"), material.poisson_ratio, tables),
@@ -370,7 +379,7 @@ void check_place_along_track(const TomlSection& root, const PlacedProfile& rail,
 }
 
 WheelRailBodies bodies_of(const WheelRailSetting& input, const PlacedProfile& rail, const PlacedProfile& wheel,
-                          TrackSide side) {
+                          const WheelRailLayers& layers, TrackSide side) {
   return {.rail = rail.profile,
           .wheel = wheel.profile,
           .track = input.track,
@@ -380,10 +389,16 @@ WheelRailBodies bodies_of(const WheelRailSetting& input, const PlacedProfile& ra
           .friction = input.friction,
           .strength = input.strength,
           .rail_surface = rail.surface,
-          .wheel_surface = wheel.surface};
+          .wheel_surface = wheel.surface,
+          .layered = layers.on(input.material)};
 }
 
 } // namespace
+
+std::optional<LayeredBodies> WheelRailLayers::on(const Material& below) const {
+  if (wheel.empty() && rail.empty()) return {};
+  return LayeredBodies{.body1 = {wheel, {below}}, .body2 = {rail, {below}}};
+}
 
 bool is_wheel_rail_case(std::string_view text, const std::string& name) {
   const auto table = parse_toml(text, name);
@@ -416,6 +431,7 @@ WheelRailCase read_wheel_rail_case(const TomlSection& file, const CreepTables& t
   const auto sweeps = read_sweeps(root.optional_section("sweep"), variables_of(description::wheel_inputs()));
   wheel.word("side");
   WheelRailCase input{read_setting(root, tables, profiles), wheel.option("side", TrackSide::left), {}, {}};
+  input.layers = read_layers(wheel, root.required_section("rail"), input);
   input.states = read_states(root, input);
   add_varied(input, sweeps);
   if (root.has("interior") && input.method.theory == Theory::table)
@@ -447,7 +463,14 @@ WheelsetCase read_wheelset_case(const TomlSection& file, const CreepTables& tabl
   WheelsetCase input{read_setting(root, tables, profiles),
                      read_right_profile(root, "right_rail", ProfileRole::rail, profiles),
                      read_right_profile(root, "right_wheel", ProfileRole::wheel, profiles),
+                     {},
                      {}};
+  const TomlSection wheel = root.required_section("wheel"), rail = root.required_section("rail");
+  const auto right = [&](const char* section, const TomlSection& left) {
+    return root.has(section) ? root.required_section(section) : left;
+  };
+  input.layers = read_layers(wheel, rail, input);
+  input.right_layers = read_layers(right("right_wheel", wheel), right("right_rail", rail), input);
   input.states = read_states(root, input);
   add_varied(input, sweeps);
   check_places(root, input, input.rail, input.wheel);
@@ -467,13 +490,20 @@ std::vector<LoadedWheelsetState> read_states(const TomlSection& file, const Whee
 }
 
 WheelRailBodies bodies_of(const WheelRailCase& input) {
-  return bodies_of(input, input.rail, input.wheel, input.side);
+  return bodies_of(input, input.rail, input.wheel, input.layers, input.side);
 }
 
 WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side) {
   const bool right = side == TrackSide::right;
   return bodies_of(input, right && input.right_rail ? *input.right_rail : input.rail,
-                   right && input.right_wheel ? *input.right_wheel : input.wheel, side);
+                   right && input.right_wheel ? *input.right_wheel : input.wheel,
+                   right ? input.right_layers : input.layers, side);
+}
+
+InteriorBody interior_body(const WheelRailCase& input, Body body) {
+  const auto layered = input.layers.on(input.material);
+  if (!layered) return input.material;
+  return {body == Body::first ? layered->body1 : layered->body2, layered->speed};
 }
 
 WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method) {

@@ -3,6 +3,7 @@
 #include "io/creep_tables.hpp"
 #include "io/read_inputs.hpp"
 #include "io/sliced_profile.hpp"
+#include "microslip/elasticity/layered_body.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/railway/vehicle/wheelset_on_track.hpp"
@@ -29,13 +30,22 @@ struct LoadedWheelsetState {
   WheelsetLoad load;
 };
 
+/// Elastic layers on a wheel and its rail, from the surface inwards.
+struct WheelRailLayers {
+  std::vector<BodyLayer> wheel = {}, rail = {};
+
+  /// The bodies with `below` below their layers; none without layers.
+  std::optional<LayeredBodies> on(const Material& below) const;
+};
+
 /// Contents of a case file of wheels, rails and track, in SI units; examples/wheel_on_rail.toml shows every key.
 struct WheelRailSetting {
   std::string title;
   Track track;
   Wheelset wheelset;
   PlacedProfile rail, wheel;
-  Material material; ///< of both
+  Material material;      ///< of both
+  WheelRailLayers layers; ///< on it
   SurfaceStrength strength;
   std::vector<InclinedFriction> friction;
   WheelRailMethod method;
@@ -53,6 +63,7 @@ struct WheelRailCase : WheelRailSetting {
 /// Both wheels of a wheelset: `side = "both"`.
 struct WheelsetCase : WheelRailSetting {
   std::optional<PlacedProfile> right_rail = {}, right_wheel = {}; ///< where they differ from the left ones
+  WheelRailLayers right_layers = {};                              ///< of the right side
   std::vector<LoadedWheelsetState> states;                        ///< one without a sweep
 };
 
@@ -86,6 +97,8 @@ std::vector<LoadedWheelsetState> read_states(const TomlSection& root, const Whee
 WheelRailBodies bodies_of(const WheelRailCase& input);
 /// Data of one side of a wheelset.
 WheelRailBodies bodies_of(const WheelsetCase& input, TrackSide side);
+/// Wheel or rail, the first and the second body, for the interior field.
+InteriorBody interior_body(const WheelRailCase& input, Body body);
 /// The solver itself.
 WheelRail solver_of(const WheelRailCase& input, const WheelRailMethod& method);
 WheelsetOnTrack solver_of(const WheelsetCase& input, const WheelRailMethod& method);

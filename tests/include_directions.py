@@ -46,8 +46,8 @@ ALLOWED = {
                           "microslip/table", RAILWAY + "exact", RAILWAY + "geometry", RAILWAY + "problem",
                           RAILWAY + "profile", RAILWAY + "rows"],
     RAILWAY + "vehicle": ["microslip/numerics", "microslip/railway", RAILWAY + "geometry", RAILWAY + "problem"],
-    "microslip/description": ["microslip/contact", "microslip/friction", "microslip/railway", RAILWAY + "geometry",
-                              RAILWAY + "problem", RAILWAY + "vehicle"],
+    "microslip/description": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/railway",
+                              RAILWAY + "geometry", RAILWAY + "problem", RAILWAY + "vehicle"],
 }
 
 

@@ -127,6 +127,21 @@ TEST(Sweep, RowsOfWheelsDoNotDependOnEachOther) {
                       example("s.toml")));
 }
 
+/// A coating that gets thicker takes the forces of creepage away.
+TEST(Sweep, OfLayersOnARail) {
+  const campaign::Sweep sweep(
+      "[grid]\nrail.layers.1.thickness = [1e-6, \"0.1 mm\"]\nwheel.pitch_velocity = [65.19, 65.205]\n" +
+          with(wheel_case("left"), "grid = 12\n", "grid = 8\ntheory = \"exact\"\nshape = \"curved\"\n") +
+          "[[case.rail.layers]]\nyoung_modulus = 2e9\npoisson_ratio = 0.4\n",
+      example("s.toml"));
+  expect_independent_rows(sweep);
+  std::vector<double> force;
+  for (std::size_t i = 0; i < sweep.spec().count(); ++i)
+    force.push_back(std::abs(number(sweep, row_of(sweep, sweep.make_worker(), i), "wheel/force_x")));
+  EXPECT_LT(force[2], 0.7 * force[0]);
+  EXPECT_LT(force[3], 0.7 * force[1]);
+}
+
 TEST(Sweep, RowsOfWheelsetsDoNotDependOnEachOther) {
   expect_independent_rows(
       campaign::Sweep("[sample]\ncount = 8\nseed = 5\nwheel.lateral = { from = -0.005, to = 0.005 }\n"

@@ -379,6 +379,32 @@ TEST(CProblem, AWheelHasTheNumbersOfTheHotCall) {
   EXPECT_NE(std::string(problem.error.text).find("did you mean force_"), std::string::npos) << problem.error.text;
 }
 
+/// A layer that changes between two solutions has its part in the second one.
+TEST(CProblem, ARailHasLayersByTheirPaths) {
+  const std::string exact =
+      with(wheel_rail_text, "theory = \"fastsim2\"", "theory = \"exact\"\nshape = \"flat\"\ngrid = 8");
+  CProblem problem(exact);
+  for (const auto& [key, value] : {std::pair{"young_modulus", 2e9}, {"poisson_ratio", 0.4}})
+    ASSERT_EQ(problem.set(std::string("rail.layers.1.") + key, value), MICROSLIP_OK) << problem.error.text;
+  EXPECT_EQ(problem.solve(), MICROSLIP_INVALID_OPTION);
+  EXPECT_NE(std::string(problem.error.text).find("[rail.layers.1]: thickness is missing"), std::string::npos)
+      << problem.error.text;
+  for (const char* thickness : {"1e-6", "1e-4"}) {
+    ASSERT_EQ(problem.set("rail.layers.1.thickness", std::stod(thickness)), MICROSLIP_OK) << problem.error.text;
+    ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;
+    const io::WheelRailCase input = io::parse_wheel_rail_case(
+        exact + "[[rail.layers]]\nyoung_modulus = 2e9\npoisson_ratio = 0.4\nthickness = " + thickness + "\n", "w.toml");
+    const auto& [state, force] = input.states.at(0);
+    const WheelRailSolution expected = io::solver_of(input, input.method).solve(state, force);
+    EXPECT_NEAR(problem.number("vertical"), expected.vertical, 1e-9 * std::abs(expected.vertical));
+    EXPECT_NEAR(problem.number("force_y"), expected.force.y, 1e-6 * std::abs(expected.force.y));
+  }
+  EXPECT_EQ(problem.set("wheel.layers.1.thickness", -1e-3), MICROSLIP_INVALID_OPTION);
+  EXPECT_NE(std::string(problem.error.text).find("wheel.layers.1.thickness = -0.001 [m]: must be positive"),
+            std::string::npos)
+      << problem.error.text;
+}
+
 TEST(CProblem, AWheelIsMadeOfAProblem) {
   CProblem problem(wheel_rail_text);
   ASSERT_EQ(problem.set("material.poisson_ratio", 0.3), MICROSLIP_OK);

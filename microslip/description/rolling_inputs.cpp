@@ -1,6 +1,6 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input_lines.hpp"
-#include "microslip/elasticity/shore_hardness.hpp"
+#include "microslip/description/layer_inputs.hpp"
 #include "microslip/friction/friction_law.hpp"
 
 #include <algorithm>
@@ -48,21 +48,7 @@ std::vector<Input> all_inputs() {
            number("density", "kg/m^3", positive, "density"),
            number("heat_capacity", "J/(kg K)", positive, "specific heat capacity"),
        }},
-      {"body.layers",
-       {
-           needed(number("thickness", "m", positive, "thickness of a layer; the first one is the surface's")),
-           needed(number("young_modulus", "Pa", positive, "Young's modulus; or shear_modulus or hardness")),
-           number("shear_modulus", "Pa", positive, "shear modulus, in place of young_modulus"),
-           number("hardness", "ShoreA", between(softest_shore_a, hardest_shore_a),
-                  "hardness of rubber, in place of young_modulus, which follows from it by Gent's relation"),
-           needed(number("poisson_ratio", "-", between(0, 0.5), "Poisson's ratio; 0.5: incompressible")),
-           numbers("relaxation_shares", "-",
-                   "of a viscoelastic layer: shares of the shear modulus that relax, of which the sum is below 1"),
-           numbers("relaxation_times", "s", "their relaxation times, as many"),
-           numbers("bulk_relaxation_shares", "-", "the same of the bulk modulus, which is elastic without them"),
-           numbers("bulk_relaxation_times", "s", "their relaxation times, as many"),
-       },
-       true},
+      {"body.layers", layer_inputs(), true},
       {"ellipse",
        {
            needed(number("a", "m", positive,

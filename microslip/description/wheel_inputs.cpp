@@ -1,5 +1,6 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input_lines.hpp"
+#include "microslip/description/layer_inputs.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/geometry/track.hpp"
 #include "microslip/railway/geometry/wheelset.hpp"
@@ -59,6 +60,7 @@ std::vector<Input> all_inputs() {
        {
            word("side", sides, "left", "which wheel, or both of the wheelset"),
        }},
+      {"body.layers", elastic_layer_inputs(), true},
       {"material",
        {
            needed(
@@ -99,8 +101,14 @@ std::vector<Input> all_inputs() {
   });
 }
 
-const std::vector<InputTable::Shared> shared_sections = {
-    {"rail", "profile"}, {"wheelset", "profile"}, {"right_rail", "profile"}, {"right_wheel", "profile"}};
+const std::vector<InputTable::Shared> shared_sections = {{"rail", "profile"},
+                                                         {"wheelset", "profile"},
+                                                         {"right_rail", "profile"},
+                                                         {"right_wheel", "profile"},
+                                                         {"wheel.layers", "body.layers"},
+                                                         {"rail.layers", "body.layers"},
+                                                         {"right_wheel.layers", "body.layers"},
+                                                         {"right_rail.layers", "body.layers"}};
 
 constexpr std::string_view height = "vertical", roll = "roll", speed = "forward_velocity", pitch = "pitch_velocity";
 

@@ -13,6 +13,8 @@ namespace microslip {
 
 /// Throws Error for a shape of patches that the level does not have, with this text before the message.
 void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
+/// Throws Error for layers out of range, and for a method that cannot have them.
+void require_layers(const std::optional<LayeredBodies>& layered, const WheelRailMethod& method);
 
 /// Variables of differentiation: the numbers of a state in the order of state_quantities(), and the vertical
 /// force. Round wheels and fixed profiles have no derivatives by position along the track and angle of pitch.

@@ -3,6 +3,7 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "microslip/friction/friction_law.hpp"
+#include "microslip/railway/wheel_rail.hpp"
 #include "microslip/railway/wheel_theories.hpp"
 
 #include <string>
@@ -46,6 +47,8 @@ void require_strength(const SurfaceStrength& strength) {
   if (shear_yield_strength) require_positive("shear_yield_strength", *shear_yield_strength, "Pa");
 }
 
+} // namespace
+
 void require_layers(const std::optional<LayeredBodies>& layered, const WheelRailMethod& method) {
   if (!layered) return;
   check("wheel", layered->body1);
@@ -56,8 +59,6 @@ void require_layers(const std::optional<LayeredBodies>& layered, const WheelRail
   if (!method.shape || *method.shape == PatchShape::conformal)
     throw Error("layers of wheel and rail: need the shape curved or flat; on a conformal patch half-spaces are turned");
 }
-
-} // namespace
 
 void require_valid(const WheelRailBodies& bodies, const WheelRailMethod& method) {
   const WheelTheory& theory = theory_of(method);

@@ -99,7 +99,7 @@ std::vector<InclinedFriction> inclined_friction_from(const py::object& friction)
 
 WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                             const ProfileValue& wheel, const Material& material, const py::object& friction,
-                            const SurfaceStrength& strength) {
+                            const SurfaceStrength& strength, const io::WheelRailLayers& layers) {
   return {.rail = rail.profile(),
           .wheel = wheel.profile(),
           .track = track,
@@ -108,7 +108,8 @@ WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const 
           .friction = inclined_friction_from(friction),
           .strength = strength,
           .rail_surface = rail.surface,
-          .wheel_surface = wheel.surface};
+          .wheel_surface = wheel.surface,
+          .layered = layers.on(material)};
 }
 
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
@@ -129,13 +130,14 @@ WheelRailMethod method_from(const std::string& theory, const std::optional<std::
 
 namespace {
 
-std::unique_ptr<PythonWheelRail> make_wheel_rail(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
-                                                 const ProfileValue& wheel, const std::string& side,
-                                                 const Material& material, const py::object& friction,
-                                                 const std::string& theory, const std::optional<std::string>& shape,
-                                                 int grid, double tolerance, const SurfaceStrength& strength,
-                                                 bool fields, const std::optional<CreepForceTable>& table) {
-  WheelRailBodies bodies = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
+std::unique_ptr<PythonWheelRail>
+make_wheel_rail(const Track& track, const ProfileValue& rail, const Wheelset& wheelset, const ProfileValue& wheel,
+                const std::string& side, const Material& material, const py::object& friction,
+                const std::string& theory, const std::optional<std::string>& shape, int grid, double tolerance,
+                const SurfaceStrength& strength, bool fields, const std::optional<CreepForceTable>& table,
+                const std::vector<BodyLayer>& wheel_layers, const std::vector<BodyLayer>& rail_layers) {
+  WheelRailBodies bodies =
+      bodies_from(track, rail, wheelset, wheel, material, friction, strength, {wheel_layers, rail_layers});
   bodies.side = io::from_word<TrackSide>("side", side);
   const auto method = method_from(theory, shape, grid, tolerance, fields, table, bodies.material.poisson_ratio);
   return std::make_unique<PythonWheelRail>(std::move(bodies), method);
@@ -351,7 +353,8 @@ void bind_wheel_rail(py::module_& module) {
       .def(py::init(&make_wheel_rail), py::kw_only(), "track"_a, "rail"_a, "wheelset"_a, "wheel"_a, "side"_a = "left",
            "material"_a = Material::from_young(210e9, 0.28), "friction"_a = py::float_(0.3), "theory"_a = "fastsim2",
            "shape"_a = py::none(), "grid"_a = 24, "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(),
-           "fields"_a = false, "table"_a = py::none(),
+           "fields"_a = false, "table"_a = py::none(), "wheel_layers"_a = std::vector<BodyLayer>(),
+           "rail_layers"_a = std::vector<BodyLayer>(),
            "The profiles of rail and wheel, as read_profile gives them; the side of the track; the Material of both\n"
            "bodies, by default steel with E = 210 GPa and nu = 0.28; friction [-], a number or a pair of arrays\n"
            "(angles [rad], coefficients) of surfaces that rise to the field side; theory \"exact\" with grid\n"
@@ -359,8 +362,9 @@ void bind_wheel_rail(py::module_& module) {
            "conformal; rows of fastsim2 and table always follow the surface; tolerance [-] of the vertical force; the\n"
            "SurfaceStrength, for wear and fatigue; whether solutions of fastsim2 have fields; of theory \"table\" the "
            "CreepForceTable,\n"
-           "by default the one of microslip for the bodies' Poisson's ratio. Error for values out of range and\n"
-           "profiles that do not fit the track or the wheelset.")
+           "by default the one of microslip for the bodies' Poisson's ratio; elastic BodyLayer of wheel and rail from\n"
+           "the surface inwards, on the material, for theory \"exact\" and the shape flat or curved. Error for values\n"
+           "out of range and profiles that do not fit the track or the wheelset.")
       .def("solve", &solve, state_text().c_str())
       .def("solve_batch", &solve_batch, "threads"_a = 0,
            "The WheelRailArrays of many states, given as for solve [SI units], numbers or arrays that broadcast, on\n"

@@ -4,6 +4,7 @@
 #include "binding/creep_table.hpp"
 #include "binding/long_work.hpp"
 #include "binding/profile.hpp"
+#include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
@@ -36,10 +37,10 @@ pybind11::tuple tuple_of(const std::vector<std::string_view>& names);
 
 /// A number, or a pair of arrays: angles and coefficients.
 std::vector<InclinedFriction> inclined_friction_from(const pybind11::object& friction);
-/// Bodies of a left wheel, both of one material.
+/// Bodies of a left wheel, both of one material below their layers.
 WheelRailBodies bodies_from(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
                             const ProfileValue& wheel, const Material& material, const pybind11::object& friction,
-                            const SurfaceStrength& strength);
+                            const SurfaceStrength& strength, const io::WheelRailLayers& layers);
 /// Method; theory "table" without a table takes the built-in one, for the bodies' Poisson's ratio.
 WheelRailMethod method_from(const std::string& theory, const std::optional<std::string>& shape, int grid,
                             double tolerance, bool fields, const std::optional<CreepForceTable>& table,

@@ -77,14 +77,15 @@ GivenWheelset given_wheelset(const py::kwargs& given) {
 
 using PythonWheelset = OneAtATime<WheelsetOnTrack>;
 
-std::unique_ptr<PythonWheelset> make_wheelset(const Track& track, const ProfileValue& rail, const Wheelset& wheelset,
-                                              const ProfileValue& wheel, const ProfileValue* right_rail,
-                                              const ProfileValue* right_wheel, const Material& material,
-                                              const py::object& friction, const std::string& theory,
-                                              const std::optional<std::string>& shape, int grid, double tolerance,
-                                              const SurfaceStrength& strength, bool fields,
-                                              const std::optional<CreepForceTable>& table) {
-  const WheelRailBodies left = bodies_from(track, rail, wheelset, wheel, material, friction, strength);
+std::unique_ptr<PythonWheelset>
+make_wheelset(const Track& track, const ProfileValue& rail, const Wheelset& wheelset, const ProfileValue& wheel,
+              const ProfileValue* right_rail, const ProfileValue* right_wheel, const Material& material,
+              const py::object& friction, const std::string& theory, const std::optional<std::string>& shape, int grid,
+              double tolerance, const SurfaceStrength& strength, bool fields,
+              const std::optional<CreepForceTable>& table, const std::vector<BodyLayer>& wheel_layers,
+              const std::vector<BodyLayer>& rail_layers) {
+  const WheelRailBodies left =
+      bodies_from(track, rail, wheelset, wheel, material, friction, strength, {wheel_layers, rail_layers});
   WheelRailBodies right = left;
   if (right_rail != nullptr) right.rail = right_rail->profile(), right.rail_surface = right_rail->surface;
   if (right_wheel != nullptr) right.wheel = right_wheel->profile(), right.wheel_surface = right_wheel->surface;
@@ -202,6 +203,7 @@ void bind_wheelset_on_track(py::module_& module) {
            "right_rail"_a = py::none(), "right_wheel"_a = py::none(), "material"_a = Material::from_young(210e9, 0.28),
            "friction"_a = py::float_(0.3), "theory"_a = "fastsim2", "shape"_a = py::none(), "grid"_a = 24,
            "tolerance"_a = 1e-6, "strength"_a = SurfaceStrength(), "fields"_a = false, "table"_a = py::none(),
+           "wheel_layers"_a = std::vector<BodyLayer>(), "rail_layers"_a = std::vector<BodyLayer>(),
            "The arguments of WheelRail, of both sides alike; right_rail and right_wheel are for a right side with\n"
            "different profiles, given as those of a left one. tolerance [-] is that of forces and moments over the\n"
            "load. Error for values out of range and profiles that do not fit the track or the wheelset.")

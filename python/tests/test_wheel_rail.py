@@ -183,6 +183,27 @@ class WheelRailTest(unittest.TestCase):
         with self.assertRaisesRegex(microslip.Error, "table: needs theory=\"table\""):
             wheel_rail(table=microslip.CreepForceTable(poisson_ratio=0.28))
 
+    def test_wheel_and_rail_may_have_layers(self):
+        layer = microslip.BodyLayer(1e-4, microslip.Material.from_young(2e9, 0.4))
+        options = {"theory": "exact", "shape": "flat", "grid": 8}
+        plain = wheel_rail(**options).solve(**STATE)
+        for body in ("wheel", "rail"):
+            layered = wheel_rail(**options, **{f"{body}_layers": [layer]}).solve(**STATE)
+            self.assertEqual(layered.status, microslip.Status.ok)
+            self.assertLess(layered.vertical, plain.vertical - 1e-6)  # it sinks in further
+            both = wheel_rail(**options, wheel_layers=[layer], rail_layers=[layer]).solve(**STATE)
+            self.assertLess(both.vertical, layered.vertical)
+        steel = microslip.BodyLayer(1e-4, microslip.Material.from_young(210e9, 0.28))
+        same = wheel_rail(**options, rail_layers=[steel]).solve(**STATE)
+        self.assertAlmostEqual(same.vertical, plain.vertical, delta=1e-3 * abs(plain.vertical))
+        soft = microslip.BodyLayer(1e-4, microslip.ViscoelasticMaterial(layer.material.instantaneous, [microslip.PronyTerm(0.5, 1e-3)]))
+        for text, wrong in (("theory exact", {"rail_layers": [layer]}),
+                            ("curved or flat", {"rail_layers": [layer], "theory": "exact"}),
+                            ("must be elastic", {"wheel_layers": [soft], **options}),
+                            (r"rail.layers\[0\].thickness", {"rail_layers": [microslip.BodyLayer(-1.0, steel.material)], **options})):
+            with self.assertRaisesRegex(microslip.Error, text):
+                wheel_rail(**wrong)
+
     def test_what_makes_no_sense_is_refused(self):
         for text, call in (("did you mean lateral", lambda: self.pair.solve(latteral=0.0, vertical_force=1e3)),
                            ("either of them", lambda: self.pair.solve(lateral=0.0)),

@@ -49,6 +49,15 @@ class WheelsetOnTrackTest(unittest.TestCase):
         alone = right.solve(**STATE, vertical=found.vertical, roll=found.roll, pitch_velocity=found.pitch_velocity)
         self.assertEqual(alone.force_y, found.right.force_y)
 
+    def test_layers_are_those_of_both_wheels(self):
+        layer = microslip.BodyLayer(1e-4, microslip.Material.from_young(2e9, 0.4))
+        options = {"theory": "exact", "shape": "flat", "grid": 8}
+        plain, coated = (s1002_on_60e1(microslip.WheelsetOnTrack, **options, **layers).solve(forward_velocity=20.0, vertical_force=160e3)
+                         for layers in ({}, {"wheel_layers": [layer]}))
+        self.assertEqual(coated.status, microslip.Status.ok)
+        for side in ("left", "right"):
+            self.assertLess(getattr(coated, side).patches[0].peak_pressure, getattr(plain, side).patches[0].peak_pressure)
+
     def test_profiles_of_both_sides_change_places_in_a_mirror(self):
         new = microslip.read_profile(PROFILES / "60e1.prr")
         other = microslip.Profile(new.y, new.z - 0.2 * new.y**2, "rail")  # with a rounder head

@@ -16,7 +16,7 @@ export interface Start { case?: string; files?: Record<string, string> }
 
 /** Of wheels on rails the page takes over what has no field, except for what replaces one. */
 const carried = /^(track|rail|wheelset|wheel|material)\.|^solution\.(grid|tolerance)$/;
-const notCarried = /\.profile$|^wheel\.(side|vertical)$|^material\.shear_modulus$|^track\.rail_[yz]$/;
+const notCarried = /\.profile$|\.layers\.|^wheel\.(side|vertical)$|^material\.shear_modulus$|^track\.rail_[yz]$/;
 
 /** The ends of the paths of files, which is all that a browser knows of them. */
 function plain(files: Record<string, string>): Record<string, string> {

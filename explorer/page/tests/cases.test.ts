@@ -229,6 +229,8 @@ test("what the page does not have is named", async () => {
     [replaced(wheel, 'side = "left"', 'side = "right"'), `${lacking}wheel.side`],
     [replaced(wheel, 'coefficient = 0.3', 'coefficient = [0.3, 0.2]\nangle = [0.1, 0.2]'), `${lacking}friction.angle, friction.coefficient`],
     [replaced(wheel, "[friction]", "[interior]\nx = [0.0]\ny = [0.0]\nz = [-0.004]\n[friction]"), `${lacking}interior.x, interior.y, interior.z`],
+    [replaced(replaced(wheel, '# shape = "flat"', 'shape = "flat" #'), "[friction]", '[[rail.layers]]\nthickness = "0.1 mm"\nyoung_modulus = "2 GPa"\npoisson_ratio = 0.4\n[friction]'),
+      `${lacking}rail.layers.1.poisson_ratio, rail.layers.1.thickness, rail.layers.1.young_modulus`],
     [replaced(wheel, "profiles/s1002.prw", "profiles/worn.prw"), 'wheelset.profile = "profiles/worn.prw": not here; such a file goes along with the case'],
   ] as const) assert.ok((await refusal(text)).includes(why), `${await refusal(text)} instead of ${why}`);
 });

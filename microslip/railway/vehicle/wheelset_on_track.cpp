@@ -58,6 +58,12 @@ WheelRailMethod fast_method(const WheelRailMethod& method) {
   return {.tolerance = method.tolerance};
 }
 
+/// The bodies without layers, which it does not have.
+WheelRailBodies half_spaces(WheelRailBodies bodies) {
+  bodies.layered.reset();
+  return bodies;
+}
+
 } // namespace
 
 struct WheelsetOnTrack::Workspace {
@@ -75,7 +81,7 @@ struct WheelsetOnTrack::Workspace {
         wheels(l, r, method) {
     if (!theory_of(method).by_elements) return;
     tolerance = std::max(tolerance, 1e-5);
-    fast.emplace(l, r, fast_method(method));
+    fast.emplace(half_spaces(l), half_spaces(r), fast_method(method));
   }
 
   WheelPair& first() { return fast ? *fast : wheels; }
