@@ -79,7 +79,7 @@ public:
     const HertzContact hertz = hertz_contact(input.problem);
     Solved solved{hertz, solver_->solve(input.problem, progress), cases::case_warnings(input, hertz).all};
     if (!cases::has_nip(input, solved.contact)) return solved;
-    solved.nip = nip_of(input.problem, solved.contact, cases::roller_radii(input), progress);
+    solved.nip = nips_.find(input.problem, solved.contact, cases::roller_radii(input), progress);
     solved.warnings = solved.nip->warnings.all;
     return solved;
   }
@@ -99,6 +99,7 @@ private:
   }
 
   std::optional<Solver> solver_;
+  NipAnalysis nips_;
 };
 
 /// Columns of a wheel and its patches; `group` is what stands before wheel/ and patches/.

@@ -14,10 +14,11 @@ bool has_nip(const io::RollingCase& input, const ContactSolution& solution) {
 NipResult nip_result(const io::RollingCase& input, const ContactSolution& solution, Solver& solver,
                      const Progress& progress) {
   const RollerRadii radii = roller_radii(input);
-  NipResult result{.nip = nip_of(input.problem, solution, radii, progress)};
+  NipAnalysis analysis;
+  NipResult result{.nip = analysis.find(input.problem, solution, radii, progress)};
   if (input.problem.load.given != NormalLoad::Given::force) return result;
   const auto without_torque = [&](Roller driven) -> std::optional<FreeRoller> {
-    FreeRoller found = roll_without_torque(solver, input.problem, radii, driven, progress);
+    FreeRoller found = analysis.roll_without_torque(solver, input.problem, radii, driven, progress);
     return found.solution.report.status == Status::ok ? std::optional(std::move(found)) : std::nullopt;
   };
   result.free1 = without_torque(Roller::body1);

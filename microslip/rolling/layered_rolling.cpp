@@ -92,11 +92,6 @@ int elements_of_step(const Motion& motion, const ElementGrid& grid) {
   return std::max(1, static_cast<int>(std::ceil(elements)));
 }
 
-bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid, int ahead) {
-  return table.mx() == grid.mx + ahead && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
-         table.is_of_strips() == grid.line;
-}
-
 /// A step of the problem with the influence numbers of the layered bodies' elements; its half-spaces are the sizes of
 /// displacements.
 ContactStep step_with(std::shared_ptr<const InfluenceTable> table, const RollingProblem& problem, const Method& method,
@@ -170,23 +165,12 @@ bool LayeredRolling::is_of_last(const RollingProblem& problem, const GapCurvatur
          found_->load.value == problem.load.value;
 }
 
-LayeredSurfaces& LayeredRolling::surfaces(const LayeredBodies& bodies) {
-  if (!surfaces_ || surfaces_->bodies() != bodies) {
-    table_.reset();
-    surfaces_.emplace(bodies);
-  }
-  return *surfaces_;
-}
-
 ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                                          const Progress& progress) {
-  LayeredSurfaces& bodies = surfaces(*problem.layered);
-  const int ahead = elements_of_step(problem.motion, gap.grid);
-  if (!table_ || far_ != far || !has_elements_of(*table_, gap.grid, ahead)) {
-    table_ = layered_table(bodies, gap.grid, far, essential_part(progress, 0, 0), ahead);
-    far_ = far;
-  }
-  return solve_steps(sequence_, step_with(table_, problem, method_, std::move(gap)), problem.motion.steps, progress);
+  auto table = kept_.table(*problem.layered, gap.grid, far, essential_part(progress, 0, 0),
+                           elements_of_step(problem.motion, gap.grid));
+  return solve_steps(sequence_, step_with(std::move(table), problem, method_, std::move(gap)), problem.motion.steps,
+                     progress);
 }
 
 ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {
@@ -195,7 +179,7 @@ ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progr
   if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), {}, progress);
   if (!is_of_last(problem, *curvatures))
     found_ = {*problem.layered, *curvatures, problem.load,
-              grid_around_contact(problem, method_, *curvatures, surfaces(*problem.layered), progress)};
+              grid_around_contact(problem, method_, *curvatures, kept_.surfaces(*problem.layered), progress)};
   constexpr int most_times = 8;
   ElementGrid grid = found_->grid;
   for (int time = 0; time < most_times; ++time) {

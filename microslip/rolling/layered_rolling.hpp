@@ -1,10 +1,9 @@
 #pragma once
 
 #include "microslip/exact/classical/contact_sequence.hpp"
-#include "microslip/exact/halfspace/layered_influence.hpp"
+#include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/rolling/method.hpp"
 
-#include <memory>
 #include <optional>
 
 namespace microslip {
@@ -31,15 +30,12 @@ private:
   };
 
   bool is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const;
-  LayeredSurfaces& surfaces(const LayeredBodies& bodies);
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                            const Progress& progress);
 
   Method method_;
   std::optional<Found> found_;
-  std::optional<LayeredSurfaces> surfaces_;
-  std::shared_ptr<const InfluenceTable> table_; ///< of the surfaces
-  std::optional<double> far_;                   ///< of the table
+  KeptLayeredTable kept_;
   ContactSequence sequence_;
 };
 

@@ -59,14 +59,13 @@ double work_on_slope(const ElementGrid& grid, const Field& pressure, const Field
 
 /// Displacement inwards of one body, the other one taken as rigid [m]; in line contact relative to the same distance as
 /// the solution.
-Field displacement_inwards(const LayeredBodies& one, const RollingProblem& problem, const ContactSolution& solution,
-                           const Progress& progress) {
+Field displacement_inwards(KeptLayeredTable& kept, const LayeredBodies& one, const RollingProblem& problem,
+                           const ContactSolution& solution, const Progress& progress) {
   const ElementGrid& grid = solution.elements.grid;
   const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
-  LayeredSurfaces surfaces(one);
   ElementResponse response;
-  response.table = layered_table(surfaces, grid,
-                                 curvatures ? std::optional(0.5 / curvatures->x) : std::optional<double>(), progress);
+  response.table =
+      kept.table(one, grid, curvatures ? std::optional(0.5 / curvatures->x) : std::optional<double>(), progress);
   CoupledOperator map = CoupledOperator::displacement(Bodies(one.surfaces()), grid, {}, 1, {}, response);
   const SurfaceFields& f = solution.fields;
   VectorField along(grid.count());
@@ -85,12 +84,12 @@ double largest_in_contact(const Field& field, const Field& pressure) {
 }
 
 /// State of a roller whose counterpart is taken as rigid in `one`, but for its drive.
-RollerState state_of(const LayeredBody& body, const LayeredBodies& one, const RollingProblem& problem,
-                     const ContactSolution& solution, const Progress& progress) {
+RollerState state_of(KeptLayeredTable& kept, const LayeredBody& body, const LayeredBodies& one,
+                     const RollingProblem& problem, const ContactSolution& solution, const Progress& progress) {
   RollerState state;
   if (is_rigid(body)) return state;
   const Field& pressure = solution.fields.pressure;
-  const Field inwards = displacement_inwards(one, problem, solution, progress);
+  const Field inwards = displacement_inwards(kept, one, problem, solution, progress);
   state.pressure_power = -rolling_velocity(problem.motion) * work_on_slope(solution.elements.grid, pressure, inwards);
   state.indentation = largest_in_contact(inwards, pressure);
   state.cover = cover_of(body);
@@ -121,8 +120,8 @@ double surface_speed(Roller roller, const Motion& motion, double creepage) {
   return motion.rolling_speed * (roller == Roller::body1 ? 1 - half : 1 + half);
 }
 
-Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
-           const Progress& progress) {
+Nip NipAnalysis::find(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
+                      const Progress& progress) {
   check(problem, solution, radii);
   const Totals& totals = solution.totals;
   const double speed = problem.motion.rolling_speed, forward_force = sign_of(problem.motion) * totals.fx;
@@ -135,8 +134,8 @@ Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const
   if (nip.traction_capacity > 0) nip.utilisation = nip.traction / nip.traction_capacity;
   const auto& [body1, body2, velocity] = *problem.layered;
   const LayeredBody rigid = {{}, {{std::numeric_limits<double>::infinity(), 0}}};
-  nip.body1 = state_of(body1, {body1, rigid, velocity}, problem, solution, progress);
-  nip.body2 = state_of(body2, {rigid, body2, velocity}, problem, solution, progress);
+  nip.body1 = state_of(body1_, body1, {body1, rigid, velocity}, problem, solution, progress);
+  nip.body2 = state_of(body2_, body2, {rigid, body2, velocity}, problem, solution, progress);
   nip.slip_power = totals.frictional_power;
   nip.hysteresis_power =
       nip.body1.pressure_power + nip.body2.pressure_power + totals.power_by_creepage - totals.frictional_power;
@@ -149,8 +148,8 @@ Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const
   return nip;
 }
 
-FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
-                               const Progress& progress) {
+FreeRoller NipAnalysis::roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii,
+                                            Roller driven, const Progress& progress) {
   constexpr int most_solves = 10;
   constexpr double settled = 1e-6; // of the force, over mu Fn
   RollingProblem p = problem;
@@ -160,7 +159,7 @@ FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, co
   for (int solve = 0; solve < most_solves && !is_settled; ++solve) {
     out.solution = solver.solve(p, essential_part(progress, 0, 0));
     if (out.solution.report.status != Status::ok) break;
-    const Nip nip = nip_of(p, out.solution, radii, essential_part(progress, 0, 0));
+    const Nip nip = find(p, out.solution, radii, essential_part(progress, 0, 0));
     const double missing = driven == Roller::body1 ? -nip.body1.drive : nip.body2.drive;
     is_settled = std::abs(missing) <= settled * nip.traction_capacity;
     if (!is_settled) *p.motion.force_x += sign_of(p.motion) * missing;
@@ -175,6 +174,16 @@ FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, co
   const Roller other = driven == Roller::body1 ? Roller::body2 : Roller::body1;
   out.speed_ratio = surface_speed(driven, p.motion, out.creepage) / surface_speed(other, p.motion, out.creepage);
   return out;
+}
+
+Nip nip_of(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
+           const Progress& progress) {
+  return NipAnalysis().find(problem, solution, radii, progress);
+}
+
+FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
+                               const Progress& progress) {
+  return NipAnalysis().roll_without_torque(solver, problem, radii, driven, progress);
 }
 
 } // namespace microslip

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 #include "microslip/rolling/solver.hpp"
 
@@ -80,6 +81,21 @@ struct FreeRoller {
 /// Cost: two to four solves.
 FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
                                const Progress& progress = {});
+
+/// Nips of one problem after another: kernels of bodies and influence numbers of elements are kept as long as they are
+/// the same, which changes no result.
+class NipAnalysis {
+public:
+  /// As nip_of.
+  Nip find(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
+           const Progress& progress = {});
+  /// As the function of this name.
+  FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, const RollerRadii& radii, Roller driven,
+                                 const Progress& progress = {});
+
+private:
+  KeptLayeredTable body1_, body2_; ///< of each on a rigid one
+};
 
 /// Surface speed of a roller, V (1 -+ sigma xi/2) [m/s].
 double surface_speed(Roller roller, const Motion& motion, double creepage);
