@@ -2,8 +2,8 @@
 cmake_policy(VERSION 3.25)
 set(public_headers
   microslip/*.hpp microslip/batch/*.hpp microslip/contact/*.hpp
-  microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/material.hpp
-  microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
+  microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/layered_body.hpp
+  microslip/elasticity/material.hpp microslip/elasticity/shore_hardness.hpp microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
   microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp
   microslip/railway/derailment.hpp microslip/railway/geometry/conicity.hpp microslip/railway/profile/profile.hpp
   microslip/railway/profile/profile_dimensions.hpp microslip/railway/profile/profile_preparation.hpp
@@ -16,7 +16,7 @@ set(public_headers
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH root)
 list(TRANSFORM public_headers PREPEND ${root}/)
 file(GLOB unread RELATIVE ${root} ${public_headers})
-list(REMOVE_ITEM unread microslip/rolling/ellipse_solver.hpp) # a part of Solver
+list(REMOVE_ITEM unread microslip/rolling/ellipse_solver.hpp microslip/rolling/layered_rolling.hpp) # parts of Solver
 set(installed "")
 while(unread)
   list(POP_FRONT unread header)

@@ -1,7 +1,7 @@
 #include "microslip/rolling/nip.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/halfspace/layered_influence.hpp"
+#include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
 
 #include <algorithm>
@@ -120,6 +120,16 @@ double surface_speed(Roller roller, const Motion& motion, double creepage) {
   return motion.rolling_speed * (roller == Roller::body1 ? 1 - half : 1 + half);
 }
 
+/// Tables of each body on a rigid one.
+struct NipAnalysis::Kept {
+  KeptLayeredTable body1, body2;
+};
+
+NipAnalysis::NipAnalysis() : kept_(std::make_unique<Kept>()) {}
+NipAnalysis::~NipAnalysis() = default;
+NipAnalysis::NipAnalysis(NipAnalysis&&) noexcept = default;
+NipAnalysis& NipAnalysis::operator=(NipAnalysis&&) noexcept = default;
+
 Nip NipAnalysis::find(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
                       const Progress& progress) {
   check(problem, solution, radii);
@@ -134,8 +144,8 @@ Nip NipAnalysis::find(const RollingProblem& problem, const ContactSolution& solu
   if (nip.traction_capacity > 0) nip.utilisation = nip.traction / nip.traction_capacity;
   const auto& [body1, body2, velocity] = *problem.layered;
   const LayeredBody rigid = {{}, {{std::numeric_limits<double>::infinity(), 0}}};
-  nip.body1 = state_of(body1_, body1, {body1, rigid, velocity}, problem, solution, progress);
-  nip.body2 = state_of(body2_, body2, {rigid, body2, velocity}, problem, solution, progress);
+  nip.body1 = state_of(kept_->body1, body1, {body1, rigid, velocity}, problem, solution, progress);
+  nip.body2 = state_of(kept_->body2, body2, {rigid, body2, velocity}, problem, solution, progress);
   nip.slip_power = totals.frictional_power;
   nip.hysteresis_power =
       nip.body1.pressure_power + nip.body2.pressure_power + totals.power_by_creepage - totals.frictional_power;

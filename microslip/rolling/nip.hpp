@@ -1,11 +1,10 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
-#include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/rolling/contact_warnings.hpp"
 #include "microslip/rolling/solver.hpp"
 
-#include <optional>
+#include <memory>
 
 namespace microslip {
 
@@ -86,6 +85,11 @@ FreeRoller roll_without_torque(Solver& solver, const RollingProblem& problem, co
 /// the same, which changes no result.
 class NipAnalysis {
 public:
+  NipAnalysis();
+  ~NipAnalysis();
+  NipAnalysis(NipAnalysis&&) noexcept;
+  NipAnalysis& operator=(NipAnalysis&&) noexcept;
+
   /// As nip_of.
   Nip find(const RollingProblem& problem, const ContactSolution& solution, const RollerRadii& radii,
            const Progress& progress = {});
@@ -94,7 +98,8 @@ public:
                                  const Progress& progress = {});
 
 private:
-  KeptLayeredTable body1_, body2_; ///< of each on a rigid one
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
 };
 
 /// Surface speed of a roller, V (1 -+ sigma xi/2) [m/s].
