@@ -5,7 +5,7 @@ namespace {
 
 bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid, int ahead) {
   return table.mx() == grid.mx + ahead && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
-         table.is_of_strips() == grid.line;
+         table.is_of_strips() == grid.line && table.shape() == grid.shape;
 }
 
 } // namespace
