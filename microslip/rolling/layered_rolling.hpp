@@ -32,6 +32,8 @@ private:
   bool is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const;
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                            const Progress& progress);
+  ContactSolution solve_at_approach(ContactStep step, const std::optional<double>& force_x,
+                                    const std::optional<double>& force_y, const Progress& progress);
 
   Method method_;
   std::optional<Found> found_;

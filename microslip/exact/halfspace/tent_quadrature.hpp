@@ -34,9 +34,9 @@ inline CornerInfluence shared_out(const Influence& low, const Influence& high, d
 
 /// Rows of cells between the centres of bilinear elements of rolled bodies, which have their corners at multiples of
 /// dx and dy. With the weight w along a cell that begins at x a retarded part's integral is that of
-/// W(t) = integral from 0 to t of w(t') exp(-(t - t')/l)/l dt' times the kernel, and W(dx) S(x + dx), where S is that of
-/// RolledRows: for w = 1 the weight is 1 - exp(-t/l), for w = t/dx it is (t - l (1 - exp(-t/l)))/dx. An object for each
-/// thread.
+/// W(t) = integral from 0 to t of w(t') exp(-(t - t')/l)/l dt' times the kernel, and W(dx) S(x + dx), where S is that
+/// of RolledRows: for w = 1 the weight is 1 - exp(-t/l), for w = t/dx it is (t - l (1 - exp(-t/l)))/dx. An object for
+/// each thread.
 template <class Tents> class RolledTents {
 public:
   /// `lengths` [m] of the memory of the parts 1, 2 ..., `beyond`: columns_beyond the last cell.
