@@ -130,7 +130,8 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
   if (has_nip(input, result.contact)) result.nip = nip_result(input, result.contact, solver, rest);
-  if (has_nip(input, result.contact)) result.peaks = layered_peaks(*input.problem.layered, result.contact, rest);
+  if (has_nip(input, result.contact) && result.contact.elements.grid.shape == ElementShape::constant)
+    result.peaks = layered_peaks(*input.problem.layered, result.contact, rest);
   if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, rest).gap;
   if ((coarser.mx == method.mx && coarser.my == method.my) || (is_transient && problem.layered)) return result;
   result.discretisation_error = difference(contact, result.contact, Solver(coarser).solve(problem, rest));

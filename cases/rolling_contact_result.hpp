@@ -37,7 +37,7 @@ struct ExactResult {
   std::optional<AccurateContact> limit;     ///< if an accuracy is asked for; `contact` is its finest then
   std::vector<InteriorState> interior;      ///< at the case's points inside the bodies
   std::optional<NipResult> nip;             ///< of bodies with layers
-  std::optional<LayeredPeaks> peaks;        ///< likewise
+  std::optional<LayeredPeaks> peaks;        ///< likewise, with constant elements
   std::optional<CreepCurve> curve;          ///< if it converges for steady rolling
 };
 

@@ -1,5 +1,6 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 
+#include "microslip/elasticity/bilinear_influence.hpp"
 #include "microslip/elasticity/layered_response.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/halfspace/offset_kernel.hpp"
@@ -40,16 +41,18 @@ Influence times(double factor, const Influence& a) {
 LayeredBody coated(double thickness, const Material& layer, const Material& substrate) {
   return {{{thickness, {layer}}}, {substrate}};
 }
+const ElementSides tents{sides.dx, sides.dy, {}, ElementShape::bilinear};
 /// The element's influence on itself of a half-space of the body's surface.
 double surface_diagonal(const LayeredBody& body) {
   return influence(combine(body.top().instantaneous, rigid), sides.dx, sides.dy, 0, 0).zz;
 }
 
-void expect_direct(const LayeredBody& body, double speed, int i, int j, int directions, double tolerance) {
+void expect_direct(const LayeredBody& body, double speed, int i, int j, int directions, double tolerance,
+                   const ElementSides& elements = sides) {
   InfluenceRows rows(std::abs(i) + 1, j + 1);
-  RolledLayers(body).add(speed, sides, {}, rows);
-  const LayeredInfluence whole({body, rigid_body, speed}, sides, 1, 1);
-  expect_near(rows.at(i, j), validation::layered_integral(body, speed, sides, i, j, directions),
+  RolledLayers(body).add(speed, elements, {}, rows);
+  const LayeredInfluence whole({body, rigid_body, speed}, elements, 1, 1);
+  expect_near(rows.at(i, j), validation::layered_integral(body, speed, elements, i, j, directions),
               tolerance * whole.at(0, 0).zz);
 }
 
@@ -66,6 +69,43 @@ TEST(LayeredInfluence, IsTheFourierIntegralOfTheResponse) {
 TEST(LayeredInfluence, OfViscoelasticStacksIsTheFourierIntegralAtTheFrequencyOfRolling) {
   const LayeredBody body{{{0.5, {polymer, {{0.5, 1}}}}}, {core, {{0.2, 3}}}};
   for (const auto& [i, j] : {std::pair{1, 0}, {-2, 1}}) expect_direct(body, 0.25, i, j, 400, 1e-8);
+}
+
+TEST(LayeredInfluence, OfBilinearElementsIsTheFourierIntegralOfTheirs) {
+  LayeredBody graded{{}, {{100, 0.3}}};
+  for (int n = 0; n < 10; ++n) graded.layers.push_back({0.1, {{std::exp2(-n), 0.3}}});
+  for (const LayeredBody& body : {coated(0.2, polymer, core), coated(0.3, {1, 0.5}, rigid), graded})
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {-1, 1}, {0, 2}, {3, 4}})
+      expect_direct(body, 0, i, j, 400, 1e-8, tents);
+  const LayeredBody viscous{{{0.5, {polymer, {{0.5, 1}}}}}, {core, {{0.2, 3}}}};
+  for (const auto& [i, j] : {std::pair{1, 0}, {-2, 1}}) expect_direct(viscous, 0.25, i, j, 400, 1e-8, tents);
+}
+
+TEST(LayeredInfluence, BilinearElementsOnEqualLayersAreThoseOnHalfSpaces) {
+  const LayeredBodies bodies = {{{{0.1, {polymer}}, {0.3, {polymer}}}, {polymer}}, {{{0.2, {core}}}, {core}}};
+  const LayeredInfluence found(bodies, tents, 20, 20);
+  const CombinedMaterial surfaces = combine(polymer, core);
+  for (int i = -19; i < 20; ++i)
+    for (int j = -19; j < 20; ++j)
+      expect_near(found.at(i, j), bilinear_influence(surfaces, sides.dx, sides.dy, i * sides.dx, j * sides.dy),
+                  1e-10 * found.at(0, 0).zz);
+}
+
+TEST(LayeredInfluence, BilinearElementsOnViscoelasticHalfSpacesAreThoseOfRetardation) {
+  const MaterialCreep creep{1.5, 0.8};
+  const ViscoelasticMaterial material{polymer, {{0.6, 0.32}}};
+  ElementGrid grid = {4, 3, 0, 0, sides.dx, sides.dy};
+  grid.shape = ElementShape::bilinear;
+  const CoupledKernel kernel = CoupledKernel::displacement(viscoelastic(polymer, creep, core, {}, 0.4), grid);
+  for (const LayeredBody& body : {LayeredBody{{}, material}, {{{0.1, material}}, material}}) {
+    const LayeredInfluence found({body, {{}, {core}}, 0.4}, tents, 4, 3);
+    for (int i = -3; i < 4; ++i)
+      for (int j = -2; j < 3; ++j)
+        expect_near(found.at(i, j),
+                    {kernel.slip.xx.at(i, j), kernel.slip.xy.at(i, j), kernel.slip.yy.at(i, j), kernel.zz.at(i, j),
+                     kernel.xz.at(i, j), kernel.yz.at(i, j)},
+                    1e-9 * kernel.zz.at(0, 0));
+  }
 }
 
 TEST(LayeredInfluence, EqualLayersAreHalfSpaces) {
@@ -177,13 +217,16 @@ TEST(LayeredInfluence, OfSlowRollingIsThatOfRelaxedBodiesAndOfFastRollingThatOfI
   instantaneous.substrate = {{3, 0.4}};
   const StackMaterial<Complex> at_rest = stack_at(body, 0).layers[0].material;
   relaxed.layers[0].material = {{at_rest.shear_modulus.real(), at_rest.poisson_ratio.real()}};
-  const LayeredInfluence slow({body, rigid_body, 1e-9}, sides, 4, 4), fast({body, rigid_body, 1e9}, sides, 4, 4);
-  const LayeredInfluence soft({relaxed, rigid_body}, sides, 4, 4), stiff({instantaneous, rigid_body}, sides, 4, 4);
-  for (int i = -3; i < 4; ++i)
-    for (int j = -3; j < 4; ++j) {
-      expect_near(slow.at(i, j), soft.at(i, j), 3e-8 * soft.at(0, 0).zz, "slow");
-      expect_near(fast.at(i, j), stiff.at(i, j), 3e-8 * soft.at(0, 0).zz, "fast");
-    }
+  for (const ElementSides& elements : {sides, tents}) {
+    const LayeredInfluence slow({body, rigid_body, 1e-9}, elements, 4, 4),
+        fast({body, rigid_body, 1e9}, elements, 4, 4), soft({relaxed, rigid_body}, elements, 4, 4),
+        stiff({instantaneous, rigid_body}, elements, 4, 4);
+    for (int i = -3; i < 4; ++i)
+      for (int j = -3; j < 4; ++j) {
+        expect_near(slow.at(i, j), soft.at(i, j), 3e-8 * soft.at(0, 0).zz, "slow");
+        expect_near(fast.at(i, j), stiff.at(i, j), 3e-8 * soft.at(0, 0).zz, "fast");
+      }
+  }
 }
 
 TEST(LayeredInfluence, RollingTheOtherWayIsItsMirrorImage) {
@@ -283,11 +326,16 @@ TEST(LayeredInfluence, BadInputIsAnErrorThatNamesTheField) {
   expect_error([&] { LayeredInfluence({body, body}, {1, 1, 9.0}, 2, 2); }, "rows", "[-]: must be in [1, 1]");
   ElementGrid bilinear = grid, line = grid;
   bilinear.shape = ElementShape::bilinear;
-  expect_words([&] { layered_table({body, body}, bilinear); }, "layers: need constant elements");
   line.line = true, line.my = 1;
+  ElementGrid bilinear_line = line;
+  bilinear_line.shape = ElementShape::bilinear;
+  expect_words([&] { layered_table({body, body}, bilinear_line); }, "layers: need constant elements in a line contact");
   const auto strips = layered_table({body, body}, line), elements = layered_table({body, body}, grid);
   expect_words([&] { check({strips, {}, {}}, grid); }, "of strips: need a line contact");
   expect_words([&] { check({elements, {}, {}}, line); }, "no line contact");
+  const auto of_tents = layered_table({body, body}, bilinear);
+  expect_words([&] { check({elements, {}, {}}, bilinear); }, "are of constant elements");
+  expect_words([&] { check({of_tents, {}, {}}, grid); }, "are of bilinear elements");
 }
 
 /// A ball of radius 1 m and a plane in steady rolling with the response of a table.

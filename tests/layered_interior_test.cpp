@@ -357,7 +357,7 @@ TEST(LayeredInterior, TellsWhatIsWrong) {
   ElementGrid bilinear = rectangles;
   bilinear.shape = ElementShape::bilinear;
   EXPECT_EQ(error_of([&] { InteriorField(coated, Body::first, bilinear, load.tractions()); }),
-            "layers: need constant elements");
+            "layers: states inside need constant elements");
   EXPECT_EQ(error_of([&] { InteriorField(memory, Body::first, rectangles, load.tractions()); }),
             "speed = 0 [m/s]: must be not zero for viscoelastic bodies");
 }

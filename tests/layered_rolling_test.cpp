@@ -3,6 +3,7 @@
 #include "microslip/error.hpp"
 #include "microslip/rolling/solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -60,6 +61,54 @@ double total(const ContactSolution& s) {
   double sum = 0;
   for (const double p : s.fields.pressure) sum += p;
   return sum * s.elements.grid.element_area();
+}
+
+TEST(LayeredRolling, BilinearElementsOnEqualLayersAreThoseOfHalfSpaces) {
+  LayeredBodies bodies = steel_without_layers();
+  bodies.body2 = {{{1e-3, {{30e9, 0.35}}}}, {{30e9, 0.35}}};
+  RollingProblem p = rolling_of(bodies, 10e3);
+  const auto gap = [](double x, double y) { return 5 * x * x + 2.5 * y * y; };
+  p.geometry = GapFormula{ElementGrid::across_ellipse(2e-3, 3e-3, 16, 20, 1), gap};
+  RollingProblem plain = p;
+  plain.layered.reset();
+  plain.bodies = bodies.surfaces();
+  const Method tents{.theory = Theory::exact,
+                     .discretisation = Discretisation::classical,
+                     .elements = ElementShape::bilinear,
+                     .tolerance = 1e-10};
+  const ContactSolution a = Solver(tents).solve(p), b = Solver(tents).solve(plain);
+  ASSERT_EQ(a.report.status, Status::ok) << a.report.reason;
+  EXPECT_EQ(a.elements.grid.shape, ElementShape::bilinear);
+  EXPECT_NEAR(a.approach / b.approach, 1, 1e-6);
+  EXPECT_NEAR(a.totals.fx / b.totals.fx, 1, 1e-6);
+  EXPECT_NEAR(a.totals.fy / b.totals.fy, 1, 1e-6);
+  Method constant = tents;
+  constant.elements = ElementShape::constant;
+  EXPECT_GT(std::abs(Solver(constant).solve(p).totals.fx / a.totals.fx - 1), 1e-4);
+}
+
+/// On elements that follow the contact of a cover of rubber.
+TEST(LayeredRolling, ConstantAndBilinearElementsTendToOneLimit) {
+  for (const PronySeries& relaxation : {PronySeries{}, PronySeries{{0.5, 1e-3}}}) {
+    const RollingProblem p = rolling_of(covered(5e-3, relaxation, relaxation.empty() ? 0 : 10), 2);
+    const auto difference = [&](int across) { // of the forces and the approach, relative
+      ContactSolution of_shape[2];
+      for (const ElementShape shape : {ElementShape::constant, ElementShape::bilinear}) {
+        ContactSolution& s = of_shape[shape == ElementShape::bilinear];
+        s = Solver({.theory = Theory::exact, .mx = across, .my = across, .elements = shape}).solve(p);
+        EXPECT_EQ(s.report.status, Status::ok) << s.report.reason;
+        EXPECT_EQ(s.elements.grid.shape, shape);
+        EXPECT_NEAR(total(s) / p.load.value, 1, 1e-6);
+      }
+      const auto& [a, b] = of_shape;
+      return std::max(std::hypot(b.totals.fx - a.totals.fx, b.totals.fy - a.totals.fy) /
+                          std::hypot(a.totals.fx, a.totals.fy),
+                      std::abs(b.approach / a.approach - 1));
+    };
+    const double coarse = difference(8), fine = difference(24);
+    EXPECT_LT(fine, coarse / 3);
+    EXPECT_LT(fine, 2e-3);
+  }
 }
 
 TEST(LayeredRolling, LayersOfTheSubstrateAreAHalfSpace) {
@@ -440,6 +489,10 @@ TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   second_order.discretisation = Discretisation::second_order;
   EXPECT_NE(refusal(p, second_order).find("classical for bodies with layers"), std::string::npos)
       << refusal(p, second_order);
+  Method bilinear = exact;
+  bilinear.elements = ElementShape::bilinear;
+  along.geometry = GapCurvatures{5, 0};
+  EXPECT_NE(refusal(along, bilinear).find("line contact"), std::string::npos) << refusal(along, bilinear);
   Method accurate = exact;
   accurate.accuracy = 1e-3;
   EXPECT_NE(refusal(p, accurate).find("accuracy"), std::string::npos);

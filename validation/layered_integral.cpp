@@ -56,7 +56,8 @@ Influence layered_integral(const LayeredBody& body, double speed, const ElementS
       for (int d = 0; d < directions; ++d) {
         const double angle = 2 * std::numbers::pi * d / directions, c = std::cos(angle), s = std::sin(angle);
         if (speed != 0) rest = rest_of_response(stack_at(body, -speed * k * c), k);
-        const double element = sine_ratio(k * c * dx / 2) * sine_ratio(k * s * dy / 2);
+        double element = sine_ratio(k * c * dx / 2) * sine_ratio(k * s * dy / 2);
+        if (sides.shape == ElementShape::bilinear) element *= element;
         add(sum, 1, wave_influence(rest, std::polar(weight * element, k * (c * i * dx + s * j * dy)), c, s));
       }
     }

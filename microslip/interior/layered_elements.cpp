@@ -84,7 +84,7 @@ struct LayeredElements::Kernels {
 LayeredElements::LayeredElements(const LayeredBody& body, Body number, const ElementGrid& grid, double speed)
     : body_(body), number_(number), grid_(grid), speed_(speed) {
   check("body", body);
-  if (grid.shape != ElementShape::constant) throw Error("layers: need constant elements");
+  if (grid.shape != ElementShape::constant) throw Error("layers: states inside need constant elements");
   require_finite("speed", speed, "m/s");
   if (speed == 0 && !body.is_elastic()) throw Error("speed", 0, "m/s", "not zero for viscoelastic bodies");
   lengths_ = memory_lengths(body, speed);

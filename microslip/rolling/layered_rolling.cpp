@@ -23,7 +23,7 @@ std::optional<double> far_of(const GapCurvatures& curvatures) {
 
 /// n elements across the contact's half-lengths a, b and as many beside it as it may be longer: it was found on 16.
 /// Strips of the length 1 m for b = 0.
-ElementGrid elements_about(double centre, double a, double b, int mx, int my) {
+ElementGrid elements_about(double centre, double a, double b, int mx, int my, ElementShape shape) {
   const auto with_margin = [](double length, int n, double& first, double& size, int& count) {
     const int margin = std::max(2, (n + 11) / 12);
     size = 2 * length / n;
@@ -31,6 +31,7 @@ ElementGrid elements_about(double centre, double a, double b, int mx, int my) {
     first = -0.5 * (count - 1) * size;
   };
   ElementGrid grid;
+  grid.shape = shape;
   with_margin(a, mx, grid.x0, grid.dx, grid.mx);
   grid.x0 += centre;
   if (b == 0)
@@ -94,7 +95,7 @@ int elements_of_step(const Motion& motion, const ElementGrid& grid) {
 
 bool has_elements_of(const InfluenceTable& table, const ElementGrid& grid, int ahead) {
   return table.mx() == grid.mx + ahead && table.my() == grid.my && table.dx() == grid.dx && table.dy() == grid.dy &&
-         table.is_of_strips() == grid.line;
+         table.is_of_strips() == grid.line && table.shape() == grid.shape;
 }
 
 /// A step of the problem with the influence numbers of the layered bodies' elements; its half-spaces are the sizes of
@@ -134,11 +135,12 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
                                 LayeredSurfaces& surfaces, const Progress& progress) {
   constexpr int coarse = 16, most_rounds = 40;
   constexpr double settled = 1.2; // change of the lengths
+  const ElementShape shape = elements_of(problem, method);
   auto [a, b] = hertzian_lengths(problem, curvatures);
   double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (is_line(curvatures) && a > *far_of(curvatures)) throw Error(too_long);
-    const ElementGrid grid = elements_about(centre, a, b, coarse, coarse);
+    const ElementGrid grid = elements_about(centre, a, b, coarse, coarse, shape);
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
@@ -157,7 +159,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
     };
     const bool found = stays(a, next_a) && stays(b, next_b);
     a = next_a, b = next_b;
-    if (found) return elements_about(centre, a, b, method.mx, method.my);
+    if (found) return elements_about(centre, a, b, method.mx, method.my, shape);
   }
   throw Error(not_found);
 }

@@ -11,7 +11,7 @@ namespace microslip {
 
 InfluenceTable::InfluenceTable(int mx, int my, double dx, double dy, Kind kind)
     : mx_(require_count("mx", mx, 1, most_cells)), my_(require_count("my", my, 1, most_cells)),
-      first_(kind.symmetric ? 0 : 1 - mx), dx_(dx), dy_(dy), strips_(kind.strips),
+      first_(kind.symmetric ? 0 : 1 - mx), dx_(dx), dy_(dy), strips_(kind.strips), shape_(kind.shape),
       values_(static_cast<std::size_t>(mx - first_) * (2 * static_cast<std::size_t>(my) - 1)) {
   require_positive("dx", dx, "m");
   require_positive("dy", dy, "m");
@@ -52,8 +52,10 @@ void check(const ElementResponse& response, const ElementGrid& grid) {
     check_size("dy", response.table->dy(), grid.dy);
     if (response.table->is_of_strips() && !grid.line)
       throw Error("influence coefficients of strips: need a line contact");
-    if (grid.line != response.table->is_of_strips() || grid.shape != ElementShape::constant)
-      throw Error("influence coefficients: need constant elements, and no line contact");
+    if (grid.line && !response.table->is_of_strips()) throw Error("influence coefficients: need no line contact");
+    if (grid.shape != response.table->shape())
+      throw Error(std::string("influence coefficients: are of ") +
+                  (grid.shape == ElementShape::constant ? "bilinear" : "constant") + " elements, the grid's are not");
   }
   check(response.inclination, grid);
   if (response.table && !response.inclination.is_flat())

@@ -22,16 +22,18 @@ public:
   struct Kind {
     bool symmetric = true; ///< in x; else columns |i| < mx are set, such as of viscoelastic bodies in steady rolling
     bool strips = false;   ///< of endless strips, for a line contact
+    ElementShape shape = ElementShape::constant;
   };
 
   /// Table of elements of sides dx, dy [m]; all is zero until it is set. Throws Error for a table without elements.
-  InfluenceTable(int mx, int my, double dx, double dy, Kind kind = {true, false});
+  InfluenceTable(int mx, int my, double dx, double dy, Kind kind = {true, false, ElementShape::constant});
 
   int mx() const { return mx_; }
   int my() const { return my_; }
   double dx() const { return dx_; }
   double dy() const { return dy_; }
   bool is_of_strips() const { return strips_; }
+  ElementShape shape() const { return shape_; }
   FullInfluence& at(int i, int j) { return values_[index(i, j)]; }
   /// Influence for any i and j: zero beyond the table.
   FullInfluence find(int i, int j) const;
@@ -45,6 +47,7 @@ private:
   int mx_, my_, first_; ///< first column that is set
   double dx_, dy_;
   bool strips_;
+  ElementShape shape_;
   std::vector<FullInfluence> values_;
 };
 

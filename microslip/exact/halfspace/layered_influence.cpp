@@ -1,6 +1,7 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 
 #include "microslip/contact/limits.hpp"
+#include "microslip/elasticity/bilinear_influence.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/error.hpp"
 
@@ -54,7 +55,16 @@ void check(const ElementSides& sides, int columns, int rows) {
   require_positive("dy", sides.dy, "m");
   require_count("columns", columns, 1, most_cells);
   require_count("rows", rows, 1, sides.far ? 1 : most_cells);
-  if (sides.far) require_positive("far", *sides.far, "m");
+  if (!sides.far) return;
+  require_positive("far", *sides.far, "m");
+  if (sides.shape != ElementShape::constant) throw Error("layers: need constant elements in a line contact");
+}
+
+/// Influence on an element x, y away of half-spaces.
+Influence half_space_influence(const CombinedMaterial& surfaces, const ElementSides& sides, double x, double y) {
+  if (sides.far) return line_influence(surfaces, sides.dx, x, *sides.far);
+  return sides.shape == ElementShape::bilinear ? bilinear_influence(surfaces, sides.dx, sides.dy, x, y)
+                                               : influence(surfaces, sides.dx, sides.dy, x, y);
 }
 
 } // namespace
@@ -72,8 +82,7 @@ InfluenceRows LayeredSurfaces::find(const ElementSides& sides, int columns, int 
   InfluenceRows sum(columns, rows);
   for (int j = 0; j < rows; ++j)
     for (int i = 1 - columns; i < columns; ++i)
-      sum.at(i, j) = sides.far ? line_influence(surfaces, sides.dx, i * sides.dx, *sides.far)
-                               : influence(surfaces, sides.dx, sides.dy, i * sides.dx, j * sides.dy);
+      sum.at(i, j) = half_space_influence(surfaces, sides, i * sides.dx, j * sides.dy);
   const double speed = std::abs(bodies_.speed);
   const auto add_creep_and_layers = [&](const LayeredBody& body, std::optional<RolledLayers>& layers, double side,
                                         const Progress& on) {
@@ -111,14 +120,13 @@ std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies,
 std::shared_ptr<const InfluenceTable> layered_table(LayeredSurfaces& surfaces, const ElementGrid& grid,
                                                     std::optional<double> far, const Progress& progress, int ahead) {
   check(grid);
-  if (grid.shape != ElementShape::constant) throw Error("layers: need constant elements");
   const int columns = grid.mx + ahead;
   if (!far) far = grid.mx * grid.dx;
-  const ElementSides sides = {grid.dx, grid.dy, grid.line ? far : std::nullopt};
+  const ElementSides sides = {grid.dx, grid.dy, grid.line ? far : std::nullopt, grid.shape};
   const LayeredInfluence influence(surfaces, sides, columns, grid.my, progress);
   const bool symmetric = surfaces.bodies().are_elastic();
   auto table = std::make_shared<InfluenceTable>(columns, grid.my, grid.dx, grid.dy,
-                                                InfluenceTable::Kind{.symmetric = symmetric, .strips = grid.line});
+                                                InfluenceTable::Kind{symmetric, grid.line, grid.shape});
   for (int j = 1 - grid.my; j < grid.my; ++j)
     for (int i = symmetric ? 0 : 1 - columns; i < columns; ++i) {
       const Influence a = influence.at(i, j);

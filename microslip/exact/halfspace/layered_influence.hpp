@@ -49,7 +49,7 @@ private:
 
 /// Table of the influence of layered bodies' elements, for ElementResponse: `ahead` columns more than the grid has,
 /// which slip in rolling over that many elements in a step needs. That of viscoelastic bodies is for steady rolling
-/// with their speed. Throws Error as LayeredInfluence does, and for other elements than constant ones. In line contact
+/// with their speed. Throws Error as LayeredInfluence does, and for bilinear strips. In line contact
 /// displacements of half-spaces below layers approach 0 at the distance `far` from the element, or else at the grid's
 /// length; those of layers on rigid cores decay by themselves.
 std::shared_ptr<const InfluenceTable> layered_table(const LayeredBodies& bodies, const ElementGrid& grid,

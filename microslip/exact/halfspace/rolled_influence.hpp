@@ -1,5 +1,6 @@
 #pragma once
 
+#include "microslip/contact/element_grid.hpp"
 #include "microslip/elasticity/influence.hpp"
 #include "microslip/elasticity/layered_kernels.hpp"
 #include "microslip/elasticity/layered_line_kernels.hpp"
@@ -36,12 +37,13 @@ private:
 /// The influence on the element at the opposite offset along x, of bodies that are symmetric.
 Influence mirrored_in_x(const Influence& influence);
 
-/// Sides of rectangular elements, or the width of endless strips [m].
+/// Sides of rectangular elements, or the width of endless strips [m]; of bilinear ones the distances of their centres.
 struct ElementSides {
   double dx, dy;
   /// Of strips, which have dy for a length that forces are counted for: the distance at which the displacement of a
   /// half-space is 0.
   std::optional<double> far = {};
+  ElementShape shape = ElementShape::constant; ///< strips are constant
 };
 
 /// What the layers of a body that is rolled over add to the influence of elements on their half-space, u of the body
@@ -57,7 +59,8 @@ public:
   /// error some 1e-9. With l = V T_m, what is retarded, the integral of exp(-q/l)/l A(x + q), is a sum over the
   /// elements ahead: A(x) - F(x) + (1 - exp(-dx/l)) S(x + dx), F the integral of exp(-(x' - x + dx/2)/l) a over an
   /// element and S(x) = F(x) + exp(-dx/l) S(x + dx). Weights of F integrate polynomials times the exponential, for any
-  /// l. Cost some 10 values of the kernels for an offset.
+  /// l. Bilinear elements have the integrals over the cells between centres, with weights. Cost some 10 values of the
+  /// kernels for an offset.
   void add(double speed, const ElementSides& sides, const Progress& progress, InfluenceRows& rows);
 
 private:
