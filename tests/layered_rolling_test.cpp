@@ -358,6 +358,24 @@ TEST(LayeredRolling, ForcesGivenAreThoseOfTheirCreepages) {
   }
 }
 
+TEST(LayeredRolling, ForcesGivenWithTheApproachAreThoseOfTheirCreepages) {
+  for (RollingProblem p : rolling_covers()) {
+    const double approach = solved_sharply(p).approach;
+    p.load = {NormalLoad::Given::approach, approach};
+    p.motion.creepage = {1e-3, -4e-4, 0};
+    const ContactSolution s = solved_sharply(p);
+    RollingProblem by_force = p;
+    by_force.motion.creepage = {};
+    by_force.motion.force_x = s.totals.fx, by_force.motion.force_y = s.totals.fy;
+    const ContactSolution found = solved_sharply(by_force);
+    EXPECT_NEAR(found.creepage.longitudinal, p.motion.creepage.longitudinal, 1e-6 * 1e-3);
+    EXPECT_NEAR(found.creepage.lateral, p.motion.creepage.lateral, 1e-6 * 1e-3);
+    EXPECT_NEAR(total(found) / total(s), 1, 1e-6);
+    by_force.motion.force_x = 10 * total(s);
+    EXPECT_EQ(Solver().solve(by_force).report.status, Status::no_solution);
+  }
+}
+
 /// Transient rolling over two elements in a step, on layers of the substrate's material: that of half-spaces. Over a
 /// part of an element there are no influence numbers.
 TEST(LayeredRolling, StepsAreWholeElementsOfAGrid) {
@@ -475,6 +493,11 @@ TEST(LayeredRolling, RefusesWhatItCannotHonour) {
   RollingProblem step = p;
   step.motion.step = 1e-5;
   EXPECT_NE(refusal(step, exact).find("motion.step"), std::string::npos);
+  RollingProblem transient_force = p;
+  transient_force.load.given = NormalLoad::Given::approach;
+  transient_force.motion.kind = ContactMotion::transient;
+  transient_force.motion.force_x = 1;
+  EXPECT_NE(refusal(transient_force, exact).find("in transient rolling"), std::string::npos);
   RollingProblem along = p;
   along.geometry = GapCurvatures{0, 5};
   EXPECT_NE(refusal(along, exact), "");

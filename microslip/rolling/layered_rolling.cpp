@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace microslip {
@@ -81,6 +83,10 @@ ElementGrid wider(ElementGrid grid) {
   grid.x0 -= columns * grid.dx, grid.mx += 2 * columns;
   grid.y0 -= rows * grid.dy, grid.my += 2 * rows;
   return grid;
+}
+
+double force_of(const std::vector<double>& pressure, const ElementGrid& grid) {
+  return std::accumulate(pressure.begin(), pressure.end(), 0.0) * grid.element_area();
 }
 
 constexpr const char* too_long = "layers: the contact of the rollers is longer than their radius 1/(2 A)";
@@ -188,7 +194,33 @@ ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValue
     table_ = layered_table(bodies, gap.grid, far, essential_part(progress, 0, 0), ahead);
     far_ = far;
   }
-  return solve_steps(sequence_, step_with(table_, problem, method_, std::move(gap)), problem.motion.steps, progress);
+  ContactStep step = step_with(table_, problem, method_, std::move(gap));
+  const auto& [force_x, force_y] = std::tie(problem.motion.force_x, problem.motion.force_y);
+  const bool is_force_known = problem.load.given == NormalLoad::Given::force || !(force_x || force_y);
+  return is_force_known ? solve_steps(sequence_, step, problem.motion.steps, progress)
+                        : solve_at_approach(std::move(step), force_x, force_y, progress);
+}
+
+/// The step with forces that are given, not their ratios to a normal force, which tractions change: it is found again
+/// with the last one until it stays. The first is that without tractions.
+ContactSolution LayeredRolling::solve_at_approach(ContactStep step, const std::optional<double>& force_x,
+                                                  const std::optional<double>& force_y, const Progress& progress) {
+  constexpr int most_times = 30;
+  const double settled = 10 * method_.tolerance; // each solution has errors of the tolerance
+  ContactStep alone = step;
+  alone.frictionless = true;
+  alone.force_x = alone.force_y = {};
+  double normal = force_of(ContactSequence().solve(alone).fields.pressure, step.grid);
+  if (normal == 0) return solve_steps(sequence_, alone, 1, progress);
+  for (int time = 0; time < most_times; ++time) {
+    if (force_x) step.force_x = *force_x / normal;
+    if (force_y) step.force_y = *force_y / normal;
+    ContactSolution solution = solve_steps(sequence_, step, 1, progress);
+    const double found = force_of(solution.fields.pressure, step.grid);
+    if (solution.report.status != Status::ok || std::abs(found - normal) <= settled * found) return solution;
+    normal = found;
+  }
+  return solution_without_result(Status::not_converged, "the normal force that tractions change does not settle");
 }
 
 ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {

@@ -34,6 +34,8 @@ private:
   LayeredSurfaces& surfaces(const LayeredBodies& bodies);
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                            const Progress& progress);
+  ContactSolution solve_at_approach(ContactStep step, const std::optional<double>& force_x,
+                                    const std::optional<double>& force_y, const Progress& progress);
 
   Method method_;
   std::optional<Found> found_;

@@ -76,9 +76,10 @@ constexpr Rule rules[] = {
      [](Problem p, How) {
        return p.layered && p.motion.step != 0 && std::holds_alternative<GapCurvatures>(p.geometry);
      }},
-    {"motion.force_longitudinal, motion.force_lateral", "need {load.normal_force} with layers",
+    {"motion.force_longitudinal, motion.force_lateral", "need {load.normal_force} in transient rolling with layers",
      [](Problem p, How) {
-       return p.layered && p.load.given == NormalLoad::Given::approach && (p.motion.force_x || p.motion.force_y);
+       return p.layered && p.motion.kind == ContactMotion::transient && p.load.given == NormalLoad::Given::approach &&
+              (p.motion.force_x || p.motion.force_y);
      }},
     // Exact theory
     {"motion.kind", "must be steady with viscoelastic bodies",
