@@ -12,7 +12,7 @@
 namespace microslip::io {
 namespace {
 
-constexpr std::size_t base_units = 5; ///< as many as the table has
+constexpr std::size_t base_units = 6; ///< as many as the table has
 constexpr std::string_view digits = "0123456789";
 
 /// A number x in this unit is factor 10^decade (x + origin) in base units. Powers of prefixes are exact.
@@ -44,7 +44,7 @@ struct UnitSystem::Kept {
     for (const auto& [symbol, value] : unit_definitions()) {
       Unit unit;
       if (value == nullptr)
-        unit.powers[base++] = 1;
+        unit.powers.at(base++) = 1;
       else
         unit = parse(value).value_or(unit);
       units.emplace(symbol, unit);
