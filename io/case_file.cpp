@@ -223,8 +223,12 @@ double thickness_of(const LayeredBody& body) {
   return sum;
 }
 
-/// Refuses points in rigid cores.
+/// Refuses points in rigid cores, and those below other elements than constant ones.
 void check_points(const TomlSection& interior, const RollingCase& input) {
+  interior.at("z", [&] {
+    if (elements_of(input.problem, input.method) != ElementShape::constant)
+      throw Error("[interior]: needs solution.elements = \"constant\" for bodies with layers");
+  });
   const auto& [body1, body2, speed] = *input.problem.layered;
   for (const double z : input.interior.z) {
     const LayeredBody& body = z >= 0 ? body1 : body2;

@@ -98,6 +98,12 @@ TEST(LayeredCase, MistakesHaveTheirPlaceInTheList) {
   expect_refused("relaxation_times = [\"1 ms\", \"0.1 s\"]", "", "relaxation_times is missing");
   expect_refused("[[body2.layers]]\nthickness = 0.002", "[body3]\nthickness = 0.002", "unknown key");
   expect_refused("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]", "are in place of half-spaces");
+  const std::string points = "\n[interior]\nx = [0]\ny = [0]\nz = [-0.006]\n";
+  EXPECT_NO_THROW(io::parse_case(roller + points, "r.toml"));
+  expect_words([&] { io::parse_case(roller + "\n[interior]\nx = [0]\ny = [0]\nz = [-0.001, -0.0071]\n", "r.toml"); },
+               "r.toml:36: interior.z = -0.0071 [m]: must be above the rigid core of body2");
+  expect_words([&] { io::parse_case(roller + "elements = \"bilinear\"\n" + points, "r.toml"); },
+               "[interior]: needs solution.elements = \"constant\" for bodies with layers");
   expect_refused("theory = \"exact\"", "theory = \"fastsim2\"", "needs solution.theory");
   expect_refused("rolling_speed = 2\n", "rolling_speed = 2\nkind = \"transient\"\n",
                  "viscoelastic ones need steady rolling");
