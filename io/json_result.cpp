@@ -9,10 +9,13 @@
 namespace microslip::io {
 namespace {
 
-/// A member by its path, with objects on the way, also where a name is a number: no member is one of a list.
+/// A member by its path. Places in lists, "patches/0", are elements of lists; those of inputs, "inputs/body1/layers/1",
+/// are counted from 1 on and names.
 Json& member_at(Json& members, const std::string& path) {
+  if (path == "/") return members;
+  if (!path.starts_with("inputs/")) return members[Json::json_pointer("/" + path)];
   Json* at = &members;
-  std::stringstream names(path == "/" ? "" : path);
+  std::stringstream names(path);
   for (std::string name; std::getline(names, name, '/');) {
     if (at->is_null()) *at = Json::object();
     at = &(*at)[name];
