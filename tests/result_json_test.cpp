@@ -95,6 +95,19 @@ void write_all_kinds(io::ResultWriter& result) {
   result.attribute("curve", "variable", "spin");
 }
 
+/// States and patches are elements of lists, layers are counted from 1 on.
+TEST(ResultJson, PlacesAreThoseOfListsButAmongInputs) {
+  io::JsonResult result({});
+  result.scalar("patches/0/fx", 1, "N", "force");
+  result.scalar("patches/1/fx", 2, "N", "force");
+  result.scalar("inputs/body1/layers/1/thickness", 3, "m", "thickness");
+  result.scalar("inputs/body1/layers/2/thickness", 4, "m", "thickness");
+  const io::Json json = result.document();
+  EXPECT_EQ(json.at("patches"), io::Json::parse(R"([{"fx": 1.0}, {"fx": 2.0}])"));
+  EXPECT_EQ(json.at("inputs").at("body1").at("layers"),
+            io::Json::parse(R"({"1": {"thickness": 3.0}, "2": {"thickness": 4.0}})"));
+}
+
 TEST(ResultJson, IsWhatJsonResultMakesWithoutAFile) {
   const TemporaryFolder folder;
   const io::Provenance provenance = {.kind = "test", .title = "T"};
