@@ -20,13 +20,7 @@ PronySeries read_relaxation(const TomlSection& layer, std::string_view shares_ke
       throw Error(layer.full(times_key) + ": has " + std::to_string(times.size()) + " numbers, " +
                   std::string(shares_key) + " has " + std::to_string(shares.size()));
     for (std::size_t k = 0; k < shares.size(); ++k) series.push_back({shares[k], times[k]});
-    double sum = 0;
-    for (const auto& [share, time] : series) {
-      require_positive(layer.full(shares_key), share, "-");
-      require_positive(layer.full(times_key), time, "s");
-      sum += share;
-    }
-    if (!(sum < 1)) throw Error(layer.full(shares_key), sum, "-", "of a sum below 1");
+    check(std::string(shares_key), series);
   });
   return series;
 }

@@ -93,8 +93,8 @@ TEST(LayeredCase, MistakesHaveTheirPlaceInTheList) {
                  "[body2.layers.1] needs one of young_modulus, shear_modulus or hardness");
   expect_refused("shear_modulus = 40e6", "", "[body2.layers.2] needs one of young_modulus, shear_modulus or hardness");
   expect_refused("[0.2, 0.1]", "[0.2]", "relaxation_times: has 2 numbers, relaxation_shares has 1");
-  expect_refused("[0.2, 0.1]", "[0.2, 0.9]", "body2.layers.1.relaxation_shares = 1.1 [-]: must be of a sum below 1");
-  expect_refused("[0.2, 0.1]", "[0.2, -0.1]", "body2.layers.1.relaxation_shares = -0.1 [-]: must be positive");
+  expect_refused("[0.2, 0.1]", "[0.2, 0.9]", "sum of relaxation_shares.share = 1.1 [-]: must be below 1");
+  expect_refused("[0.2, 0.1]", "[0.2, -0.1]", "relaxation_shares[1].share = -0.1 [-]: must be positive");
   expect_refused("relaxation_times = [\"1 ms\", \"0.1 s\"]", "", "relaxation_times is missing");
   expect_refused("[[body2.layers]]\nthickness = 0.002", "[body3]\nthickness = 0.002", "unknown key");
   expect_refused("[load]", "[layer]\nshear_modulus = 1e9\nthickness = 1e-5\n[load]", "are in place of half-spaces");
