@@ -146,7 +146,7 @@ void add_options(Command& command, HertzArguments& arguments) {
 } // namespace
 
 void add_hertz(QuantityTable& table, const HertzContact& contact) {
-  if (contact.gap.y == 0) { // a metre of a line contact
+  if (contact.gap.is_line()) { // a metre of a line contact
     table.add("half-width", contact.a, "m");
     table.add("peak pressure", contact.peak_pressure, "Pa");
     return;

@@ -11,7 +11,7 @@ namespace microslip::app {
 /// Prints the extremes of the stresses at points inside the bodies after an empty line; nothing without states.
 void print_interior(const std::string& where, const InteriorGrid& points, const std::vector<InteriorState>& states);
 
-/// Prints the largest stresses of layers and bonds after an empty line.
+/// Prints the largest stresses of layers and interfaces after an empty line.
 void print_peaks(const LayeredPeaks& peaks);
 
 } // namespace microslip::app

@@ -79,9 +79,8 @@ std::string describe_exact(const io::RollingCase& input, int mx, int my) {
       : motion.kind == ContactMotion::transient
           ? fmt::format("transient rolling, {} steps", motion.steps)
           : fmt::format("steady rolling, {}", io::to_word(discretisation_of(input.problem, input.method)));
-  const auto* gap = std::get_if<GapCurvatures>(&input.problem.geometry);
-  const bool is_line = gap != nullptr && gap->y == 0;
-  const std::string elements = is_line ? fmt::format("{} strips", mx) : fmt::format("{} x {} elements", mx, my);
+  const std::string elements =
+      is_line_contact(input.problem) ? fmt::format("{} strips", mx) : fmt::format("{} x {} elements", mx, my);
   return fmt::format("exact theory, {}, {}", elements, text);
 }
 
@@ -250,7 +249,7 @@ void print_nip(const cases::NipResult& nip) {
   QuantityTable table("nip");
   table.round_to_zero("W", nip.nip.traction_capacity);
   table.round_to_zero("N", nip.nip.traction_capacity);
-  for (const cases::StoredNumber& q : cases::nip_quantities(nip)) table.add(q.description, q.value, q.unit);
+  for (const cases::StoredNumber& q : cases::nip_numbers(nip)) table.add(q.description, q.value, q.unit);
   fmt::print("\n");
   table.print();
 }

@@ -87,15 +87,9 @@ public:
 
 private:
   static void add_nip(Columns<Solved>& all) {
-    Nip covered; // which has all
-    covered.body1.cover = covered.body2.cover = 1;
-    for (const cases::StoredNumber& q : cases::nip_quantities(covered))
-      all.push_back({{q.path, q.unit, q.description}, [path = q.path](const Solved& s) {
-                       if (!s.nip) return nan;
-                       for (const cases::StoredNumber& found : cases::nip_quantities(*s.nip))
-                         if (found.path == path) return found.value;
-                       return nan;
-                     }});
+    for (const cases::NipQuantity& q : cases::nip_quantities())
+      all.push_back({{std::string(q.path), std::string(q.unit), std::string(q.description)},
+                     [&q](const Solved& s) { return s.nip && q.applies(*s.nip) ? q.value(*s.nip) : nan; }});
   }
 
   std::optional<Solver> solver_;

@@ -42,10 +42,12 @@ void write_peaks(io::ResultWriter& file, const LayeredPeaks& peaks) {
   }
   for (const InterfacePeak& peak : peaks.interfaces) {
     const std::string below = group(peak.body, peak.layer);
-    file.scalar(below + "bond_shear", peak.shear, "Pa", "largest shear stress between the layer and what is below");
-    place(below + "bond_shear_at", peak.shear_place, "it");
-    file.scalar(below + "bond_tension", peak.tension, "Pa", "largest tension across it; 0: pressed together all over");
-    if (peak.tension > 0) place(below + "bond_tension_at", peak.tension_place, "it");
+    file.scalar(below + "interface_shear", peak.shear, "Pa",
+                "largest shear stress between the layer and what is below");
+    place(below + "interface_shear_at", peak.shear_place, "it");
+    file.scalar(below + "interface_tension", peak.tension, "Pa",
+                "largest tension across it; 0: pressed together all over");
+    if (peak.tension > 0) place(below + "interface_tension_at", peak.tension_place, "it");
   }
 }
 

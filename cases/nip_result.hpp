@@ -6,6 +6,8 @@
 #include "microslip/rolling/nip.hpp"
 
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace microslip::cases {
@@ -27,9 +29,15 @@ bool has_nip(const io::RollingCase& input, const ContactSolution& solution);
 NipResult nip_result(const io::RollingCase& input, const ContactSolution& solution, Solver& solver,
                      const Progress& progress);
 
-/// nip/width and so on.
-std::vector<StoredNumber> nip_quantities(const Nip& nip);
-/// The same, and nip/speed_ratio1 and nip/speed_ratio2.
-std::vector<StoredNumber> nip_quantities(const NipResult& result);
+/// A number of a nip as result files and sweeps have it.
+struct NipQuantity {
+  std::string_view path, unit, description; ///< "nip/width"
+  double (*value)(const Nip& nip);
+  bool (*applies)(const Nip& nip);
+};
+std::span<const NipQuantity> nip_quantities();
+
+/// Those that apply, and nip/speed_ratio1 and nip/speed_ratio2.
+std::vector<StoredNumber> nip_numbers(const NipResult& result);
 
 } // namespace microslip::cases

@@ -2,6 +2,7 @@
 
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
+#include "microslip/contact/loaded_part.hpp"
 #include "microslip/contact/quantities.hpp"
 #include "microslip/rolling/solver.hpp"
 #include "microslip/simplified/fastrip.hpp"
@@ -11,9 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace microslip::cases {
@@ -97,20 +96,15 @@ double step_of(const io::RollingCase& input, const EllipticContact& contact) {
   return input.problem.motion.step > 0 ? input.problem.motion.step : 2 * contact.a / input.method.mx;
 }
 
-/// Half the length of the elements with pressure, whose centres along an axis are given.
-double half_length(const std::vector<double>& centres, const std::vector<double>& pressure, double element) {
-  double least = nan, largest = nan;
-  for (std::size_t e = 0; e < centres.size(); ++e)
-    if (pressure[e] > 0) least = std::fmin(least, centres[e]), largest = std::fmax(largest, centres[e]);
-  return 0.5 * (largest - least + element);
-}
-
 /// Size and force of the contact that was found, in place of those of half-spaces.
 void take_found(const ContactSolution& solution, EllipticContact& contact) {
-  const auto& [elements, pressure] = std::tie(solution.elements, solution.fields.pressure);
-  contact.a = half_length(elements.x, pressure, elements.grid.dx);
-  contact.b = half_length(elements.y, pressure, elements.grid.dy);
-  contact.normal_force = std::inner_product(pressure.begin(), pressure.end(), elements.area.begin(), 0.0);
+  const ElementGrid& grid = solution.elements.grid;
+  const std::vector<double>& pressure = solution.fields.pressure;
+  const auto loaded = loaded_part(grid, pressure);
+  if (!loaded) return;
+  contact.a = 0.5 * loaded->x.count() * grid.dx;
+  contact.b = 0.5 * loaded->y.count() * grid.dy;
+  contact.normal_force = normal_force(grid, pressure);
 }
 
 /// Result on the grid that the case gives.
@@ -163,7 +157,7 @@ ExactResult solve_exact(const io::RollingCase& input, EllipticContact& contact, 
   auto result = input.method.accuracy ? solve_to_accuracy(input, contact, progress)
                                       : solve_on_grid(input, contact, progress, extent);
   contact.creepage = result.contact.creepage;
-  if (input.problem.layered && result.contact.totals.peak_pressure > 0) take_found(result.contact, contact);
+  if (input.problem.layered && !result.contact.fields.pressure.empty()) take_found(result.contact, contact);
   if (input.interior.count() > 0 && std::isfinite(result.contact.totals.fx)) {
     result.interior = interior_states(io::interior_body(input, Body::first), io::interior_body(input, Body::second),
                                       result.contact, input.interior, essential_part(progress, 0.9, 0.9));
@@ -382,7 +376,7 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     write_tolerances(file, "exact", exact->discretisation_error, exact->contact, "half the elements");
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
-    if (exact->nip) write(file, nip_quantities(*exact->nip));
+    if (exact->nip) write(file, nip_numbers(*exact->nip));
     if (exact->peaks) write_peaks(file, *exact->peaks);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
     if (exact->curve && !result.simplified) write_curve_point(file, *exact->curve, result.contact);

@@ -120,6 +120,22 @@ TEST(LayeredCase, MistakesHaveTheirPlaceInTheList) {
                "r.toml:11: body2.layers: must be a list of tables, [[body2.layers]], not a table");
 }
 
+/// What layers do not have is refused, not left out.
+TEST(LayeredCase, OptionsThatLayersDoNotHaveAreRefused) {
+  const auto expect = [](const std::string& option, const std::string& words) {
+    expect_refused("grid = 16", "grid = 16\n" + option, words);
+  };
+  expect("coupling = \"alternating\"", "r.toml:32: solution.coupling: must be newton for bodies with layers");
+  expect("discretisation = \"second_order\"", "solution.discretisation: must be classical for bodies with layers");
+  expect("accuracy = 0.01", "solution.accuracy: needs steady rolling without motion.step, of second order");
+  expect_refused("rolling_speed = 2", "rolling_speed = 2\nstep = 1e-3", "motion.step: must be the elements' length");
+  EXPECT_NO_THROW(io::parse_case(changed("grid = 16", "grid = 16\nelements = \"bilinear\""), "r.toml"));
+  std::string line = changed("transverse_radius = 20", "transverse_radius = inf");
+  EXPECT_NO_THROW(io::parse_case(line, "r.toml"));
+  expect_words([&] { io::parse_case(line + "elements = \"bilinear\"\n", "r.toml"); },
+               "solution.elements: must be constant for bodies with layers in a line contact");
+}
+
 TEST(LayeredCase, PathsNameALayerByItsPlace) {
   io::CaseInputs inputs = io::CaseInputs::read(roller, "r.toml");
   EXPECT_EQ(std::get<double>(*inputs.get("body2.layers.1.thickness")), 5e-3);

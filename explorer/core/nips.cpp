@@ -4,6 +4,7 @@
 #include "microslip/contact/warnings.hpp"
 #include "microslip/elasticity/shore_hardness.hpp"
 #include "microslip/error.hpp"
+#include "microslip/rolling/nip.hpp"
 
 #include <string>
 #include <utility>
@@ -22,15 +23,14 @@ RollingProblem with_creepage(RollingProblem problem, double creepage) {
   return problem;
 }
 
-/// The surface speed of the undeformed body 1 over that of body 2: V (1 -+ xi/2) in the direction of rolling, from
-/// which particles come.
-double speed_ratio(const ContactSolution& solution, RollingDirection direction) {
-  const double creepage = solution.creepage.longitudinal, against = direction == RollingDirection::forward ? 1 : -1;
-  return (2 - against * creepage) / (2 + against * creepage);
+/// Surface speed of the undeformed body 1 over that of body 2.
+double speed_ratio(const ContactSolution& solution, const Motion& motion) {
+  const double creepage = solution.creepage.longitudinal;
+  return surface_speed(Roller::body1, motion, creepage) / surface_speed(Roller::body2, motion, creepage);
 }
 
-io::Json totals_of(const ContactSolution& solution, RollingDirection direction, io::Json& units) {
-  io::Json all = {{"speed_ratio", io::json_number(speed_ratio(solution, direction))},
+io::Json totals_of(const ContactSolution& solution, const Motion& motion, io::Json& units) {
+  io::Json all = {{"speed_ratio", io::json_number(speed_ratio(solution, motion))},
                   {"status", to_string(solution.report.status)}};
   for (const Quantity& q : quantities()) {
     if (!q.applies(solution)) continue;
@@ -91,8 +91,8 @@ io::Json Nips::solve(const io::RollingCase& input) {
   io::Json units = {{"speed_ratio", "-"}}, found = io::Json::object();
   add_fields(given, fields, found, units);
   found["state"] = states_of(given);
-  const RollingDirection direction = input.problem.motion.direction;
-  io::Json result = {{"given", totals_of(given, direction, units)}, {"free", totals_of(free, direction, units)}};
+  const Motion& motion = input.problem.motion;
+  io::Json result = {{"given", totals_of(given, motion, units)}, {"free", totals_of(free, motion, units)}};
   result["fields"] = std::move(found);
   if (const auto& layers = input.body2.layers; !layers.empty())
     result["cover"] = stiffness_of(layers.front().material.instantaneous);

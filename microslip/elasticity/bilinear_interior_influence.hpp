@@ -6,7 +6,7 @@ namespace microslip {
 
 /// Influence of bilinear tractions (1 - |x|/dx)(1 - |y|/dy), as in bilinear_influence, in the interior of a body:
 /// arguments, signs and units of interior_influence. Unlike those of constant elements, stresses are continuous up to
-/// the surface; only where the tent has its kinks are their slopes infinite.
+/// the surface; only where the hat function has its kinks are their slopes infinite.
 ///
 /// The field is the mean of interior_influence over a rectangle dx x dy around the point. Quadrature: Gauss's rules
 /// of 4, 6 or 12 points along an axis, by the distance from the constant element's edges, and nearer than half a side

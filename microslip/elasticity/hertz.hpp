@@ -11,6 +11,9 @@ namespace microslip {
 struct GapCurvatures {
   double x; ///< A [1/m], along the rolling direction
   double y; ///< B [1/m], lateral
+
+  /// Returns whether the bodies are cylinders that touch in a line.
+  bool is_line() const { return y == 0; }
 };
 
 /// Principal radii of two bodies: positive convex, negative concave, infinite flat [m].

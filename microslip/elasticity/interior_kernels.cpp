@@ -1,5 +1,6 @@
 #include "microslip/elasticity/interior_kernels.hpp"
 
+#include "microslip/numerics/bessel.hpp"
 #include "microslip/numerics/hankel_nodes.hpp"
 
 #include <algorithm>
@@ -7,28 +8,18 @@
 #include <cmath>
 #include <numbers>
 
-#ifdef _WIN32 // its C library has Bessel's functions, which headers leave out in standard C++
-extern "C" double j0(double);
-extern "C" double j1(double);
-#endif
-
 namespace microslip {
 namespace {
 
 constexpr double panel_width = 0.5; // of asinh(r/s)
 using Responses = std::vector<InteriorResponse<double>>;
 
-/// J0 to J3. J3 by its series below 1/2, where the recursion would lose digits.
-std::array<double, 4> bessel(double x) {
-  const double j0 = ::j0(x), j1 = ::j1(x), j2 = x > 0 ? 2 * j1 / x - j0 : 0;
-  if (x > 0.5) return {j0, j1, j2, 4 * j2 / x - j1};
-  const double q = x * x;
-  return {j0, j1, j2, x * q / 48 * (1 - q / 16 * (1 - q / 40 * (1 - q / 72 * (1 - q / 112))))};
-}
-
 void add_wave(const WaveNode& wave, double r, const Responses& responses, double* to) {
   static_assert(sizeof(InteriorPointState) == InteriorPointKernels::kinds * sizeof(double));
-  const auto [j0, j1, j2, j3] = bessel(wave.wavenumber * r);
+  const double angle = wave.wavenumber * r;
+  const BesselFunctions of_angle = bessel_functions(angle);
+  const auto [j0, j1, j2] = of_angle;
+  const double j3 = bessel_j3(angle, of_angle);
   const double f = wave.weight / (2 * std::numbers::pi), g = f * wave.wavenumber;
   for (const auto& [n, a, t, tn, lt] : responses) {
     *to++ += f * n.n * j0;

@@ -1,16 +1,12 @@
 #include "microslip/elasticity/layered_kernels.hpp"
 
+#include "microslip/numerics/bessel.hpp"
 #include "microslip/numerics/hankel_nodes.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
-
-#ifdef _WIN32 // its C library has Bessel's functions, which headers leave out in standard C++
-extern "C" double j0(double);
-extern "C" double j1(double);
-#endif
 
 namespace microslip {
 namespace {
@@ -20,8 +16,8 @@ constexpr double panel_width = 0.5; // of asinh(r/h)
 
 /// Adds a wave's contribution to the kernels at a distance.
 void add_wave(const WaveNode& wave, double r, std::span<const SurfaceResponse<double>> responses, double* kernels) {
-  const double angle = wave.wavenumber * r, f = wave.weight / (2 * std::numbers::pi);
-  const double j0 = ::j0(angle), j1 = ::j1(angle), j2 = angle > 0 ? 2 * j1 / angle - j0 : 0;
+  const double f = wave.weight / (2 * std::numbers::pi);
+  const auto [j0, j1, j2] = bessel_functions(wave.wavenumber * r);
   for (const auto& [nn, ll, tt, ln] : responses) {
     *kernels++ += f * nn * j0;
     *kernels++ += f * (ll + tt) / 2 * j0;

@@ -1,5 +1,6 @@
 #include "microslip/rolling/layered_rolling.hpp"
 
+#include "microslip/contact/loaded_part.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
@@ -14,13 +15,9 @@
 namespace microslip {
 namespace {
 
-bool is_line(const GapCurvatures& curvatures) {
-  return curvatures.y == 0;
-}
-
 /// The distance at which displacements of half-spaces in line contact are 0: the radius of both bodies, 1/(2 A).
 std::optional<double> far_of(const GapCurvatures& curvatures) {
-  return is_line(curvatures) ? std::optional(0.5 / curvatures.x) : std::nullopt;
+  return curvatures.is_line() ? std::optional(0.5 / curvatures.x) : std::nullopt;
 }
 
 /// n elements across the contact's half-lengths a, b and as many beside it as it may be longer: it was found on 16.
@@ -43,38 +40,12 @@ ElementGrid elements_about(double centre, double a, double b, int mx, int my, El
   return grid;
 }
 
-/// First and last index of something along an axis.
-struct Extent {
-  int first, last;
-
-  double middle() const { return 0.5 * (first + last); }
-  int count() const { return last - first + 1; }
-  bool reaches_end_of(int elements) const { return first == 0 || last == elements - 1; }
-};
-
-struct Patch {
-  Extent x, y;
-};
-
-/// The columns and rows of a grid that have pressure; none without contact.
-std::optional<Patch> loaded_part(const ElementGrid& grid, const std::vector<double>& pressure) {
-  Patch patch{{grid.mx, -1}, {grid.my, -1}};
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      if (pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0) {
-        patch.x = {std::min(patch.x.first, i), std::max(patch.x.last, i)};
-        patch.y = {std::min(patch.y.first, j), std::max(patch.y.last, j)};
-      }
-  if (patch.x.last < 0) return std::nullopt;
-  return patch;
+bool is_cut_off_across(const ElementGrid& grid, const LoadedPart& part) {
+  return !grid.line && part.y.reaches_end_of(grid.my);
 }
 
-bool is_cut_off_across(const ElementGrid& grid, const Patch& patch) {
-  return !grid.line && patch.y.reaches_end_of(grid.my);
-}
-
-bool is_cut_off(const ElementGrid& grid, const Patch& patch) {
-  return patch.x.reaches_end_of(grid.mx) || is_cut_off_across(grid, patch);
+bool is_cut_off(const ElementGrid& grid, const LoadedPart& part) {
+  return part.x.reaches_end_of(grid.mx) || is_cut_off_across(grid, part);
 }
 
 /// The same elements and an eighth more on each side.
@@ -83,10 +54,6 @@ ElementGrid wider(ElementGrid grid) {
   grid.x0 -= columns * grid.dx, grid.mx += 2 * columns;
   grid.y0 -= rows * grid.dy, grid.my += 2 * rows;
   return grid;
-}
-
-double force_of(const std::vector<double>& pressure, const ElementGrid& grid) {
-  return std::accumulate(pressure.begin(), pressure.end(), 0.0) * grid.element_area();
 }
 
 constexpr const char* too_long = "layers: the contact of the rollers is longer than their radius 1/(2 A)";
@@ -119,7 +86,7 @@ HalfLengths hertzian_lengths(const RollingProblem& problem, const GapCurvatures&
   const auto& [given, load] = problem.load;
   const CombinedMaterial surfaces = problem.layered->surfaces();
   const bool by_force = given == NormalLoad::Given::force;
-  if (is_line(curvatures)) {
+  if (curvatures.is_line()) {
     require_positive("curvature", curvatures.x, "1/m");
     require_positive(by_force ? "normal_force" : "approach", load, by_force ? "N" : "m");
     return {by_force ? line_contact_from_load(curvatures.x, surfaces, load).half_width : std::sqrt(load / curvatures.x),
@@ -140,21 +107,21 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
   auto [a, b] = hertzian_lengths(problem, curvatures);
   double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    if (is_line(curvatures) && a > *far_of(curvatures)) throw Error(too_long);
+    if (curvatures.is_line() && a > *far_of(curvatures)) throw Error(too_long);
     const ElementGrid grid = elements_about(centre, a, b, coarse, coarse, shape);
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
     step.force_x = step.force_y = {}; // which nothing takes
     const ContactStepSolution s = ContactSequence().solve(step);
-    const std::optional<Patch> patch = loaded_part(grid, s.fields.pressure);
-    if (!patch) break;
-    const bool ends_in_x = patch->x.reaches_end_of(grid.mx), ends_in_y = is_cut_off_across(grid, *patch);
-    const double next_a = ends_in_x ? 2 * a : 0.5 * patch->x.count() * grid.dx,
+    const std::optional<LoadedPart> part = loaded_part(grid, s.fields.pressure);
+    if (!part) break;
+    const bool ends_in_x = part->x.reaches_end_of(grid.mx), ends_in_y = is_cut_off_across(grid, *part);
+    const double next_a = ends_in_x ? 2 * a : 0.5 * part->x.count() * grid.dx,
                  next_b = grid.line   ? 0
                           : ends_in_y ? 2 * b
-                                      : 0.5 * patch->y.count() * grid.dy;
-    if (!ends_in_x) centre = grid.x0 + patch->x.middle() * grid.dx;
+                                      : 0.5 * part->y.count() * grid.dy;
+    if (!ends_in_x) centre = grid.x0 + part->x.middle() * grid.dx;
     const auto stays = [](double before, double after) {
       return after <= settled * before && before <= settled * after;
     };
@@ -193,13 +160,13 @@ ContactSolution LayeredRolling::solve_at_approach(ContactStep step, const std::o
   ContactStep alone = step;
   alone.frictionless = true;
   alone.force_x = alone.force_y = {};
-  double normal = force_of(ContactSequence().solve(alone).fields.pressure, step.grid);
+  double normal = normal_force(step.grid, ContactSequence().solve(alone).fields.pressure);
   if (normal == 0) return solve_steps(sequence_, alone, 1, progress);
   for (int time = 0; time < most_times; ++time) {
     if (force_x) step.force_x = *force_x / normal;
     if (force_y) step.force_y = *force_y / normal;
     ContactSolution solution = solve_steps(sequence_, step, 1, progress);
-    const double found = force_of(solution.fields.pressure, step.grid);
+    const double found = normal_force(step.grid, solution.fields.pressure);
     if (solution.report.status != Status::ok || std::abs(found - normal) <= settled * found) return solution;
     normal = found;
   }
@@ -218,8 +185,8 @@ ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progr
   for (int time = 0; time < most_times; ++time) {
     ContactSolution solution =
         solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, far_of(*curvatures), progress);
-    const std::optional<Patch> patch = loaded_part(grid, solution.fields.pressure);
-    if (!patch || !is_cut_off(grid, *patch)) return solution;
+    const std::optional<LoadedPart> part = loaded_part(grid, solution.fields.pressure);
+    if (!part || !is_cut_off(grid, *part)) return solution;
     grid = wider(grid); // friction and finer elements may make the contact longer than that it was found with
   }
   throw Error(not_found);

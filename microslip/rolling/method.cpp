@@ -20,12 +20,6 @@ bool is_table(const Method& m) {
 bool is_steady(const RollingProblem& p) {
   return p.motion.kind == ContactMotion::steady;
 }
-bool is_line(const RollingProblem& p) {
-  if (const auto* curvatures = std::get_if<GapCurvatures>(&p.geometry)) return curvatures->y == 0;
-  if (const auto* formula = std::get_if<GapFormula>(&p.geometry)) return formula->grid.line;
-  const auto* values = std::get_if<GapValues>(&p.geometry);
-  return values != nullptr && values->grid.line;
-}
 bool is_coulomb(const RollingProblem& p) {
   return p.friction.law.kind() == FrictionLaw::Kind::coulomb;
 }
@@ -70,8 +64,10 @@ constexpr Rule rules[] = {
      }},
     {"solution.discretisation", "must be classical for bodies with layers",
      [](Problem p, How m) { return p.layered && m.discretisation == Discretisation::second_order; }},
+    {"solution.coupling", "must be newton for bodies with layers",
+     [](Problem p, How m) { return p.layered && m.coupling == Coupling::alternating; }},
     {"solution.elements", "must be constant for bodies with layers in a line contact",
-     [](Problem p, How m) { return p.layered && is_line(p) && elements_of(p, m) != ElementShape::constant; }},
+     [](Problem p, How m) { return p.layered && is_line_contact(p) && elements_of(p, m) != ElementShape::constant; }},
     {"motion.step", "must be the elements' length for bodies with layers by their radii",
      [](Problem p, How) {
        return p.layered && p.motion.step != 0 && std::holds_alternative<GapCurvatures>(p.geometry);

@@ -1,5 +1,6 @@
 #include "microslip/rolling/nip.hpp"
 
+#include "microslip/contact/loaded_part.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/exact/halfspace/surface_operator.hpp"
@@ -97,22 +98,6 @@ RollerState state_of(KeptLayeredTable& kept, const LayeredBody& body, const Laye
   return state;
 }
 
-double width_of(const ContactSolution& solution) {
-  const ElementGrid& grid = solution.elements.grid;
-  int first = grid.mx, last = -1;
-  for (int j = 0; j < grid.my; ++j)
-    for (int i = 0; i < grid.mx; ++i)
-      if (solution.fields.pressure[static_cast<std::size_t>(j) * grid.mx + i] > 0)
-        first = std::min(first, i), last = std::max(last, i);
-  return (last - first + 1) * grid.dx;
-}
-
-double normal_force_of(const ContactSolution& solution) {
-  double sum = 0;
-  for (const double p : solution.fields.pressure) sum += p;
-  return sum * solution.elements.grid.element_area();
-}
-
 } // namespace
 
 double surface_speed(Roller roller, const Motion& motion, double creepage) {
@@ -135,12 +120,14 @@ Nip NipAnalysis::find(const RollingProblem& problem, const ContactSolution& solu
   check(problem, solution, radii);
   const Totals& totals = solution.totals;
   const double speed = problem.motion.rolling_speed, forward_force = sign_of(problem.motion) * totals.fx;
+  const ElementGrid& grid = solution.elements.grid;
+  const Field& pressure = solution.fields.pressure;
   Nip nip;
-  nip.width = width_of(solution);
+  nip.width = loaded_part(grid, pressure)->x.count() * grid.dx;
   nip.peak_pressure = totals.peak_pressure;
   nip.indentation = solution.approach;
   nip.traction = std::hypot(totals.fx, totals.fy);
-  nip.traction_capacity = problem.friction.law.static_coefficient() * normal_force_of(solution);
+  nip.traction_capacity = problem.friction.law.static_coefficient() * normal_force(grid, pressure);
   if (nip.traction_capacity > 0) nip.utilisation = nip.traction / nip.traction_capacity;
   const auto& [body1, body2, velocity] = *problem.layered;
   const LayeredBody rigid = {{}, {{std::numeric_limits<double>::infinity(), 0}}};

@@ -27,6 +27,13 @@ bool is_hertzian(const RollingProblem& problem) {
   return std::holds_alternative<Ellipse>(problem.geometry) || std::holds_alternative<GapCurvatures>(problem.geometry);
 }
 
+bool is_line_contact(const RollingProblem& problem) {
+  if (const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry)) return curvatures->is_line();
+  if (const auto* formula = std::get_if<GapFormula>(&problem.geometry)) return formula->grid.line;
+  const auto* values = std::get_if<GapValues>(&problem.geometry);
+  return values != nullptr && values->grid.line;
+}
+
 CombinedMaterial half_spaces(const RollingProblem& problem) {
   return problem.layered ? problem.layered->surfaces() : problem.bodies.material;
 }
@@ -55,7 +62,7 @@ HertzContact hertz_contact(const RollingProblem& problem) {
     return hertz_from_ellipse(ellipse->a, ellipse->b, material, force ? value : value / of_unit_force.approach);
   }
   const auto* gap = std::get_if<GapCurvatures>(&problem.geometry);
-  if (gap != nullptr && gap->y == 0 && problem.layered) return line_contact(gap->x, material, problem.load);
+  if (gap != nullptr && gap->is_line() && problem.layered) return line_contact(gap->x, material, problem.load);
   if (gap != nullptr)
     return force ? hertz_from_load(*gap, material, value) : hertz_from_approach(*gap, material, value);
   throw Error("geometry: must be an ellipse or curvatures for Hertz's theory");

@@ -85,6 +85,9 @@ bool is_hertzian(const RollingProblem& problem);
 /// Elastic half-spaces of the bodies' materials; of bodies with layers those of their surfaces' materials.
 CombinedMaterial half_spaces(const RollingProblem& problem);
 
+/// Returns whether the bodies touch in a line, by their curvatures or on a grid of strips.
+bool is_line_contact(const RollingProblem& problem);
+
 /// The ellipse of a Hertzian problem, of half_spaces without friction; of the line contact of bodies with layers a is
 /// half its width, and b, approach and stiffness are NaN; by an approach all but the curvatures is. Throws Error for a
 /// problem that is not Hertzian and for numbers out of range.

@@ -2,7 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/exact/halfspace/cell_quadrature.hpp"
-#include "microslip/exact/halfspace/tent_quadrature.hpp"
+#include "microslip/exact/halfspace/hat_quadrature.hpp"
 #include "microslip/numerics/gauss_legendre.hpp"
 #include "microslip/numerics/threads.hpp"
 
@@ -54,9 +54,9 @@ private:
 };
 
 /// The same with the weights of bilinear elements whose centres are at multiples of the sides.
-class LayerTents {
+class LayerHats {
 public:
-  LayerTents(const LayeredKernels& kernels, const ElementSides& sides)
+  LayerHats(const LayeredKernels& kernels, const ElementSides& sides)
       : kernels_(kernels), sides_(sides), point_(kernels.parts()), low_(point_.size()), high_(point_.size()) {}
 
   using Value = CornerInfluence;
@@ -178,9 +178,9 @@ private:
 };
 
 /// The same with the weights of bilinear elements whose centres are at multiples of the sides.
-class HalfSpaceTents {
+class HalfSpaceHats {
 public:
-  HalfSpaceTents(std::span<const HalfSpaceCreep> creep, const ElementSides& sides) : creep_(creep), dx_(sides.dx) {}
+  HalfSpaceHats(std::span<const HalfSpaceCreep> creep, const ElementSides& sides) : creep_(creep), dx_(sides.dx) {}
 
   using Value = CornerInfluence;
   static constexpr bool exact_across = true;
@@ -223,13 +223,13 @@ void add_rows(const Lines& lines, const std::vector<double>& lengths, const std:
 }
 
 /// Adds the influence of bilinear elements likewise, from the cells between their centres.
-template <class Tents>
-void add_tents(const Tents& tents, const std::vector<double>& lengths, const std::vector<Cell>& beyond,
-               const ElementSides& sides, const Progress& progress, InfluenceRows& rows) {
+template <class Hats>
+void add_hats(const Hats& hats, const std::vector<double>& lengths, const std::vector<Cell>& beyond,
+              const ElementSides& sides, const Progress& progress, InfluenceRows& rows) {
   const bool symmetric = lengths.empty();
   const int columns = rows.columns(), first = symmetric ? 0 : 1 - columns;
   const int threads = threads_for(static_cast<std::size_t>(rows.rows()) * static_cast<std::size_t>(columns), 64);
-  std::vector<RolledTents<Tents>> of_thread(static_cast<std::size_t>(threads), {tents, lengths, beyond});
+  std::vector<RolledHats<Hats>> of_thread(static_cast<std::size_t>(threads), {hats, lengths, beyond});
   std::array<InfluenceRows, 2> sums{InfluenceRows(columns, rows.rows()), {columns, rows.rows()}}; // of cells on a side
   distribute(rows.rows() + 1, threads, progress, [&](int row, int thread, const Progress&) {
     const auto add_at = [&](int i, const CornerInfluence& u) {
@@ -286,7 +286,7 @@ void RolledLayers::add(double speed, const ElementSides& sides, const Progress& 
   }
   points_.extend(std::hypot(end, (rows.rows() - 1 + reach_beyond(sides)) * sides.dy));
   if (sides.shape == ElementShape::bilinear)
-    add_tents(LayerTents(points_, sides), lengths, beyond, sides, progress, rows);
+    add_hats(LayerHats(points_, sides), lengths, beyond, sides, progress, rows);
   else
     add_rows(LayerLines(points_), lengths, beyond, sides, progress, rows);
 }
@@ -297,7 +297,7 @@ void add_creep(std::span<const HalfSpaceCreep> creep, double speed, const Elemen
   for (const HalfSpaceCreep& part : creep) lengths.push_back(speed * part.time);
   const std::vector<Cell> beyond = columns_beyond(end_of(rows, sides), sides.dx, lengths);
   if (sides.shape == ElementShape::bilinear)
-    add_tents(HalfSpaceTents(creep, sides), lengths, beyond, sides, progress, rows);
+    add_hats(HalfSpaceHats(creep, sides), lengths, beyond, sides, progress, rows);
   else
     add_rows(HalfSpaceLines(creep, sides), lengths, beyond, sides, progress, rows);
 }

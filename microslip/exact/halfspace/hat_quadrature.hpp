@@ -37,12 +37,12 @@ inline CornerInfluence shared_out(const Influence& low, const Influence& high, d
 /// W(t) = integral from 0 to t of w(t') exp(-(t - t')/l)/l dt' times the kernel, and W(dx) S(x + dx), where S is that
 /// of RolledRows: for w = 1 the weight is 1 - exp(-t/l), for w = t/dx it is (t - l (1 - exp(-t/l)))/dx. An object for
 /// each thread.
-template <class Tents> class RolledTents {
+template <class Hats> class RolledHats {
 public:
   /// `lengths` [m] of the memory of the parts 1, 2 ..., `beyond`: columns_beyond the last cell.
-  RolledTents(const Tents& tents, const std::vector<double>& lengths, std::vector<Cell> beyond)
-      : lengths_(lengths), beyond_(std::move(beyond)), quadrature_(tents, lengths), integrals_(tents.parts()),
-        sums_(tents.parts()) {}
+  RolledHats(const Hats& hats, const std::vector<double>& lengths, std::vector<Cell> beyond)
+      : lengths_(lengths), beyond_(std::move(beyond)), quadrature_(hats, lengths), integrals_(hats.parts()),
+        sums_(hats.parts()) {}
 
   /// Calls found(i, u) for the cells from x = i dx to (i + 1) dx, i = last ... first, and from y to y + dy.
   template <class Found> void find(int first, int last, double y, double dx, double dy, const Found& found) {
@@ -99,7 +99,7 @@ private:
 
   std::vector<double> lengths_;
   std::vector<Cell> beyond_;
-  CellQuadrature<Tents> quadrature_;
+  CellQuadrature<Hats> quadrature_;
   CellIntegrals<CornerInfluence> integrals_;
   std::vector<Across> sums_; ///< S
 };
