@@ -104,15 +104,16 @@ export class NipView {
 
   /** The nip and the free roller first; the curve once nothing has changed for a while. */
   solve(): void {
-    void this.core.ask<NipResult>("nip", { call: "nip", case: nipCase(this.state) }).then((reply) => {
+    const solved = nipCase(this.state);
+    void this.core.ask<NipResult>("nip", { call: "nip", case: solved }).then((reply) => {
       if (!reply) return;
+      clearTimeout(this.#later);
       this.#form.refuse(named(reply.error?.message ?? "", this.state.values));
       if (!reply.result) return;
       this.#found = reply.result;
       this.#time.textContent = `exact theory, both: ${digits(1e3 * (reply.time ?? 0))} ms on ${this.#ofCylinders ? String(this.state.elements[0]) : this.state.elements.join(" × ")} elements`;
       this.draw();
-      clearTimeout(this.#later);
-      this.#later = window.setTimeout(() => { this.#askCurve(); }, 150);
+      this.#later = window.setTimeout(() => { this.#askCurve(solved); }, 150);
     });
   }
 
@@ -264,8 +265,9 @@ export class NipView {
     this.#map.setAttribute("aria-label", `${this.state.shown} in the nip from above: ${text}`);
   }
 
-  #askCurve(): void {
-    void this.core.ask<NipCurve>("nip curve", { call: "nip_curve", case: nipCase(this.state), count: points }).then((reply) => {
+  /** Of the case whose nip is shown: the state may be another one by now, and one that is refused. */
+  #askCurve(solved: string): void {
+    void this.core.ask<NipCurve>("nip curve", { call: "nip_curve", case: solved, count: points }).then((reply) => {
       if (!reply) return;
       if (!reply.result) {
         this.#curve.refuse(`No curve: ${sentence(withoutPlace(reply.error!.message))}`);
