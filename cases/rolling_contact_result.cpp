@@ -107,6 +107,15 @@ void take_found(const ContactSolution& solution, EllipticContact& contact) {
   contact.normal_force = normal_force(grid, pressure);
 }
 
+/// Adds the nip of rollers with layers, their largest stresses and the deformed distance, if the solution has none.
+void add_rest(const io::RollingCase& input, const RollingProblem& problem, Solver& solver, ExactResult& result,
+              const Progress& progress) {
+  if (has_nip(input, result.contact)) result.nip = nip_result(input, result.contact, solver, progress);
+  if (has_nip(input, result.contact) && result.contact.elements.grid.shape == ElementShape::constant)
+    result.peaks = layered_peaks(*input.problem.layered, result.contact, progress);
+  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, progress).gap;
+}
+
 /// Result on the grid that the case gives.
 ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& contact, const Progress& progress,
                           ExactExtent extent) {
@@ -123,10 +132,7 @@ ExactResult solve_on_grid(const io::RollingCase& input, const EllipticContact& c
   result.discretisation_error = {nan, nan, nan, nan};
   if (extent == ExactExtent::solution) return result;
   const Progress rest = essential_part(progress, 0.7, 0.9);
-  if (has_nip(input, result.contact)) result.nip = nip_result(input, result.contact, solver, rest);
-  if (has_nip(input, result.contact) && result.contact.elements.grid.shape == ElementShape::constant)
-    result.peaks = layered_peaks(*input.problem.layered, result.contact, rest);
-  if (result.contact.fields.gap.empty()) result.contact.fields.gap = solver.deformed_gap(problem, rest).gap;
+  add_rest(input, problem, solver, result, rest);
   if ((coarser.mx == method.mx && coarser.my == method.my) || (is_transient && problem.layered)) return result;
   result.discretisation_error = difference(contact, result.contact, Solver(coarser).solve(problem, rest));
   return result;
@@ -145,8 +151,8 @@ ExactResult solve_to_accuracy(const io::RollingCase& input, const EllipticContac
   ExactResult result;
   result.limit = AccurateContactSolver(input.method).solve(input.problem, part(progress, 0, 0.8));
   result.contact = result.limit->finest;
-  result.contact.fields.gap =
-      Solver(on_finest(input, result.limit)).deformed_gap(input.problem, essential_part(progress, 0.8, 0.9)).gap;
+  Solver solver(input.problem.layered ? input.method : on_finest(input, result.limit));
+  add_rest(input, input.problem, solver, result, essential_part(progress, 0.8, 0.9));
   result.discretisation_error =
       difference(contact, result.contact.totals, result.limit->coarser, result.limit->coarser_power);
   return result;

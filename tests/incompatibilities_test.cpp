@@ -72,7 +72,7 @@ std::vector<Broken> broken_cases() {
       {of_solution(exact + "elements = \"bilinear\"\n"),
        "solution.elements: bilinear ones need solution.discretisation = \"classical\""},
       {parts([&](Parts& p) { p.motion = shift, p.solution += "accuracy = 1e-3\n"; }),
-       "solution.accuracy: needs steady rolling without motion.step, of second order"},
+       "solution.accuracy: needs steady rolling without motion.step"},
       {parts([&](Parts& p) { p.body1 += retarded, p.solution += "coupling = \"alternating\"\n"; }),
        "solution.coupling: alternating is for elastic bodies"},
       {parts([&](Parts& p) {

@@ -127,7 +127,6 @@ TEST(LayeredCase, OptionsThatLayersDoNotHaveAreRefused) {
   };
   expect("coupling = \"alternating\"", "r.toml:32: solution.coupling: must be newton for bodies with layers");
   expect("discretisation = \"second_order\"", "solution.discretisation: must be classical for bodies with layers");
-  expect("accuracy = 0.01", "solution.accuracy: needs steady rolling without motion.step, of second order");
   expect_refused("rolling_speed = 2", "rolling_speed = 2\nstep = 1e-3", "motion.step: must be the elements' length");
   EXPECT_NO_THROW(io::parse_case(changed("grid = 16", "grid = 16\nelements = \"bilinear\""), "r.toml"));
   std::string line = changed("transverse_radius = 20", "transverse_radius = inf");

@@ -10,6 +10,7 @@
 #include "validation/draw.hpp"
 #include "validation/interior_integral.hpp"
 #include "validation/layer_on_half_space.hpp"
+#include "validation/layered_accuracy.hpp"
 #include "validation/layered_cost.hpp"
 #include "validation/layered_energy.hpp"
 #include "validation/layered_integral.hpp"
@@ -464,6 +465,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   report_layered_cost(report);
   report_energy(report);
   try {
+    report_layered_accuracy(report, part(options.progress, 0.06, 0.1));
     report_random_contacts(report, part(options.progress, 0.1, 1));
   } catch (const Stopped&) {
     return false;

@@ -20,9 +20,9 @@ std::optional<double> far_of(const GapCurvatures& curvatures) {
   return curvatures.is_line() ? std::optional(0.5 / curvatures.x) : std::nullopt;
 }
 
-/// n elements across the contact's half-lengths a, b and as many beside it as it may be longer: it was found on 16.
+/// mx by my elements across the contact's half-lengths and as many beside it as it may be longer: it was found on 16.
 /// Strips of the length 1 m for b = 0.
-ElementGrid elements_about(double centre, double a, double b, int mx, int my, ElementShape shape) {
+ElementGrid elements_about(const FoundContact& contact, int mx, int my, ElementShape shape) {
   const auto with_margin = [](double length, int n, double& first, double& size, int& count) {
     const int margin = std::max(2, (n + 11) / 12);
     size = 2 * length / n;
@@ -31,12 +31,12 @@ ElementGrid elements_about(double centre, double a, double b, int mx, int my, El
   };
   ElementGrid grid;
   grid.shape = shape;
-  with_margin(a, mx, grid.x0, grid.dx, grid.mx);
-  grid.x0 += centre;
-  if (b == 0)
+  with_margin(contact.a, mx, grid.x0, grid.dx, grid.mx);
+  grid.x0 += contact.centre;
+  if (contact.b == 0)
     grid.my = 1, grid.dy = 1, grid.line = true;
   else
-    with_margin(b, my, grid.y0, grid.dy, grid.my);
+    with_margin(contact.b, my, grid.y0, grid.dy, grid.my);
   return grid;
 }
 
@@ -97,10 +97,10 @@ HalfLengths hertzian_lengths(const RollingProblem& problem, const GapCurvatures&
   return {hertz.a, hertz.b};
 }
 
-/// Elements about the contact of bodies with these curvatures. It begins with Hertz's ellipse of the surfaces'
-/// half-spaces; a contact that reaches the end of its elements gets twice as many lengths.
-ElementGrid grid_around_contact(const RollingProblem& problem, const Method& method, const GapCurvatures& curvatures,
-                                LayeredSurfaces& surfaces, const Progress& progress) {
+/// The contact of bodies with these curvatures. The search begins with Hertz's ellipse of the surfaces' half-spaces; a
+/// contact that reaches the end of its elements gets twice as many lengths.
+FoundContact find_contact(const RollingProblem& problem, const Method& method, const GapCurvatures& curvatures,
+                          LayeredSurfaces& surfaces, const Progress& progress) {
   constexpr int coarse = 16, most_rounds = 40;
   constexpr double settled = 1.2; // change of the lengths
   const ElementShape shape = elements_of(problem, method);
@@ -108,7 +108,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
   double centre = 0;
   for (int round = 0; round < most_rounds; ++round) {
     if (curvatures.is_line() && a > *far_of(curvatures)) throw Error(too_long);
-    const ElementGrid grid = elements_about(centre, a, b, coarse, coarse, shape);
+    const ElementGrid grid = elements_about({centre, a, b}, coarse, coarse, shape);
     ContactStep step = step_with(layered_table(surfaces, grid, far_of(curvatures), essential_part(progress, 0, 0)),
                                  problem, method, {grid, hertzian_gap(curvatures, grid)});
     step.frictionless = true;
@@ -127,7 +127,7 @@ ElementGrid grid_around_contact(const RollingProblem& problem, const Method& met
     };
     const bool found = stays(a, next_a) && stays(b, next_b);
     a = next_a, b = next_b;
-    if (found) return elements_about(centre, a, b, method.mx, method.my, shape);
+    if (found) return {centre, a, b};
   }
   throw Error(not_found);
 }
@@ -138,6 +138,14 @@ bool LayeredRolling::is_of_last(const RollingProblem& problem, const GapCurvatur
   return found_ && found_->bodies == *problem.layered && found_->curvatures.x == curvatures.x &&
          found_->curvatures.y == curvatures.y && found_->load.given == problem.load.given &&
          found_->load.value == problem.load.value;
+}
+
+const FoundContact& LayeredRolling::contact_of(const RollingProblem& problem, const GapCurvatures& curvatures,
+                                               const Progress& progress) {
+  if (!is_of_last(problem, curvatures))
+    found_ = {*problem.layered, curvatures, problem.load,
+              find_contact(problem, method_, curvatures, kept_.surfaces(*problem.layered), progress)};
+  return found_->contact;
 }
 
 ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
@@ -173,23 +181,38 @@ ContactSolution LayeredRolling::solve_at_approach(ContactStep step, const std::o
   return solution_without_result(Status::not_converged, "the normal force that tractions change does not settle");
 }
 
+/// On these elements, or more of them where the contact reaches their end: friction and finer elements may make it
+/// longer than it was found.
+ContactSolution LayeredRolling::solve_about(const RollingProblem& problem, const GapCurvatures& curvatures,
+                                            ElementGrid grid, const Progress& progress) {
+  constexpr int most_times = 8;
+  for (int time = 0; time < most_times; ++time) {
+    ContactSolution solution = solve_on(problem, {grid, hertzian_gap(curvatures, grid)}, far_of(curvatures), progress);
+    const std::optional<LoadedPart> part = loaded_part(grid, solution.fields.pressure);
+    if (!part || !is_cut_off(grid, *part)) return solution;
+    grid = wider(grid);
+  }
+  throw Error(not_found);
+}
+
 ContactSolution LayeredRolling::solve(const RollingProblem& problem, const Progress& progress) {
   check(problem.motion);
   const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
   if (curvatures == nullptr) return solve_on(problem, gap_values(problem, method_), {}, progress);
-  if (!is_of_last(problem, *curvatures))
-    found_ = {*problem.layered, *curvatures, problem.load,
-              grid_around_contact(problem, method_, *curvatures, kept_.surfaces(*problem.layered), progress)};
-  constexpr int most_times = 8;
-  ElementGrid grid = found_->grid;
-  for (int time = 0; time < most_times; ++time) {
-    ContactSolution solution =
-        solve_on(problem, {grid, hertzian_gap(*curvatures, grid)}, far_of(*curvatures), progress);
-    const std::optional<LoadedPart> part = loaded_part(grid, solution.fields.pressure);
-    if (!part || !is_cut_off(grid, *part)) return solution;
-    grid = wider(grid); // friction and finer elements may make the contact longer than that it was found with
-  }
-  throw Error(not_found);
+  return solve_about(
+      problem, *curvatures,
+      elements_about(contact_of(problem, *curvatures, progress), method_.mx, method_.my, elements_of(problem, method_)),
+      progress);
+}
+
+ContactSolution LayeredRolling::solve(const RollingProblem& problem, int across, double moved,
+                                      const Progress& progress) {
+  check(problem.motion);
+  const auto& curvatures = std::get<GapCurvatures>(problem.geometry);
+  ElementGrid grid =
+      elements_about(contact_of(problem, curvatures, progress), across, across, elements_of(problem, method_));
+  grid.x0 += moved * grid.dx;
+  return solve_about(problem, curvatures, grid, progress);
 }
 
 } // namespace microslip

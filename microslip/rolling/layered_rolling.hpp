@@ -8,6 +8,11 @@
 
 namespace microslip {
 
+/// Where a contact was found along x, and its half-lengths [m]; b = 0: endless in y.
+struct FoundContact {
+  double centre, a, b;
+};
+
 /// Bodies with layers in contact, by the exact theory on classical elements. Elements are kept as long as bodies,
 /// curvatures and load stay, their influence numbers as long as bodies and elements do, the kernels of the layers as
 /// long as bodies do. Results do not depend on what was solved before.
@@ -19,17 +24,24 @@ public:
   /// a margin, or method.mx strips across a line contact; a gap has its own. Problem and method are compatible
   /// (incompatibilities). Throws Error for input out of range, and for a contact that is not found.
   ContactSolution solve(const RollingProblem& problem, const Progress& progress);
+  /// Of curvatures: on so many elements across the contact in each direction, which are moved along x by a part of
+  /// their length.
+  ContactSolution solve(const RollingProblem& problem, int across, double moved, const Progress& progress);
 
 private:
-  /// The elements of a contact by curvatures.
+  /// The contact of bodies, by curvatures.
   struct Found {
     LayeredBodies bodies;
     GapCurvatures curvatures;
     NormalLoad load;
-    ElementGrid grid;
+    FoundContact contact;
   };
 
   bool is_of_last(const RollingProblem& problem, const GapCurvatures& curvatures) const;
+  const FoundContact& contact_of(const RollingProblem& problem, const GapCurvatures& curvatures,
+                                 const Progress& progress);
+  ContactSolution solve_about(const RollingProblem& problem, const GapCurvatures& curvatures, ElementGrid grid,
+                              const Progress& progress);
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                            const Progress& progress);
   ContactSolution solve_at_approach(ContactStep step, const std::optional<double>& force_x,

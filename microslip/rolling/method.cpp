@@ -92,10 +92,8 @@ constexpr Rule rules[] = {
        return is_exact(m) && elements_of(p, m) != ElementShape::constant && !needs_sequence(p) &&
               m.discretisation != Discretisation::classical;
      }},
-    {"solution.accuracy", "needs steady rolling without {motion.step}, of second order",
-     [](Problem p, How m) {
-       return is_exact(m) && m.accuracy && (!is_steady(p) || discretisation_of(p, m) != Discretisation::second_order);
-     }},
+    {"solution.accuracy", "needs steady rolling without {motion.step}",
+     [](Problem p, How m) { return is_exact(m) && m.accuracy && (!is_steady(p) || p.motion.step != 0); }},
     {"solution.coupling", "alternating is for elastic bodies",
      [](Problem p, How m) { return is_exact(m) && m.coupling == Coupling::alternating && !p.bodies.are_elastic(); }},
     {"solution.accuracy", "needs an ellipse; a gap on a grid is solved on that grid",

@@ -108,6 +108,7 @@ struct Solver::Kept {
   }
 
   ContactSolution solve_layered(const RollingProblem& problem, const Progress& progress) {
+    if (method.accuracy) return solve_accurately(problem, progress);
     try {
       return layered.solve(problem, progress);
     } catch (const Stopped& stopped) {
@@ -118,7 +119,10 @@ struct Solver::Kept {
   ContactSolution solve_ellipse(const RollingProblem& problem, const Progress& progress) {
     if (method.theory == Theory::table) return look_up(*method.table, elliptic_contact(problem));
     if (method.theory != Theory::exact) return solve_simplified(elliptic_contact(problem), problem.motion.direction);
-    if (!method.accuracy) return exact.solve(problem, progress);
+    return method.accuracy ? solve_accurately(problem, progress) : exact.solve(problem, progress);
+  }
+
+  ContactSolution solve_accurately(const RollingProblem& problem, const Progress& progress) {
     if (!accurate) accurate.emplace(method);
     AccurateContact found = accurate->solve(problem, progress);
     finest = found.elements;
