@@ -149,7 +149,7 @@ void report_convergence(Report& report, const std::vector<Convergence>& contacts
       doubled.push_back(largest_of_forces(straight(c, k), c.exact));
       const auto change = [&](std::size_t to_size) { return largest_of_forces(c.mean[to_size - 1], c.mean[to_size]); };
       if (k < 3) continue; // the solver's first estimate has three changes, to 32 elements
-      const double estimate = std::max({change(k), change(k - 1) / 2, change(k - 2) / 4});
+      const double estimate = 1.5 * std::max({change(k), change(k - 1) / 2, change(k - 2) / 4}); // as the solver's
       ratio.push_back(estimate / limits.back());
       below += estimate < limits.back(), ++estimates;
     }

@@ -388,9 +388,9 @@ MICROSLIP_API microslip_code microslip_set_progress(microslip_problem* problem,
  * why it was refused; then the result before is kept. A profile is read again only where something of its file
  * was set. A sweep, points inside the bodies and creep curves are for microslip_solve_case. */
 MICROSLIP_API microslip_code microslip_solve(microslip_problem* problem, microslip_error* error);
-/* Solves steady rolling of two bodies by the exact theory at second order with derivatives: `jacobian` holds count = 9
- * numbers, row by row fx, fy, mz, by xi, eta, phi; NaN where there is no result. Some four to six times the cost of a
- * solve. Not with an accuracy or a force given. */
+/* Solves steady rolling of two bodies by the exact theory with derivatives: `jacobian` holds count = 9 numbers, row by
+ * row fx, fy, mz, by xi, eta, phi; NaN where there is no result. Some four to six times the cost of a solve. For
+ * Coulomb friction; not with an accuracy or a force given. */
 MICROSLIP_API microslip_code microslip_differentiate(microslip_problem* problem, size_t count, double* jacobian,
                                                      microslip_error* error);
 /* A number of the result by its name: of two bodies one of MICROSLIP_CONTACT_QUANTITY, with solution.accuracy the

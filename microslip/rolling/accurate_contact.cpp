@@ -30,15 +30,17 @@ Method with_tolerance_for_accuracy(Method method) {
 struct Convergence {
   double (*limit)(double coarse, double fine);
   double fall;           ///< of errors
+  double safety;         ///< times which the estimate is the largest change
   std::size_t estimated; ///< changes from one grid to the next that the estimate is made of
   int finest;            ///< elements across
   int grids;             ///< of one size, over which forces are averaged
 };
 
 Convergence convergence_of(const RollingProblem& problem, const Method& method) {
-  if (discretisation_of(problem, method) == Discretisation::second_order) return {limit_of_second_order, 4, 2, 512, 1};
-  if (problem.layered && is_line_contact(problem)) return {limit_of_first_order, 2, 3, 4096, 4};
-  return {limit_of_first_order, 2, 3, 256, problem.layered ? 2 : 1};
+  if (discretisation_of(problem, method) == Discretisation::second_order)
+    return {limit_of_second_order, 4, 1, 2, 512, 1};
+  if (problem.layered && is_line_contact(problem)) return {limit_of_first_order, 2, 1.5, 3, 4096, 4};
+  return {limit_of_first_order, 2, 1.5, 3, 256, problem.layered ? 2 : 1};
 }
 
 /// The mean over grids of one size.
@@ -118,7 +120,7 @@ double difference(const Units& units, const Mean& a, const Mean& b) {
 }
 
 /// The largest of the changes, the last one first, each as small as it would be at the last one.
-double estimate(const std::vector<double>& changes, double fall) {
+double largest_as_of_last(const std::vector<double>& changes, double fall) {
   double largest = 0, factor = 1;
   for (const double change : changes) largest = std::max(largest, factor * change), factor /= fall;
   return largest;
@@ -223,7 +225,7 @@ AccurateContact AccurateContactSolver::solve(const RollingProblem& problem, cons
       changes.resize(convergence.estimated);
       const bool solved = coarse.forces.status == Status::ok && fine.forces.status == Status::ok;
       out = extrapolate(coarse, fine, convergence.limit);
-      out.error = estimate(changes, convergence.fall);
+      out.error = convergence.safety * largest_as_of_last(changes, convergence.fall);
       out.elements = elements;
       out.products = products;
       if (!solved || out.error <= *method_.accuracy) return out;

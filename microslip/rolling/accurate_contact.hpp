@@ -37,8 +37,8 @@ double limit_of_first_order(double coarse, double fine);
 ///
 /// Of second order the estimate is the largest change from F(h) to F(h/2), or a quarter of that from F(2 h) to F(h) if
 /// that is more: of the 112 reference cases it is never below the true error and mostly some eight times as large. Of
-/// first order it is that change, a half of the one before or a quarter of the one before that: `microslip validate
-/// layers` compares it with true errors.
+/// first order it is 1.5 times the largest of that change, a half of the one before and a quarter of the one before
+/// that: of random contacts of layers it is below the true error in 3 of 100 and mostly six times as large.
 ///
 /// Forces on a grid depend on where the edges of contact, adhesion and slip lie within their elements. In a line
 /// contact of layers that is as much as what the elements' length does, and no extrapolation helps. But elements that

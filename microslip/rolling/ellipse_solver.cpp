@@ -7,6 +7,7 @@
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/step_derivatives.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -202,6 +203,13 @@ ContactSolution EllipseSolver::solve_transient(const RollingProblem& problem, co
   }));
 }
 
+ExactDerivatives EllipseSolver::differentiate_classical(const RollingProblem& problem, const EllipticContact& contact,
+                                                        const Progress& progress) {
+  const ContactStep step = sequence_step(problem, contact);
+  ContactSolution solution = solve_steps(sequence_, step, 1, essential_part(progress, 0, 0.7));
+  return with_derivatives(sequence_, step, std::move(solution), part(progress, 0.7, 1));
+}
+
 ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, const Progress& progress) {
   constexpr double linear_tolerance = 3e-5; // of which derivatives of forces have some fifth as an error
   const EllipticContact contact = elliptic_contact(problem), along_x = forward(contact, problem.motion);
@@ -210,6 +218,8 @@ ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, con
   try {
     check(problem, contact);
     require_differentiable(problem);
+    if (discretisation_of(problem, method_) == Discretisation::classical)
+      return differentiate_classical(problem, contact, progress);
     prepare_second_order(contact, progress);
     solution = second_order_->solve(along_x, {}, {}, method_.tolerance, essential_part(progress, 0, 0.7));
     derivatives = second_order_->differentiate(along_x, solution, linear_tolerance, part(progress, 0.7, 1));
@@ -233,6 +243,17 @@ ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, con
       out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
     }
   }
+  // Twice the load makes the contact 2^(1/3) as long: forces at 2^(1/3) the creepages, and the same spin, are twice as
+  // large.
+  const Totals& t = out.solution.totals;
+  const double forces[3] = {t.fx, t.fy, 4.0 / 3 * t.mz};
+  for (int k = 0; k < 3; ++k)
+    out.by_load[k] =
+        (forces[k] -
+         (contact.creepage.longitudinal * out.jacobian[k][0] + contact.creepage.lateral * out.jacobian[k][1]) / 3) /
+        contact.normal_force;
+  if (problem.load.given == NormalLoad::Given::approach)
+    for (double& by : out.by_load) by *= 1.5 * contact.normal_force / problem.load.value; // Fn goes with delta^(3/2)
   return out;
 }
 

@@ -39,6 +39,8 @@ private:
   ContactStep sequence_step(const RollingProblem& problem, const EllipticContact& contact) const;
   ContactSolution solve_sequence(const RollingProblem& problem, const EllipticContact& contact,
                                  const Progress& progress);
+  ExactDerivatives differentiate_classical(const RollingProblem& problem, const EllipticContact& contact,
+                                           const Progress& progress);
   ContactSolution solve_second_order(const RollingProblem& problem, const EllipticContact& contact,
                                      const Progress& progress);
   ContactSolution solve_transient(const RollingProblem& problem, const EllipticContact& contact,

@@ -4,12 +4,12 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
+#include "microslip/rolling/step_derivatives.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace microslip {
@@ -148,37 +148,49 @@ const FoundContact& LayeredRolling::contact_of(const RollingProblem& problem, co
   return found_->contact;
 }
 
-ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
-                                         const Progress& progress) {
+ContactStep LayeredRolling::step_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
+                                    const Progress& progress) {
   auto table = kept_.table(*problem.layered, gap.grid, far, essential_part(progress, 0, 0),
                            elements_of_step(problem.motion, gap.grid));
-  ContactStep step = step_with(std::move(table), problem, method_, std::move(gap));
-  const auto& [force_x, force_y] = std::tie(problem.motion.force_x, problem.motion.force_y);
-  const bool is_force_known = problem.load.given == NormalLoad::Given::force || !(force_x || force_y);
-  return is_force_known ? solve_steps(sequence_, step, problem.motion.steps, progress)
-                        : solve_at_approach(std::move(step), force_x, force_y, progress);
+  return step_with(std::move(table), problem, method_, std::move(gap));
 }
 
-/// The step with forces that are given, not their ratios to a normal force, which tractions change: it is found again
+ContactSolution LayeredRolling::solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
+                                         const Progress& progress) {
+  ContactStep step = step_on(problem, std::move(gap), far, progress);
+  const Motion& motion = problem.motion;
+  const bool is_force_known = problem.load.given == NormalLoad::Given::force || !(motion.force_x || motion.force_y);
+  return is_force_known ? solve_steps(sequence_, step, motion.steps, progress)
+                        : solve_at_approach(std::move(step), motion, progress);
+}
+
+/// Steps with forces that are given, not their ratios to a normal force, which tractions change: each is found again
 /// with the last one until it stays. The first is that without tractions.
-ContactSolution LayeredRolling::solve_at_approach(ContactStep step, const std::optional<double>& force_x,
-                                                  const std::optional<double>& force_y, const Progress& progress) {
-  constexpr int most_times = 30;
-  const double settled = 10 * method_.tolerance; // each solution has errors of the tolerance
+ContactSolution LayeredRolling::solve_at_approach(ContactStep step, const Motion& motion, const Progress& progress) {
   ContactStep alone = step;
   alone.frictionless = true;
   alone.force_x = alone.force_y = {};
   double normal = normal_force(step.grid, ContactSequence().solve(alone).fields.pressure);
-  if (normal == 0) return solve_steps(sequence_, alone, 1, progress);
-  for (int time = 0; time < most_times; ++time) {
-    if (force_x) step.force_x = *force_x / normal;
-    if (force_y) step.force_y = *force_y / normal;
-    ContactSolution solution = solve_steps(sequence_, step, 1, progress);
-    const double found = normal_force(step.grid, solution.fields.pressure);
-    if (solution.report.status != Status::ok || std::abs(found - normal) <= settled * found) return solution;
-    normal = found;
-  }
-  return solution_without_result(Status::not_converged, "the normal force that tractions change does not settle");
+  if (normal == 0) return solve_steps(sequence_, alone, motion.steps, progress);
+  const double settled = 10 * method_.tolerance; // each solution has errors of the tolerance
+  const auto settle = [&](const Progress& within) {
+    constexpr int most_times = 30;
+    for (int time = 0; time < most_times; ++time) {
+      if (motion.force_x) step.force_x = *motion.force_x / normal;
+      if (motion.force_y) step.force_y = *motion.force_y / normal;
+      ContactSolution solution = solve_steps(sequence_, step, 1, within);
+      const double before = std::exchange(normal, normal_force(step.grid, solution.fields.pressure));
+      if (solution.report.status != Status::ok || std::abs(normal - before) <= settled * normal) return solution;
+      if (motion.kind == ContactMotion::transient) step.start = StepStart::repeated;
+    }
+    return solution_without_result(Status::not_converged, "the normal force that tractions change does not settle");
+  };
+  if (motion.kind != ContactMotion::transient) return settle(progress);
+  return roll(motion.steps, progress, [&](const Progress& within) {
+    ContactSolution solution = settle(within);
+    step.start = StepStart::previous;
+    return solution;
+  });
 }
 
 /// On these elements, or more of them where the contact reaches their end: friction and finer elements may make it
@@ -213,6 +225,15 @@ ContactSolution LayeredRolling::solve(const RollingProblem& problem, int across,
       elements_about(contact_of(problem, curvatures, progress), across, across, elements_of(problem, method_));
   grid.x0 += moved * grid.dx;
   return solve_about(problem, curvatures, grid, progress);
+}
+
+ExactDerivatives LayeredRolling::differentiate(const RollingProblem& problem, const Progress& progress) {
+  ContactSolution solution = solve(problem, essential_part(progress, 0, 0.7));
+  const auto* curvatures = std::get_if<GapCurvatures>(&problem.geometry);
+  const ElementGrid& grid = solution.elements.grid;
+  GapValues gap = curvatures ? GapValues{grid, hertzian_gap(*curvatures, grid)} : gap_values(problem, method_);
+  ContactStep step = step_on(problem, std::move(gap), curvatures ? far_of(*curvatures) : std::nullopt, progress);
+  return with_derivatives(sequence_, std::move(step), std::move(solution), part(progress, 0.7, 1));
 }
 
 } // namespace microslip

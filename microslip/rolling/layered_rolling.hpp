@@ -3,6 +3,7 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/halfspace/kept_layered_table.hpp"
 #include "microslip/rolling/method.hpp"
+#include "microslip/rolling/solver.hpp"
 
 #include <optional>
 
@@ -27,6 +28,8 @@ public:
   /// Of curvatures: on so many elements across the contact in each direction, which are moved along x by a part of
   /// their length.
   ContactSolution solve(const RollingProblem& problem, int across, double moved, const Progress& progress);
+  /// As solve, with derivatives on the elements of the solution, which require_differentiable() allows.
+  ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress);
 
 private:
   /// The contact of bodies, by curvatures.
@@ -42,10 +45,11 @@ private:
                                  const Progress& progress);
   ContactSolution solve_about(const RollingProblem& problem, const GapCurvatures& curvatures, ElementGrid grid,
                               const Progress& progress);
+  ContactStep step_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
+                      const Progress& progress);
   ContactSolution solve_on(const RollingProblem& problem, GapValues gap, std::optional<double> far,
                            const Progress& progress);
-  ContactSolution solve_at_approach(ContactStep step, const std::optional<double>& force_x,
-                                    const std::optional<double>& force_y, const Progress& progress);
+  ContactSolution solve_at_approach(ContactStep step, const Motion& motion, const Progress& progress);
 
   Method method_;
   std::optional<Found> found_;

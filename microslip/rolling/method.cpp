@@ -72,11 +72,6 @@ constexpr Rule rules[] = {
      [](Problem p, How) {
        return p.layered && p.motion.step != 0 && std::holds_alternative<GapCurvatures>(p.geometry);
      }},
-    {"motion.force_longitudinal, motion.force_lateral", "need {load.normal_force} in transient rolling with layers",
-     [](Problem p, How) {
-       return p.layered && p.motion.kind == ContactMotion::transient && p.load.given == NormalLoad::Given::approach &&
-              (p.motion.force_x || p.motion.force_y);
-     }},
     // Exact theory
     {"motion.kind", "must be steady with viscoelastic bodies",
      [](Problem p, How m) { return is_exact(m) && !p.bodies.are_elastic() && !is_steady(p); }},
@@ -159,9 +154,10 @@ bool needs_classical(const RollingProblem& p) {
 }
 
 void require_differentiable(const RollingProblem& p) {
-  if (needs_sequence(p))
-    throw Error("the exact theory has derivatives for Coulomb friction and similar elastic bodies only");
-  if (needs_classical(p) || !is_steady(p) || p.motion.force_x || p.motion.force_y)
+  if (!is_coulomb(p) || p.friction.temperature_effect || p.bodies.layer.yields())
+    throw Error(
+        "the exact theory has derivatives for Coulomb friction without heat, and a layer that does not yield, only");
+  if (!is_steady(p) || p.motion.force_x || p.motion.force_y)
     throw Error("the exact theory has derivatives for steady rolling with creepages given only");
 }
 

@@ -59,7 +59,8 @@ bool needs_sequence(const RollingProblem& problem);
 /// rolling of a gap on a grid.
 bool needs_classical(const RollingProblem& problem);
 
-/// Throws Error for a problem by the exact theory that has no derivatives with respect to the creepages.
+/// Throws Error for a problem by the exact theory that has no derivatives: they are for steady rolling with creepages
+/// given, and for friction that depends neither on slip nor on temperature.
 void require_differentiable(const RollingProblem& problem);
 
 /// Options that follow from the method for this problem.

@@ -7,6 +7,7 @@
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/ellipse_solver.hpp"
 #include "microslip/rolling/layered_rolling.hpp"
+#include "microslip/rolling/step_derivatives.hpp"
 #include "microslip/simplified/fastrip.hpp"
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
@@ -156,6 +157,20 @@ struct Solver::Kept {
                                  .progress = part(progress, 0.3, 1)});
   }
 
+  /// Of layers and of gaps on a grid.
+  ExactDerivatives differentiate(const RollingProblem& p, const Progress& progress) {
+    check(p.motion);
+    require_differentiable(p);
+    try {
+      if (p.layered) return layered.differentiate(p, progress);
+      const ContactStep step = contact_step(p, method, gap_values(p, method), p.load);
+      ContactSolution solution = solve_steps(sequence, step, 1, essential_part(progress, 0, 0.7));
+      return with_derivatives(sequence, step, std::move(solution), part(progress, 0.7, 1));
+    } catch (const Stopped& stopped) {
+      return {.solution = solution_without_result(Status::not_converged, stopped.what())};
+    }
+  }
+
   ContactSolution solve_classical(const RollingProblem& p, GapValues shape, const Progress& progress) {
     check(p.motion);
     // A sequence takes forces over the normal force, which need not be known: the normal problem tells it.
@@ -199,9 +214,12 @@ ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Prog
   const Method& method = kept_->method;
   require_compatible(problem, method);
   if (method.accuracy) throw Error("solution.accuracy: there are no derivatives of extrapolated forces");
-  if (method.theory != Theory::exact || !is_hertzian(problem))
-    throw Error("derivatives: of an ellipse by solution.theory = \"exact\" only");
-  ExactDerivatives out = kept_->exact.differentiate(problem, progress);
+  if (method.theory != Theory::exact) throw Error("derivatives: by solution.theory = \"exact\" only");
+  const bool on_grid = !is_hertzian(problem);
+  if (on_grid && discretisation_of(problem, method) == Discretisation::second_order)
+    throw Error("derivatives: of a gap on a grid by solution.discretisation = \"classical\" only");
+  ExactDerivatives out = problem.layered || on_grid ? kept_->differentiate(problem, progress)
+                                                    : kept_->exact.differentiate(problem, progress);
   conclude(out.solution, method.tolerance);
   return out;
 }

@@ -13,7 +13,8 @@ namespace microslip {
 struct ExactDerivatives {
   ContactSolution solution;
   double jacobian[3][3] = {};
-  long products = 0; ///< that the derivatives took
+  double by_load[3] = {}; ///< of the same by the normal force [N] or the approach [m], whichever is given
+  long products = 0;      ///< that the derivatives took
 };
 
 /// Solves any rolling problem by one method: an ellipse by either theory, to an accuracy if one is asked for, or by a
@@ -40,11 +41,12 @@ public:
   /// O(N log N), some ms at 24 x 24; of the simplified theory O(N).
   ContactSolution solve(const RollingProblem& problem, const Progress& progress = {});
 
-  /// Steady rolling of an ellipse by the exact theory, with creepages given, at second order: forces and the
-  /// derivatives of these very numbers, from the converged equations by the implicit function theorem. They hold away
-  /// from the kinks where an element passes from adhesion to slip, and are accurate to 1e-5 of a column's size with the
-  /// default tolerance. `progress` is called in the Newton steps and linear solves; false ends them, with status
-  /// not_converged and NaN. Other problems are Status::invalid_input, other methods and gaps on a grid throw Error.
+  /// Steady rolling by the exact theory, with creepages given and Coulomb friction: forces and the derivatives of these
+  /// very numbers, from the converged equations by the implicit function theorem. Those by the load are for bodies
+  /// whose distance without load stays as it is. They hold away from the kinks where an element passes from adhesion to
+  /// slip, and are accurate to 1e-5 of a column's size with the default tolerance. `progress` is called in the Newton
+  /// steps and linear solves; false ends them, with status not_converged and NaN. Of an ellipse other problems are
+  /// Status::invalid_input, else they throw Error, and so do other methods and a gap on a grid at second order.
   ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] by the exact theory at the elements of the solution, zero in

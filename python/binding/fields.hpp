@@ -144,8 +144,8 @@ template <> inline constexpr auto fields<NormalResult> = members<&NormalResult::
 template <> inline constexpr auto fields<TangentialResult> = members<&TangentialResult::solution>;
 
 template <>
-inline constexpr auto fields<ExactDerivatives> =
-    members<&ExactDerivatives::solution, &ExactDerivatives::jacobian, &ExactDerivatives::products>;
+inline constexpr auto fields<ExactDerivatives> = members<&ExactDerivatives::solution, &ExactDerivatives::jacobian,
+                                                         &ExactDerivatives::by_load, &ExactDerivatives::products>;
 template <>
 inline constexpr auto fields<AccurateContact> =
     members<&AccurateContact::finest, &AccurateContact::coarser, &AccurateContact::forces, &AccurateContact::creepage,

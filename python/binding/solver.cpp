@@ -54,8 +54,13 @@ void bind_results(py::module_& module) {
             return view(&self.cast<const ExactDerivatives&>().jacobian[0][0], {3, 3}, self);
           },
           "Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-] and phi [1/m], shape (3, 3).")
+      .def_property_readonly(
+          "by_load",
+          [](const py::object& self) { return view(&self.cast<const ExactDerivatives&>().by_load[0], {3}, self); },
+          "Derivatives of these with respect to the normal force [N], or to the approach [m] where that is given; the\n"
+          "bodies' distance without load stays. Shape (3).")
       .def_readonly("products", &ExactDerivatives::products, "Products that the derivatives took [-].");
-  add_value(derivatives, {"solution", "jacobian"});
+  add_value(derivatives, {"solution", "jacobian", "by_load"});
 
   py::class_<AccurateContact> accurate(module, "AccurateContact", "Steady rolling on two nested grids and its limit.");
   add_members(accurate, Shown<&AccurateContact::forces>{"The limit, extrapolated; areas and status of the finer grid."},
@@ -92,9 +97,9 @@ void bind_solver(py::module_& module) {
            "honour, and of a gap on a grid for any input out of range. Cost of the exact theory O(N log N) in the\n"
            "number of elements, 2 ms at 24 x 24.")
       .def("differentiate", call(&Solver::differentiate), "problem"_a,
-           "Steady rolling of an ellipse by the exact theory at second order: forces [N], [N m] and their derivatives\n"
-           "with respect to xi [-], eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem,\n"
-           "accurate to 1e-5 away from kinks.")
+           "Steady rolling by the exact theory with creepages given and Coulomb friction: forces [N], [N m] and their\n"
+           "derivatives with respect to xi [-], eta [-], phi [1/m] and the load, as ExactDerivatives, by the implicit\n"
+           "function theorem, accurate to 1e-5 away from kinks.")
       .def("deformed_gap", &deformed_gap, "problem"_a,
            "Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,\n"
            "shape (my, mx) [m]; zero in contact.")

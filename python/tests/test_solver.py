@@ -62,6 +62,16 @@ class SolverTest(unittest.TestCase):
         self.assertEqual(found.jacobian.shape, (3, 3))
         more, less = (solver.solve(contact(at + side * step * np.eye(3)[0])).forces for side in (1, -1))
         self.assertAlmostEqual(found.jacobian[0, 0] / ((more.fx - less.fx) / (2 * step)), 1, delta=1e-3)
+        self.assertEqual(found.by_load.shape, (3,))
+
+    def test_derivatives_of_dissimilar_bodies(self):
+        pair = microslip.combine(microslip.Material.from_young(70e9, 0.33), microslip.Material.from_young(210e9, 0.28))
+        solver = microslip.Solver(theory="exact", grid=8, tolerance=1e-11)
+        problem = microslip.RollingProblem(contact(), bodies=pair)
+        found, step = solver.differentiate(problem), 1e-8
+        at = problem.creepage_longitudinal
+        more, less = (solver.solve(problem.replace(creepage_longitudinal=at + side * step)).forces for side in (1, -1))
+        self.assertAlmostEqual(found.jacobian[0, 0] / ((more.fx - less.fx) / (2 * step)), 1, delta=1e-3)
 
     def test_a_tolerance_has_the_range_that_case_files_have(self):
         for bad in (0.55, 0.11, 9e-15, float("nan")):

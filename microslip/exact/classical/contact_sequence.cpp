@@ -414,4 +414,15 @@ ContactStepSolution ContactSequence::solve(const ContactStep& given) {
   return out;
 }
 
+ForceChanges ContactSequence::differentiate(const ContactStep& step, const ContactSolution& solution) {
+  check(step.grid);
+  check(step);
+  const SlipFriction law = slip_friction(step, {});
+  if (step.motion.motion != ContactMotion::steady || step.force_x || step.force_y || step.given || step.frictionless ||
+      !law.is_constant())
+    throw Error("derivatives: of steady rolling with creepages given and Coulomb friction only");
+  const Field coefficients = law.static_coefficients();
+  return coupled_contact(step).differentiate(step, coefficients, solution);
+}
+
 } // namespace microslip

@@ -21,6 +21,11 @@ public:
   /// motion's progress function returns false; the sequence then is as it was.
   ContactStepSolution solve(const ContactStep& step);
 
+  /// Derivatives of the forces at a step's solution, as CoupledContact has them, for all bodies. Throws Error for
+  /// forces given, other than steady rolling, friction that depends on slip or temperatures, and a layer that yields,
+  /// Stopped as solve.
+  ForceChanges differentiate(const ContactStep& step, const ContactSolution& solution);
+
   /// Tractions and the grid that they are on.
   struct State {
     ElementGrid grid;

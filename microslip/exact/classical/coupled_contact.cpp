@@ -4,10 +4,12 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
+#include "microslip/exact/newton/coupled_derivative.hpp"
 #include "microslip/exact/normal/normal_totals.hpp"
 #include "microslip/numerics/norm.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,6 +26,20 @@ Field gap_within(const ContactStep& step) {
   for (std::size_t k = 0; k < step.excluded.size(); ++k)
     if (step.excluded[k]) gap[k] = std::numeric_limits<double>::infinity();
   return gap;
+}
+
+/// The forces of tractions.
+ForceChange forces_of(const ElementGrid& grid, const Field& px, const Field& py) {
+  ForceChange out;
+  const double area = grid.element_area();
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const auto k = static_cast<std::size_t>(j) * grid.mx + i;
+      out.fx += px[k] * area;
+      out.fy += py[k] * area;
+      out.mz += (grid.x(i) * py[k] - grid.y(j) * px[k]) * area;
+    }
+  return out;
 }
 
 /// Few Newton steps are allowed: where they do not lead to the solution nothing else is tried.
@@ -308,6 +324,37 @@ ContactStepSolution CoupledContact::solve(const ContactStep& step, const Element
       solve_alternating(step, friction, previous, start); // slower, and goes where this does not
   const bool better = other.normal.status == Status::ok && other.report.status == Status::ok;
   return better ? std::move(other) : std::move(out);
+}
+
+ForceChanges CoupledContact::differentiate(const ContactStep& step, std::span<const double> friction,
+                                           const ContactSolution& solution) {
+  constexpr double tolerance = 1e-7; // of the linear systems' residual
+  const auto n = grid_.count();
+  const double distance = signed_step(step.motion, grid_);
+  CoupledOperator& response = coupled_operator(step.motion, distance);
+  response.expect_contact(solution.fields.pressure, step.motion.direction);
+  Field cx(n), cy(n);
+  find_rigid_slip(grid_, motion_of(step), solution.creepage, distance, cx, cy);
+  const Field gap = gap_within(step);
+  const CoupledFrictionProblem problem{response, gap, step.load, friction, cx, cy, grid_.element_area()};
+  CoupledFrictionSolution at{FrictionSolution(n), solution.fields.pressure, solution.approach};
+  at.friction.traction = solution.fields.traction;
+  CoupledDerivative derivative(problem, at);
+  ForceChanges out;
+  const long products_before = response.products();
+  const auto change_by = [&](const Field& dcx, const Field& dcy, double dload) {
+    const auto change = derivative.solve(dcx, dcy, dload, tolerance, step.motion.progress);
+    return forces_of(grid_, change.px, change.py);
+  };
+  constexpr std::array<Creepage, 3> units = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    find_rigid_slip(grid_, step.motion, units[i], distance, cx, cy);
+    out.by_creepage[i] = change_by(cx, cy, 0);
+  }
+  const Field none(n);
+  out.by_load = change_by(none, none, 1);
+  out.products = response.products() - products_before;
+  return out;
 }
 
 } // namespace microslip

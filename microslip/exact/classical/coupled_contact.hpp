@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/exact/classical/contact_step.hpp"
+#include "microslip/exact/classical/force_changes.hpp"
 #include "microslip/exact/newton/coupled_newton.hpp"
 
 #include <memory>
@@ -26,6 +27,12 @@ public:
   /// input out of range, and Stopped if the motion's progress function returns false.
   ContactStepSolution solve(const ContactStep& step, const ElementFriction& friction, const TangentialState& previous,
                             const TangentialState& start);
+
+  /// Derivatives of the forces of such a step in steady rolling, whose creepages are given and whose friction depends
+  /// neither on slip nor on temperature, at its solution, by CoupledDerivative. The bodies' distance without load
+  /// stays. Throws Stopped if the motion's progress function returns false.
+  ForceChanges differentiate(const ContactStep& step, std::span<const double> friction,
+                             const ContactSolution& solution);
 
 private:
   using Field = std::vector<double>;

@@ -69,6 +69,20 @@ void CoupledEquations::start(const CoupledFrictionStart& from, std::span<double>
   choose_constants(unknowns, response);
 }
 
+void CoupledEquations::take(const CoupledFrictionSolution& solution, std::span<double> unknowns,
+                            std::span<double> response) {
+  const FrictionSolution& s = solution.friction;
+  for (std::size_t k = 0; k < n_; ++k) {
+    unknowns[k] = s.traction.x[k] / unit_;
+    unknowns[n_ + k] = s.traction.y[k] / unit_;
+    unknowns[2 * n_ + k] = solution.pressure[k];
+  }
+  if (delta_) unknowns[*delta_] = solution.approach / delta_unit_;
+  if (force_[0]) unknowns[*force_[0]] = s.constants.x / constant_unit_;
+  if (force_[1]) unknowns[*force_[1]] = s.constants.y / constant_unit_;
+  find_response(unknowns, response);
+}
+
 void CoupledEquations::find_response(std::span<const double> unknowns, std::span<double> response) {
   respond(unknowns, response);
   for (std::size_t k = 0; k < n_; ++k) {
@@ -144,6 +158,21 @@ void CoupledEquations::derivative(std::span<const double> v, std::span<const dou
     const auto& force = c == 0 ? problem_.force_x : problem_.force_y;
     if (force_[c]) out[*force_[c]] = row_unit_ * (forces[c] - *force / unit_ * forces[2]) - damping * v[*force_[c]];
   }
+}
+
+void CoupledEquations::add_load(double change, std::span<double> f) const {
+  if (delta_) f[*delta_] += row_unit_ * change / problem_.element_area;
+}
+
+std::array<Field, 3> CoupledEquations::fields_of(std::span<const double> unknowns) const {
+  std::array<Field, 3> out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto part = unknowns.subspan(c * n_, n_);
+    out[c].assign(part.begin(), part.end());
+    if (c < 2)
+      for (double& p : out[c]) p *= unit_;
+  }
+  return out;
 }
 
 void CoupledEquations::precondition(std::span<double> unknowns) {

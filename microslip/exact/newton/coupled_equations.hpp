@@ -34,6 +34,8 @@ public:
 
   /// Unknowns and response to begin with.
   void start(const CoupledFrictionStart& from, std::span<double> unknowns, std::span<double> response);
+  /// The unknowns and the response of a solution. One product.
+  void take(const CoupledFrictionSolution& solution, std::span<double> unknowns, std::span<double> response);
   /// Slip and deformed gap. One product.
   void find_response(std::span<const double> unknowns, std::span<double> response);
   /// Their change for a change of the unknowns. One product.
@@ -50,6 +52,11 @@ public:
   double mean_alpha() const { return mean_alpha_; }
   /// The derivative of F times a vector v of unknowns whose response is given. `damping` as in FrictionEquations.
   void derivative(std::span<const double> v, std::span<const double> response, double damping, std::span<double> out);
+
+  /// Adds what a change of the load [N] takes off F, where it is given.
+  void add_load(double change, std::span<double> f) const;
+  /// Tractions and pressure of a change of the unknowns [Pa].
+  std::array<std::vector<double>, 3> fields_of(std::span<const double> unknowns) const;
 
   /// Pressure, tractions and slip of the elements in contact, approach and constants; obeys all bounds to rounding.
   CoupledFrictionSolution solution(std::span<const double> v, std::span<const double> response);
