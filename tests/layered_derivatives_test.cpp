@@ -35,7 +35,7 @@ std::array<double, 3> components(const ContactSolution& s) {
 }
 
 /// Each column is compared with central differences of precise solutions.
-void expect_slopes(const RollingProblem& at, Method method, double tolerance = 1e-4) {
+void expect_slopes(const RollingProblem& at, Method method, double tolerance = 1e-5) {
   method.tolerance = 1e-12;
   Solver solver(method);
   const ExactDerivatives found = solver.differentiate(at);

@@ -689,6 +689,10 @@ class ExactDerivatives:
     def jacobian(self) -> NDArray[numpy.float64]:
         """Derivatives of fx [N], fy [N], mz [N m] with respect to xi [-], eta [-] and phi [1/m], shape (3, 3)."""
     @property
+    def by_load(self) -> NDArray[numpy.float64]:
+        """Derivatives of these with respect to the normal force [N], or to the approach [m] where that is given; the
+        bodies' distance without load stays. Shape (3)."""
+    @property
     def products(self) -> int:
         """Products that the derivatives took [-]."""
     def to_dict(self) -> dict[str, Any]:
@@ -1783,9 +1787,9 @@ class Solver:
         honour, and of a gap on a grid for any input out of range. Cost of the exact theory O(N log N) in the
         number of elements, 2 ms at 24 x 24."""
     def differentiate(self, problem: RollingProblem | EllipticContact) -> ExactDerivatives:
-        """Steady rolling of an ellipse by the exact theory at second order: forces [N], [N m] and their derivatives
-        with respect to xi [-], eta [-] and phi [1/m], as ExactDerivatives, by the implicit function theorem,
-        accurate to 1e-5 away from kinks."""
+        """Steady rolling by the exact theory with creepages given and Coulomb friction: forces [N], [N m] and their
+        derivatives with respect to xi [-], eta [-], phi [1/m] and the load, as ExactDerivatives, by the implicit
+        function theorem, accurate to 1e-5 away from kinks."""
     def deformed_gap(self, problem: RollingProblem | EllipticContact) -> NDArray[numpy.float64]:
         """Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,
         shape (my, mx) [m]; zero in contact."""
