@@ -47,7 +47,8 @@ private:
   SampleAim aim_;
   std::size_t points_, parameters_;
   SamplePoints at_;
-  std::vector<double> factor_; ///< lower triangle by rows of Cholesky's factor of the correlations; empty: there are none
+  std::vector<double>
+      factor_; ///< lower triangle by rows of Cholesky's factor of the correlations; empty: there are none
 };
 
 } // namespace microslip::campaign

@@ -52,7 +52,8 @@ SamplePoints::SamplePoints(PointSet set, std::size_t count, std::uint64_t seed, 
   if (set_ == PointSet::sobol) make_directions();
 }
 
-/// The engine goes through the sequence by Gray's code, from point 1 on: 2^(d+1) - 1 is the direction number of digit d.
+/// The engine goes through the sequence by Gray's code, from point 1 on: 2^(d+1) - 1 is the direction number of digit
+/// d.
 void SamplePoints::make_directions() {
   boost::random::sobol engine(streams_.size());
   directions_.resize(digits * streams_.size());

@@ -24,26 +24,44 @@ Quantile quantile_of(std::span<const double> sorted, double p) {
   if (sorted.empty()) return {p, nan, nan, nan};
   const auto n = static_cast<double>(sorted.size());
   const double reach = within_95_percent * std::sqrt(n * p * (1 - p));
-  return {p, at_rank(sorted, p * (n - 1)), at_rank(sorted, n * p - reach - 0.5),
-          at_rank(sorted, n * p + reach - 0.5)};
+  return {p, at_rank(sorted, p * (n - 1)), at_rank(sorted, n * p - reach - 0.5), at_rank(sorted, n * p + reach - 0.5)};
 }
 
-/// The mean of numerators over that of denominators, with its standard error to first order in their scatter.
-class RatioOfMeans {
-public:
-  void add(double numerator, double denominator) {
-    sum_ += numerator, below_ += denominator;
-    square_ += numerator * numerator, mixed_ += numerator * denominator, below_square_ += denominator * denominator;
-  }
-  double value() const { return below_ > 0 ? sum_ / below_ : nan; }
-  double error() const {
-    const double r = value();
-    return std::sqrt(std::max(0.0, square_ - 2 * r * mixed_ + r * r * below_square_)) / below_;
-  }
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
-private:
-  double sum_ = 0, below_ = 0, square_ = 0, mixed_ = 0, below_square_ = 0;
+double product(std::span<const double> one, std::span<const double> other) {
+  return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
+}
+
+/// A share of the variance, with its standard error.
+struct Share {
+  double value, error;
 };
+
+/// The mean of parts over that of variances; by their scatter about the share to first order.
+Share share_of(std::vector<double> parts, std::span<const double> variances) {
+  const double variance = mean_of(variances), value = variance > 0 ? mean_of(parts) / variance : nan;
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] -= value * variances[i];
+  return {value, std::sqrt(product(parts, parts)) / (variance * static_cast<double>(parts.size()))};
+}
+
+/// The mean of two estimates' parts that has the least scatter.
+std::vector<double> joined(const std::vector<double>& one, const std::vector<double>& other,
+                           std::span<const double> variances) {
+  const double variance = mean_of(variances), of_one = mean_of(one) / variance, of_other = mean_of(other) / variance;
+  std::vector<double> r = one, difference = one;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    r[i] -= of_one * variances[i];
+    difference[i] = r[i] - (other[i] - of_other * variances[i]);
+  }
+  const double scatter = product(difference, difference);
+  const double weight = scatter > 0 ? std::clamp(product(r, difference) / scatter, 0.0, 1.0) : 0.0;
+  std::vector<double> parts = one;
+  for (std::size_t i = 0; i < one.size(); ++i) parts[i] += weight * (other[i] - one[i]);
+  return parts;
+}
 
 } // namespace
 
@@ -77,16 +95,21 @@ std::vector<SobolIndex> sobol_indices(std::span<const double> values, std::size_
     sum += point[0] + point[1];
   }
   const double mean = sum / static_cast<double>(2 * whole.size());
+  std::vector<double> variances;
+  for (const auto& point : whole)
+    variances.push_back(0.5 * (std::pow(point[0] - mean, 2) + std::pow(point[1] - mean, 2)));
   std::vector<SobolIndex> indices;
   for (std::size_t k = 0; k < parameters; ++k) {
-    RatioOfMeans first, total;
-    for (const auto& point : whole) {
-      const double a = point[0] - mean, b = point[1] - mean, c = point[k + 2] - mean;
-      const double variance = 0.5 * (a * a + b * b);
-      first.add(b * (c - a), variance);
-      total.add(0.5 * (a - c) * (a - c), variance);
+    std::vector<double> of_small, of_large, total;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      const double a = whole[i][0] - mean, b = whole[i][1] - mean, c = whole[i][k + 2] - mean;
+      of_small.push_back(b * (c - a));
+      of_large.push_back(variances[i] - 0.5 * (b - c) * (b - c));
+      total.push_back(0.5 * (a - c) * (a - c));
     }
-    indices.push_back({first.value(), first.error(), total.value(), total.error()});
+    const Share first = share_of(joined(of_small, of_large, variances), variances),
+                in_all = share_of(std::move(total), variances);
+    indices.push_back({first.value, first.error, in_all.value, in_all.error});
   }
   return indices;
 }

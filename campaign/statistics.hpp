@@ -15,8 +15,8 @@ struct Quantile {
 /// What a sample of independent values says of their distribution.
 struct Spread {
   std::size_t count = 0;
-  double mean = 0, mean_error = 0;  ///< with its standard error, standard deviation / sqrt(count)
-  double standard_deviation = 0;    ///< with count - 1; 0 of one value
+  double mean = 0, mean_error = 0; ///< with its standard error, standard deviation / sqrt(count)
+  double standard_deviation = 0;   ///< with count - 1; 0 of one value
   double least = 0, largest = 0;
   std::vector<Quantile> quantiles;
 };
@@ -33,9 +33,11 @@ struct SobolIndex {
 };
 
 /// Indices of each parameter from the values of a sample's cases in their order, see Sample: with the deviations a, b
-/// and c_k of the cases A, B and the one of parameter k from the mean of A and B, and V that of (a^2 + b^2)/2,
-/// S_k = mean(b (c_k - a))/V (Saltelli et al. 2010) and T_k = mean((a - c_k)^2)/(2 V) (Jansen 1999). Errors are those
-/// of ratios of means. Points with a NaN are left out. All is NaN where nothing varies.
+/// and c_k of the cases A, B and the one of parameter k from the mean of A and B, and v = (a^2 + b^2)/2, means of the
+/// points give T_k = (a - c_k)^2/2 over v (Jansen 1999), and S_k = b (c_k - a) over v (Saltelli et al. 2010), which is
+/// sharp for parameters that matter little, or v - (b - c_k)^2/2 over v (Jansen), for those that matter much: the
+/// average of both that scatters least. Errors are those of ratios of means. Points with a NaN are left out. All is
+/// NaN where nothing varies.
 std::vector<SobolIndex> sobol_indices(std::span<const double> values, std::size_t parameters);
 
 } // namespace microslip::campaign

@@ -19,7 +19,7 @@ bool begins_with_number(const toml::node& node) {
 }
 
 /// Takes a parameter that is there.
-void read(const io::TomlSection& section, const char* key, double Distribution::* parameter, SweepAxis& axis) {
+void read(const io::TomlSection& section, const char* key, double Distribution::*parameter, SweepAxis& axis) {
   if (section.is_text(key))
     axis.texts.push_back({parameter, section.required_text(key)});
   else
@@ -28,7 +28,7 @@ void read(const io::TomlSection& section, const char* key, double Distribution::
 
 struct Parameter {
   const char* key;
-  double Distribution::* value;
+  double Distribution::*value;
   bool is_needed;
 };
 

@@ -25,7 +25,7 @@ struct CaseValue {
 struct SweepAxis {
   /// A parameter of the distribution as a text with a unit, until it is converted.
   struct Text {
-    double Distribution::* parameter;
+    double Distribution::*parameter;
     std::string text;
   };
 

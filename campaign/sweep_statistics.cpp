@@ -3,6 +3,7 @@
 #include "campaign/sweep_file.hpp"
 #include "io/nearest_word.hpp"
 #include "io/result_reader.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/status.hpp"
 
@@ -31,8 +32,7 @@ public:
     if (attribute("kind") != sweep_kind) throw Error(name_ + ": is no result of a sweep");
     std::istringstream names(attribute("parameters"));
     for (std::string name; std::getline(names, name);) parameters.push_back(name);
-    const std::string of_point = attribute(index_cases_name);
-    has_indices = !of_point.empty();
+    has_indices = attribute(sample_aim_name) == description::sample_aims.back();
     statuses = std::get<std::vector<int>>(reader_.read(dataset(status_path())));
   }
 
@@ -134,9 +134,7 @@ Members group(const SweepReader& reader, const std::string& by, SweepStatistics&
   if (reader.has_indices) throw Error(reader.name() + ": cases for Sobol's indices make no groups");
   const auto values = reader.values_of(by);
   if (const auto* texts = std::get_if<std::vector<std::string>>(&values))
-    return members_by(*texts, by, [&](const std::string& text) {
-      statistics.groups.push_back({.text = text});
-    });
+    return members_by(*texts, by, [&](const std::string& text) { statistics.groups.push_back({.text = text}); });
   statistics.group_unit = reader.dataset("parameters/" + by).unit;
   return members_by(std::get<std::vector<double>>(values), by, add_number);
 }
@@ -192,21 +190,28 @@ SweepStatistics sweep_statistics(const std::filesystem::path& result_file, const
 
 namespace {
 
-/// An array with an entry for each group, of `inner` numbers each.
+/// An array with an entry for each group.
+void write(io::ResultWriter& writer, const SweepStatistics& statistics, const std::string& path,
+           const std::string& unit, const std::string& description,
+           const std::function<double(const CaseGroup&)>& value) {
+  std::vector<double> values;
+  for (const CaseGroup& group : statistics.groups) values.push_back(value(group));
+  writer.array(path, values, unit, description);
+}
+
+/// An array with `inner` numbers for each group.
 void write(io::ResultWriter& writer, const SweepStatistics& statistics, const std::string& path,
            const std::string& unit, const std::string& description, std::size_t inner,
            const std::function<double(const CaseGroup&, std::size_t)>& value) {
   std::vector<double> values;
   for (const CaseGroup& group : statistics.groups)
     for (std::size_t k = 0; k < inner; ++k) values.push_back(value(group, k));
-  io::ResultWriter::Shape shape = {statistics.groups.size()};
-  if (inner > 1) shape.push_back(inner);
-  writer.array(path, values, unit, description, shape);
+  writer.array(path, values, unit, description, {statistics.groups.size(), inner});
 }
 
 struct SpreadColumn {
   const char* name;
-  double Spread::* value;
+  double Spread::*value;
   const char* description;
 };
 constexpr SpreadColumn spread_columns[] = {
@@ -218,7 +223,7 @@ constexpr SpreadColumn spread_columns[] = {
 };
 struct QuantileColumn {
   const char* name;
-  double Quantile::* value;
+  double Quantile::*value;
   const char* description;
 };
 constexpr QuantileColumn quantile_columns[] = {
@@ -228,7 +233,7 @@ constexpr QuantileColumn quantile_columns[] = {
 };
 struct IndexColumn {
   const char* name;
-  double SobolIndex::* value;
+  double SobolIndex::*value;
   const char* description;
 };
 constexpr IndexColumn index_columns[] = {
@@ -242,8 +247,8 @@ void write_quantity(const SweepStatistics& statistics, std::size_t q, io::Result
   const auto& [path, unit, description] = statistics.quantities[q];
   const auto of = [q](const CaseGroup& group) -> const QuantityStatistics& { return group.quantities[q]; };
   for (const SpreadColumn& column : spread_columns)
-    write(writer, statistics, path + "/" + column.name, unit, std::string(column.description) + ": " + description, 1,
-          [&](const CaseGroup& group, std::size_t) { return of(group).spread.*column.value; });
+    write(writer, statistics, path + "/" + column.name, unit, std::string(column.description) + ": " + description,
+          [&](const CaseGroup& group) { return of(group).spread.*column.value; });
   for (const QuantileColumn& column : quantile_columns)
     write(writer, statistics, path + "/" + column.name, unit, column.description, statistics.probabilities.size(),
           [&](const CaseGroup& group, std::size_t k) { return of(group).spread.quantiles[k].*column.value; });
@@ -256,27 +261,34 @@ void write_quantity(const SweepStatistics& statistics, std::size_t q, io::Result
 } // namespace
 
 void write_statistics(const SweepStatistics& statistics, io::ResultWriter& writer) {
-  std::string names, texts;
-  for (const std::string& name : statistics.parameters) names.append(names.empty() ? "" : "\n").append(name);
-  writer.attribute("/", "parameters", names);
+  const auto add_line = [](std::string& lines, const std::string& line) {
+    lines.append(lines.empty() ? "" : "\n").append(line);
+  };
+  std::string parameters, quantities, texts;
+  for (const std::string& name : statistics.parameters) add_line(parameters, name);
+  for (const SweepQuantity& quantity : statistics.quantities) add_line(quantities, quantity.path);
+  writer.attribute("/", "parameters", parameters);
+  writer.attribute("/", "quantities", quantities);
   writer.array("probabilities", statistics.probabilities, "-", "of the quantiles");
-  write(writer, statistics, "cases", "-", "cases of each group", 1,
-        [](const CaseGroup& group, std::size_t) { return static_cast<double>(group.cases); });
-  for (const std::string_view status : status_words())
-    write(writer, statistics, "failed/" + std::string(status), "-", "share of the cases with this status", 1,
-          [&](const CaseGroup& group, std::size_t) {
-            const auto found = group.statuses.find(std::string(status));
-            return found == group.statuses.end() ? 0
-                                                 : static_cast<double>(found->second) / static_cast<double>(group.cases);
+  write(writer, statistics, "cases", "-", "cases of each group",
+        [](const CaseGroup& group) { return static_cast<double>(group.cases); });
+  for (int code = 1; !to_string(static_cast<Status>(code)).empty(); ++code) {
+    const std::string status(to_string(static_cast<Status>(code)));
+    write(writer, statistics, "shares/" + status, "-", "share of the cases with this status",
+          [&](const CaseGroup& group) {
+            const auto found = group.statuses.find(status);
+            const std::size_t cases = found == group.statuses.end() ? 0 : found->second;
+            return static_cast<double>(cases) / static_cast<double>(group.cases);
           });
+  }
   if (!statistics.group_by.empty()) {
     writer.attribute("/", "group_by", statistics.group_by);
-    for (const CaseGroup& group : statistics.groups) texts.append(texts.empty() ? "" : "\n").append(group.text);
+    for (const CaseGroup& group : statistics.groups) add_line(texts, group.text);
     if (statistics.group_unit.empty())
       writer.text("groups", texts, "value of " + statistics.group_by + " in each group, a line each");
     else
-      write(writer, statistics, "groups", statistics.group_unit, "value of " + statistics.group_by + " in each group", 1,
-            [](const CaseGroup& group, std::size_t) { return group.number; });
+      write(writer, statistics, "groups", statistics.group_unit, "value of " + statistics.group_by + " in each group",
+            [](const CaseGroup& group) { return group.number; });
   }
   for (std::size_t q = 0; q < statistics.quantities.size(); ++q) write_quantity(statistics, q, writer);
 }

@@ -31,8 +31,8 @@ struct CaseGroup {
   double number = 0;     ///< the value, or else
   std::string text = {}; ///< as text
   std::size_t cases = 0;
-  std::map<std::string, std::size_t> statuses = {};  ///< cases whose status is not ok, which statistics leave out
-  std::vector<QuantityStatistics> quantities = {}; ///< in the order of SweepStatistics::quantities
+  std::map<std::string, std::size_t> statuses = {}; ///< cases whose status is not ok, which statistics leave out
+  std::vector<QuantityStatistics> quantities = {};  ///< in the order of SweepStatistics::quantities
 };
 
 /// A quantity of a sweep's result file.
@@ -55,8 +55,8 @@ struct SweepStatistics {
 /// names that it does not have, and for groups by a parameter of more than 1,000 values.
 SweepStatistics sweep_statistics(const std::filesystem::path& result_file, const StatisticsOptions& options);
 
-/// Writes them: `cases` and `failed`, and below each quantity's path `mean`, `quantiles` and so on, an entry for each
-/// group, further dimensions for probabilities and parameters.
+/// Writes them: `cases`, the `shares` of each status, and below each quantity's path `mean`, `quantiles` and so on, an
+/// entry for each group, further dimensions for probabilities and parameters.
 void write_statistics(const SweepStatistics& statistics, io::ResultWriter& writer);
 
 } // namespace microslip::campaign

@@ -21,8 +21,8 @@ std::size_t place_of(const std::string& name, const std::vector<std::string_view
   if (name.empty()) throw Error("has " + std::to_string(names.size()) + " columns: column must name one");
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw Error("has no column " + io::printable(name) + io::suggestion(name, names) + "; known: " +
-                io::listed(names, "and"));
+    throw Error("has no column " + io::printable(name) + io::suggestion(name, names) +
+                "; known: " + io::listed(names, "and"));
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -60,8 +60,7 @@ TableColumn read_column(std::string_view text, const std::string& file, const st
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     if (place && *place >= fields.size()) throw Error(std::to_string(fields.size()) + " fields are too few");
     if (place)
-      column.numbers.push_back(
-          io::csv_number(name.empty() ? "value" : name, fields[*place], has_decimal_commas));
+      column.numbers.push_back(io::csv_number(name.empty() ? "value" : name, fields[*place], has_decimal_commas));
     else if (const auto unit = io::name_and_unit(fields[*(place = place_of(name, fields))]).second; unit != "-")
       column.unit = unit;
   });

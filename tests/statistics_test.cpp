@@ -52,8 +52,7 @@ TEST(Distribution, MeansAndDeviationsAreThoseThatAreGiven) {
 }
 
 TEST(Distribution, ANormalOneIsCutOffAtItsEnds) {
-  const Distribution cut{
-      .kind = Distribution::Kind::normal, .from = -1, .to = 1, .mean = 0, .standard_deviation = 1};
+  const Distribution cut{.kind = Distribution::Kind::normal, .from = -1, .to = 1, .mean = 0, .standard_deviation = 1};
   EXPECT_NEAR(cut.quantile(0), -1, 1e-12);
   EXPECT_NEAR(cut.quantile(1), 1, 1e-12);
   EXPECT_NEAR(cut.quantile(0.5), 0, 1e-12);
@@ -142,7 +141,9 @@ TEST(Sample, CorrelationsAreThoseOfNormalScores) {
   EXPECT_NEAR(sums[0][1], 0, 0.01);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(sums[k][k], 1, 0.01);
   expect_words(
-      [] { Sample(SampleAim::quantiles, PointSet::random, 9, 1, {"a", "b", "c"}, {{0, 1, .9}, {1, 2, .9}, {0, 2, -.9}}); },
+      [] {
+        Sample(SampleAim::quantiles, PointSet::random, 9, 1, {"a", "b", "c"}, {{0, 1, .9}, {1, 2, .9}, {0, 2, -.9}});
+      },
       "not positive definite");
 }
 

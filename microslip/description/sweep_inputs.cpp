@@ -52,7 +52,7 @@ std::vector<Input> all_inputs() {
        }},
       {"sample.correlations",
        {
-           number("A with B", "-", between(-1, 1), "correlation of the normal scores of two keys that vary, A and B"),
+           number("KEY with KEY", "-", between(-1, 1), "correlation of the normal scores of two keys that vary"),
        }},
       {"list",
        {
