@@ -22,7 +22,8 @@ namespace {
 
 /// A sweep's file of random loads, by the program.
 std::filesystem::path swept(const TemporaryFolder& folder, const std::string& sample) {
-  save(folder / "spec.toml", "title = \"loads\"\n[sample]\ncount = 64\nseed = 4\n" + sample + in_sweep(two_bodies_text));
+  save(folder / "spec.toml",
+       "title = \"loads\"\n[sample]\ncount = 64\nseed = 4\n" + sample + in_sweep(two_bodies_text));
   const Outcome run = run_program(folder, "sweep spec.toml -o sweep.h5");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   return folder / "sweep.h5";
@@ -66,7 +67,8 @@ TEST(SweepStatistics, IndicesTellWhichParameterMatters) {
 
 TEST(SweepStatistics, GroupsHaveTheCasesOfAValue) {
   const TemporaryFolder folder;
-  const auto file = swept(folder, std::string("motion.spin = [0.2, 0.0]\nsolution.theory = [\"fastsim\", \"fastsim2\"]\n") + loads);
+  const auto file =
+      swept(folder, std::string("motion.spin = [0.2, 0.0]\nsolution.theory = [\"fastsim\", \"fastsim2\"]\n") + loads);
   const campaign::SweepStatistics by_number =
       campaign::sweep_statistics(file, {.quantities = {"mz"}, .group_by = "motion.spin"});
   ASSERT_EQ(by_number.groups.size(), 2u);
@@ -86,8 +88,8 @@ TEST(SweepStatistics, GroupsHaveTheCasesOfAValue) {
 
 TEST(SweepStatistics, CasesThatAreNotSolvedAreCountedAndLeftOut) {
   const TemporaryFolder folder;
-  save(folder / "spec.toml", "[sample]\ncount = 40\nseed = 4\nfriction.coefficient = [0.3, -1.0]\n" +
-                                in_sweep(two_bodies_text));
+  save(folder / "spec.toml",
+       "[sample]\ncount = 40\nseed = 4\nfriction.coefficient = [0.3, -1.0]\n" + in_sweep(two_bodies_text));
   const auto file = folder / "sweep.h5";
   EXPECT_EQ(run_program(folder, "sweep spec.toml -o sweep.h5").exit_code, 1);
   const campaign::SweepStatistics found = campaign::sweep_statistics(file, {.quantities = {"fx"}});
@@ -99,8 +101,7 @@ TEST(SweepStatistics, CasesThatAreNotSolvedAreCountedAndLeftOut) {
 TEST(SweepStatistics, TheProgramPrintsAndWritesThem) {
   const TemporaryFolder folder;
   swept(folder, std::string("aim = \"sobol_indices\"\nmotion.spin = { from = 0, to = 0.4 }\n") + loads);
-  const Outcome run =
-      run_program(folder, "statistics sweep.h5 --quantity fx --quantiles 0.1 0.9 -o out --no-pictures");
+  const Outcome run = run_program(folder, "statistics sweep.h5 --quantity fx --quantiles 0.1 0.9 -o out --no-pictures");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   for (const char* const words : {"256 cases", "deviation", "10 %", "90 %", "contact/fx", "alone", "in all"})
     EXPECT_NE(run.output.find(words), std::string::npos) << words << run.output;
