@@ -45,6 +45,9 @@ void add_run_command(Command& program, int& exit_code);
 /// Adds `microslip solve`, which sets `exit_code` to 1 if the result is not one.
 void add_solve_command(Command& program, int& exit_code);
 
+/// `microslip statistics SWEEP.h5`: what the cases of a sweep say of the distribution of their quantities.
+void add_statistics_command(Command& program);
+
 /// `microslip sweep SPEC.toml -o OUT.h5`: many cases, on threads and ranks, with a checkpoint.
 void add_sweep_command(Command& program, int& exit_code);
 

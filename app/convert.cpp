@@ -3,7 +3,9 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
+#include "app/tables.hpp"
 #include "compat/contact/toml.hpp"
+#include "io/csv_tables.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
 #include "microslip/error.hpp"
@@ -20,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ConvertArguments {
-  fs::path input, folder = "results";
+  fs::path input, output;
   bool json = false;
 };
 
@@ -45,16 +47,30 @@ void print_document(const ConvertArguments& arguments, const io::Json& written, 
   print_json(document);
 }
 
-int convert(const ConvertArguments& arguments) {
+int convert_result(const ConvertArguments& arguments) {
+  const fs::path csv =
+      arguments.output.empty() ? fs::path(arguments.input).replace_extension(".csv") : arguments.output;
+  if (!io::is_csv(csv)) throw Error(csv.string() + ": tables of a result file need a name that ends with .csv");
+  std::vector<std::string> names;
+  for (const fs::path& table : io::write_csv_tables(arguments.input, csv)) names.push_back(table.string());
+  if (arguments.json)
+    print_document(arguments, names, io::Json::array());
+  else
+    print_files(names);
+  return ExitCode::done;
+}
+
+int convert_cases(const ConvertArguments& arguments) {
   std::ifstream input = io::open_input(arguments.input);
   contact_program::InputReader reader(input, arguments.input.string());
-  io::create_folder(arguments.folder);
+  const fs::path folder = arguments.output.empty() ? "results" : arguments.output;
+  io::create_folder(folder);
   const std::string name = arguments.input.stem().string();
   auto written = io::Json::array(), refused = io::Json::array();
   while (const contact_program::Case* c = reader.next()) {
     InterruptGuard::throw_if_interrupted();
     try {
-      const auto path = arguments.folder / fmt::format("{}.{:04}.toml", name, c->number);
+      const auto path = folder / fmt::format("{}.{:04}.toml", name, c->number);
       save(path, contact_program::to_toml(*c, fmt::format("{}, case {}", plain(name), c->number)));
       written.push_back(path.string());
       if (!arguments.json) fmt::print("{}\n", path.string());
@@ -68,21 +84,31 @@ int convert(const ConvertArguments& arguments) {
   return refused.empty() ? ExitCode::done : ExitCode::not_met;
 }
 
+int convert(const ConvertArguments& arguments) {
+  return arguments.input.extension() == ".h5" ? convert_result(arguments) : convert_cases(arguments);
+}
+
 constexpr const char* footer =
-    R"(Writes a case file for microslip solve for each case that is an independent contact with an elliptic area. Cases
+    R"(Of a result file (.h5) of any command writes all numbers as tables of CSV, as exactly as they are: NAME.csv with a
+row for each case or number, and NAME.GROUP.csv for patches, fields and curves. Of an input file of the program CONTACT
+writes a case file for microslip solve for each case that is an independent contact with an elliptic area. Cases
 that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not written.
 
 Example:
+  microslip convert results/wheel/result.h5 -o wheel.csv
   microslip convert examples/sphere_on_plane.inp -o results)";
 
 } // namespace
 
 void add_convert_command(Command& program, int& exit_code) {
-  Command command =
-      program.add_subcommand("convert", "Write the cases of an input file of the program CONTACT as TOML", footer);
+  Command command = program.add_subcommand(
+      "convert", "Write a result file as tables (CSV), or cases of the program CONTACT as TOML", footer);
   ConvertArguments& arguments = command.arguments(exit_code, convert);
-  command.add_option("FILE.inp", arguments.input, "input file, module 3").required();
-  command.add_option("-o,--output FOLDER", arguments.folder, "folder for FILE.0001.toml, ...").capture_default_str();
+  command.add_option("FILE", arguments.input, "result file (.h5), or input file of module 3").required();
+  command.add_option(
+      "-o,--output PATH", arguments.output,
+      "NAME.csv; default: FILE.csv beside FILE.h5. Of cases the folder for FILE.0001.toml, ...; default: "
+      "results");
   add_json_flag(command, arguments.json);
 }
 

@@ -1,7 +1,5 @@
 #include "app/interior_table.hpp"
 
-#include "app/quantity_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,19 +7,18 @@
 
 namespace microslip::app {
 
-void print_interior(const std::string& where, const InteriorGrid& points, const std::vector<InteriorState>& states) {
-  if (states.empty()) return;
-  fmt::print("\n");
+QuantityTable interior_table(const std::string& where, const InteriorGrid& points,
+                             const std::vector<InteriorState>& states) {
   QuantityTable table(
       fmt::format("{}, {} x {} x {} points: extremes", where, points.x.size(), points.y.size(), points.z.size()));
   for (const auto& [name, value, at] : interior_extremes(states))
     table.add(name, value, "Pa",
               fmt::format("at ({:.4g}, {:.4g}, {:.4g}) mm", points.x_of(at) * 1e3, points.y_of(at) * 1e3,
                           points.z_of(at) * 1e3));
-  table.print();
+  return table;
 }
 
-void print_peaks(const LayeredPeaks& peaks) {
+QuantityTable peaks_table(const LayeredPeaks& peaks) {
   const auto name = [&](Body body, int layer) {
     const auto is_last = [&](const LayerPeak& one) { return one.body == body && one.layer > layer; };
     const bool is_layer = std::any_of(peaks.layers.begin(), peaks.layers.end(), is_last) ||
@@ -33,7 +30,6 @@ void print_peaks(const LayeredPeaks& peaks) {
     const auto mm = [](double length) { return std::abs(length) < 1e-9 ? 0 : 1e3 * length; };
     return fmt::format("at ({:.4g}, {:.4g}) mm, {:.4g} mm deep", mm(at.x), mm(at.y), mm(at.depth));
   };
-  fmt::print("\n");
   QuantityTable table("largest stresses inside");
   for (const auto& [body, layer, value, at] : peaks.layers)
     table.add(name(body, layer) + ": von Mises", value, "Pa", place(at));
@@ -42,7 +38,7 @@ void print_peaks(const LayeredPeaks& peaks) {
     table.add(below + ": shear", peak.shear, "Pa", place(peak.shear_place));
     table.add(below + ": tension", peak.tension, "Pa", peak.tension > 0 ? place(peak.tension_place) : "");
   }
-  table.print();
+  return table;
 }
 
 } // namespace microslip::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/quantity_table.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/interior/layered_interior.hpp"
 
@@ -8,10 +9,11 @@
 
 namespace microslip::app {
 
-/// Prints the extremes of the stresses at points inside the bodies after an empty line; nothing without states.
-void print_interior(const std::string& where, const InteriorGrid& points, const std::vector<InteriorState>& states);
+/// The extremes of the stresses at points inside the bodies, at least one.
+QuantityTable interior_table(const std::string& where, const InteriorGrid& points,
+                             const std::vector<InteriorState>& states);
 
-/// Prints the largest stresses of layers and interfaces after an empty line.
-void print_peaks(const LayeredPeaks& peaks);
+/// The largest stresses of layers and interfaces.
+QuantityTable peaks_table(const LayeredPeaks& peaks);
 
 } // namespace microslip::app

@@ -18,6 +18,7 @@ void add_commands(Command& program, int& exit_code) {
   add_batch_command(program, exit_code);
 #ifndef _WIN32
   add_sweep_command(program, exit_code);
+  add_statistics_command(program);
 #endif
   add_init_command(program);
   add_run_command(program, exit_code);

@@ -72,7 +72,7 @@ void QuantityTable::round_to_zero(std::string_view unit, double scale) {
 
 void QuantityTable::add(const std::string& name, double value, const std::string& unit, const std::string& remark) {
   add(name, std::vector<double>{value}, unit);
-  if (!remark.empty()) lines_.back().unit = fmt::format("{:<5} {}", lines_.back().unit, remark);
+  lines_.back().remark = remark;
 }
 
 void QuantityTable::add(const std::string& name, const std::vector<double>& values, const std::string& unit) {
@@ -117,8 +117,19 @@ void QuantityTable::print() const {
       fmt::print("  {}", line.values[0]);
     else
       for (const auto& value : line.values) fmt::print("  {:>{}}", value, values);
-    fmt::print("{}{}\n", line.unit.empty() ? "" : " ", line.unit);
+    const auto unit = line.remark.empty() ? line.unit : fmt::format("{:<5} {}", line.unit, line.remark);
+    fmt::print("{}{}\n", unit.empty() ? "" : " ", unit);
   }
+}
+
+io::Json QuantityTable::json() const {
+  io::Json heads = io::Json::array(), rows = io::Json::array();
+  for (const Line& line : lines_)
+    if (line.name.empty())
+      heads = line.values;
+    else
+      rows.push_back({{"name", line.name}, {"values", line.values}, {"unit", line.unit}, {"remark", line.remark}});
+  return {{"title", title_}, {"heads", heads}, {"rows", rows}};
 }
 
 } // namespace microslip::app

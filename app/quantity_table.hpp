@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/json.hpp"
 #include "microslip/contact/quantities.hpp"
 
 #include <string>
@@ -42,12 +43,14 @@ public:
 
   /// Writes it to standard output.
   void print() const;
+  /// The same texts as `title`, `heads` of the columns and `rows` with `name`, `values`, `unit` and `remark`.
+  io::Json json() const;
 
 private:
   struct Line {
     std::string name;
     std::vector<std::string> values;
-    std::string unit;
+    std::string unit, remark = {};
   };
 
   struct Noise {

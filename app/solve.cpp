@@ -3,25 +3,21 @@
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/hertz.hpp"
-#include "app/interior_table.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
-#include "app/quantity_table.hpp"
-#include "app/wheel_rail_tables.hpp"
+#include "app/result_tables.hpp"
+#include "app/tables.hpp"
 #include "cases/case_document.hpp"
 #include "cases/rolling_contact_result.hpp"
-#include "io/option_words.hpp"
+#include "io/csv_tables.hpp"
 #include "io/output_file.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -35,235 +31,9 @@ namespace fs = std::filesystem;
 
 struct SolveArguments {
   fs::path case_file;
-  fs::path folder;
+  fs::path output; ///< a folder, or the name of a table
   bool no_pictures = false, json = false;
 };
-
-std::string in_units_of(double value, double unit, const std::string& name) {
-  return unit == 0 ? "" : fmt::format("{:.4f} {}", value / unit, name);
-}
-
-std::string percent(double part, double whole) {
-  return fmt::format("{:.1f} %", 100 * part / whole);
-}
-
-void print_hertz(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  const auto assumption = cases::hertz_assumption(input);
-  QuantityTable table(assumption.empty() ? "Hertz" : fmt::format("Hertz, {}", assumption));
-  table.add("normal force", result.contact.normal_force, "N");
-  add_hertz(table, result.hertz);
-  table.print();
-}
-
-/// Forces, moments and areas that are rounding errors are zeros.
-void round_to_zero(QuantityTable& table, const cases::RollingContactResult& result) {
-  const EllipticContact& contact = result.contact;
-  const double length = std::sqrt(contact.a * contact.b);
-  const double limit = contact.friction.static_coefficient() * contact.normal_force;
-  table.round_to_zero("N", limit);
-  table.round_to_zero("N m", limit * length);
-  table.round_to_zero("m^2", 4 * length * length);
-  for (const auto* unit : {"mu Fn", "mu Fn sqrt(a b)"}) table.round_to_zero(unit, 1);
-}
-
-std::string describe_simplified(const io::RollingCase& input) {
-  const SimplifiedOptions options = simplified_options(input.method, input.problem.motion.direction);
-  return fmt::format("{}, {} x {} cells, {} bound, flexibility: {}", cases::simplified_name(input), options.mx,
-                     options.my, io::to_word(options.bound), io::to_word(options.flexibility));
-}
-
-std::string describe_exact(const io::RollingCase& input, int mx, int my) {
-  const Motion& motion = input.problem.motion;
-  const auto text =
-      motion.kind == ContactMotion::shift ? std::string("shift")
-      : motion.kind == ContactMotion::transient
-          ? fmt::format("transient rolling, {} steps", motion.steps)
-          : fmt::format("steady rolling, {}", io::to_word(discretisation_of(input.problem, input.method)));
-  const std::string elements =
-      is_line_contact(input.problem) ? fmt::format("{} strips", mx) : fmt::format("{} x {} elements", mx, my);
-  return fmt::format("exact theory, {}, {}", elements, text);
-}
-
-void print_simplified(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  const auto& simplified = *result.simplified;
-  const ContactSolution& solution = simplified.solution;
-  const Totals& t = solution.totals;
-  const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
-  const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
-  const auto area = t.adhesion_area + t.slip_area;
-  QuantityTable table(describe_simplified(input));
-  round_to_zero(table, result);
-  table.add_quantity("fx", solution, in_units_of(t.fx, limit, "mu Fn"));
-  table.add_quantity("fy", solution, in_units_of(t.fy, limit, "mu Fn"));
-  table.add_quantity("mz", solution, in_units_of(t.mz, moment, "mu Fn sqrt(a b)"));
-  table.add_quantity("adhesion_area", solution, percent(t.adhesion_area, area));
-  table.add_quantity("slip_area", solution, percent(t.slip_area, area));
-  table.add_quantity("frictional_power", solution);
-  table.add("discretisation error of fx", simplified.discretisation_error.fx, "mu Fn");
-  table.add("discretisation error of fy", simplified.discretisation_error.fy, "mu Fn");
-  table.add("discretisation error of mz", simplified.discretisation_error.mz, "mu Fn sqrt(a b)");
-  table.add("discretisation error of power", simplified.discretisation_error.frictional_power, "W");
-  table.add("status", {std::string(to_string(solution.report.status))});
-  if (const auto assumption = cases::simplified_assumption(input); !assumption.empty())
-    table.add("assumes", {assumption});
-  table.print();
-}
-
-/// A theory's column of a table.
-struct TheoryColumn {
-  std::string name;
-  const ContactSolution* solution;
-  cases::DiscretisationError discretisation_error = {}; ///< NaN where there was nothing to compare with
-};
-
-/// The theory that the case asks for and, where it is there, the simplified one beside it.
-std::vector<TheoryColumn> theory_columns(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<TheoryColumn> columns;
-  if (result.exact) columns.push_back({"exact", &result.exact->contact, result.exact->discretisation_error});
-  if (result.table) columns.push_back({"table", &result.table->solution, {none, none, none, none}});
-  if (const auto& simplified = result.simplified)
-    columns.push_back({cases::simplified_name(input), &simplified->solution, simplified->discretisation_error});
-  return columns;
-}
-
-std::vector<std::string> names_of(const std::vector<TheoryColumn>& columns) {
-  std::vector<std::string> names;
-  for (const TheoryColumn& column : columns) names.push_back(column.name);
-  return names;
-}
-
-/// Adds the rows that all theories have, a column for each.
-class TheoryRows {
-public:
-  TheoryRows(QuantityTable& table, const std::vector<TheoryColumn>& columns) : table_(table), columns_(columns) {}
-
-  /// A quantity of the table by its name.
-  void add(std::string_view name) {
-    std::vector<const ContactSolution*> solutions;
-    for (const TheoryColumn& column : columns_) solutions.push_back(column.solution);
-    table_.add_quantity(name, solutions);
-  }
-
-  /// A number that `value` takes from the totals of a theory.
-  template <class Value> void add(const std::string& label, const std::string& unit, const Value& value) {
-    std::vector<double> values;
-    for (const TheoryColumn& column : columns_) values.push_back(value(column.solution->totals));
-    table_.add(label, values, unit);
-  }
-
-  /// An error that `value` takes from the grid errors.
-  void add_error(const std::string& name, const std::string& unit, double cases::DiscretisationError::*value) {
-    std::vector<std::string> texts;
-    for (const TheoryColumn& column : columns_) texts.push_back(error_text(column.discretisation_error.*value));
-    table_.add(name, texts, unit);
-  }
-
-  /// Unit of the first theory, the one that is asked for.
-  std::string unit_of(std::string_view name) const {
-    return std::string(quantity(name).unit_of(*columns_.front().solution));
-  }
-
-  void add_status() {
-    std::vector<std::string> texts;
-    for (const TheoryColumn& column : columns_) texts.emplace_back(to_string(column.solution->report.status));
-    table_.add("status", texts);
-  }
-
-private:
-  static std::string error_text(double error) {
-    constexpr double rounding = 1e-13;
-    return std::isnan(error) ? "none" : fmt::format("{:.6g}", error < rounding ? 0 : error);
-  }
-
-  QuantityTable& table_;
-  const std::vector<TheoryColumn>& columns_;
-};
-
-void add_totals(TheoryRows& rows, const EllipticContact& contact) {
-  const auto limit = contact.friction.static_coefficient() * contact.normal_force;
-  const auto moment = limit * std::sqrt(contact.a * contact.b);
-  for (const auto* name : {"fx", "fy", "mz"}) rows.add(name);
-  if (limit > 0) {
-    rows.add("fx", "mu Fn", [&](const Totals& t) { return t.fx / limit; });
-    rows.add("fy", "mu Fn", [&](const Totals& t) { return t.fy / limit; });
-    rows.add("mz", "mu Fn sqrt(a b)", [&](const Totals& t) { return t.mz / moment; });
-  }
-  for (const auto* name : {"adhesion_area", "slip_area", "frictional_power"}) rows.add(name);
-  rows.add_error("discretisation error of fx", "mu Fn", &cases::DiscretisationError::fx);
-  rows.add_error("discretisation error of fy", "mu Fn", &cases::DiscretisationError::fy);
-  rows.add_error("discretisation error of mz", "mu Fn sqrt(a b)", &cases::DiscretisationError::mz);
-  rows.add_error("discretisation error of power", rows.unit_of("frictional_power"),
-                 &cases::DiscretisationError::frictional_power);
-}
-
-/// Adds what the simplified theory, or a table, neglects.
-void add_assumption(QuantityTable& table, const io::RollingCase& input, const std::string& of) {
-  const auto assumption = cases::simplified_assumption(input);
-  if (!assumption.empty()) table.add(fmt::format("{} assumes", of), {assumption});
-}
-
-void add_limit(QuantityTable& table, const AccurateContact& limit, const io::RollingCase& input) {
-  table.add("limit of fx", limit.forces.fx, "N");
-  table.add("limit of fy", limit.forces.fy, "N");
-  table.add("limit of mz", limit.forces.mz, "N m");
-  if (input.problem.motion.force_x) table.add("limit of the longitudinal creepage", limit.creepage.longitudinal, "-");
-  if (input.problem.motion.force_y) table.add("limit of the lateral creepage", limit.creepage.lateral, "-");
-  table.add("estimated error of the limits", limit.error, "mu Fn");
-}
-
-void print_exact(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  const auto& contact = result.exact->contact;
-  const auto columns = theory_columns(input, result);
-  const auto& limit = result.exact->limit;
-  const auto [mx, my] =
-      limit ? std::pair(limit->elements, limit->elements) : std::pair(input.method.mx, input.method.my);
-  QuantityTable table(describe_exact(input, mx, my), names_of(columns));
-  round_to_zero(table, result);
-  TheoryRows rows(table, columns);
-  add_totals(rows, result.contact);
-  if (limit) add_limit(table, *limit, input);
-  const auto add_found = [&](std::string_view name) {
-    const Quantity& q = quantity(name);
-    table.add(label_of(q, contact) + ", found", q.value(contact), std::string(q.unit_of(contact)));
-  };
-  if (input.problem.motion.force_x) add_found("creepage_longitudinal");
-  if (input.problem.motion.force_y) add_found("creepage_lateral");
-  table.add_quantity("power_by_creepage", contact);
-  table.add_quantity("elastic_energy", contact);
-  if (!input.problem.bodies.are_elastic()) table.add_quantity("my", contact);
-  table.add_quantity("peak_pressure", contact);
-  table.add_quantity("peak_traction", contact);
-  if (!contact.fields.temperature1.empty()) table.add_quantity("highest_temperature", contact);
-  const char* slip_start =
-      input.method.slip_start == SlipStart::above ? ", slip from full sliding" : ", slip from rest";
-  table.add_quantity("residual", contact,
-                     fmt::format("{} Newton steps, {} products{}", contact.report.newton_steps, contact.report.products,
-                                 contact.fields.friction.empty() ? "" : slip_start));
-  rows.add_status();
-  if (result.simplified) add_assumption(table, input, columns.back().name);
-  table.print();
-}
-
-void print_nip(const cases::NipResult& nip) {
-  QuantityTable table("nip");
-  table.round_to_zero("W", nip.nip.traction_capacity);
-  table.round_to_zero("N", nip.nip.traction_capacity);
-  for (const cases::StoredNumber& q : cases::nip_numbers(nip)) table.add(q.description, q.value, q.unit);
-  fmt::print("\n");
-  table.print();
-}
-
-void print_table(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  const auto columns = theory_columns(input, result);
-  QuantityTable table("creep-force table, steady rolling", names_of(columns));
-  round_to_zero(table, result);
-  TheoryRows rows(table, columns);
-  add_totals(rows, result.contact);
-  rows.add_status();
-  add_assumption(table, input, columns.front().name);
-  table.print();
-}
 
 // Input is a RollingCase, a WheelRailCase or a WheelsetCase, Result what solve_case makes of it.
 
@@ -287,43 +57,36 @@ io::Provenance provenance_of(const SolveArguments& arguments, const Input& input
           .case_text = case_text};
 }
 
+/// Files of a result, those that say all of it first.
+struct WrittenFiles {
+  std::vector<std::string> results, pictures;
+};
+
+/// Writes result.h5 into the folder, and the pictures; or the tables.
 template <class Input, class Result>
-void write(const SolveArguments& arguments, const Input& input, const Result& result, const io::Provenance& provenance,
-           const fs::path& file) {
-  io::create_folder(arguments.folder);
-  cases::write_result(input, result, provenance, file);
-  InterruptGuard::throw_if_interrupted();
-}
-
-using app::print_tables; // of wheels on rails
-
-void print_tables(const io::RollingCase& input, const cases::RollingContactResult& result) {
-  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  print_hertz(input, result);
-  fmt::print("\n");
-  if (result.exact)
-    print_exact(input, result);
-  else if (result.table)
-    print_table(input, result);
+WrittenFiles write(const SolveArguments& arguments, const Input& input, const Result& result,
+                   const io::Provenance& provenance) {
+  const bool is_table = io::is_csv(arguments.output);
+  const fs::path folder = is_table ? arguments.output.parent_path() : arguments.output;
+  if (!folder.empty()) io::create_folder(folder);
+  const auto write_file = [&](const fs::path& path) { cases::write_result(input, result, provenance, path); };
+  std::vector<std::string> results = {(folder / io::result_name).string()};
+  if (is_table)
+    results = write_tables(arguments.output, write_file);
   else
-    print_simplified(input, result);
-  if (result.exact && result.exact->nip) print_nip(*result.exact->nip);
-  if (result.exact && result.exact->peaks) print_peaks(*result.exact->peaks);
-  if (result.exact) print_interior("inside the bodies", input.interior, result.exact->interior);
-  fmt::print("\n");
-}
-
-void print_file(const fs::path& file) {
-  fmt::print("{}\n", file.string());
-  std::fflush(stdout);
+    write_file(results.front());
+  InterruptGuard::throw_if_interrupted();
+  if (!arguments.json) print_files(results);
+  const bool is_drawn = !is_table && !arguments.no_pictures;
+  return {results, is_drawn ? draw_pictures(results.front(), folder) : std::vector<std::string>()};
 }
 
 template <class Input, class Result>
-void print_document(const Input& input, const Result& result, const io::Provenance& provenance, const fs::path& file,
-                    std::vector<std::string> pictures) {
+void print_document(const Input& input, const Result& result, const io::Provenance& provenance,
+                    const WrittenFiles& files) {
   io::Json document = cases::case_document(input, result, provenance);
-  pictures.insert(pictures.begin(), file.string());
-  document["files"] = pictures;
+  document["files"] = files.results;
+  for (const std::string& picture : files.pictures) document["files"].push_back(picture);
   print_json(document);
 }
 
@@ -341,20 +104,25 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
   fmt::print(stderr, "microslip: warning: {}: older than result.h5: {}\n", folder.string(), fmt::join(old, ", "));
 }
 
-template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
-  io::require_writable_file_in(arguments.folder, io::result_name);
-  const auto result = solve_with_progress(input, arguments.case_file.filename().string());
-  if (!arguments.json) print_tables(input, result);
-  const auto file = arguments.folder / io::result_name;
-  const io::Provenance provenance = provenance_of(arguments, input, text);
-  write(arguments, input, result, provenance, file);
-  if (!arguments.json) print_file(file);
-  const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw_pictures(file, arguments.folder);
-  if (arguments.json)
-    print_document(input, result, provenance, file, pictures);
+/// Throws Error unless the output can be written: said before long work.
+void require_writable(const fs::path& output) {
+  if (io::is_csv(output))
+    io::require_writable_file_in(output.parent_path(), output.filename());
   else
-    for (const auto& picture : pictures) print_file(picture);
-  warn_of_old_pictures(arguments.folder, pictures);
+    io::require_writable_file_in(output, io::result_name);
+}
+
+template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
+  require_writable(arguments.output);
+  const auto result = solve_with_progress(input, arguments.case_file.filename().string());
+  if (!arguments.json) print_tables(input.title, result_tables(input, result));
+  const io::Provenance provenance = provenance_of(arguments, input, text);
+  const WrittenFiles files = write(arguments, input, result, provenance);
+  if (arguments.json)
+    print_document(input, result, provenance, files);
+  else
+    print_files(files.pictures);
+  if (!io::is_csv(arguments.output)) warn_of_old_pictures(arguments.output, files.pictures);
   print_warnings(arguments.case_file.string(), result.warnings);
   if (result.status == Status::ok) return ExitCode::done;
   fmt::print(stderr, "microslip: warning: {}: {}\n", arguments.case_file.string(), result.reason);
@@ -363,7 +131,7 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
 
 int solve(const SolveArguments& given) {
   SolveArguments arguments = given;
-  if (arguments.folder.empty()) arguments.folder = fs::path("results") / arguments.case_file.stem();
+  if (arguments.output.empty()) arguments.output = fs::path("results") / arguments.case_file.stem();
   const auto text = io::read_case_text(arguments.case_file);
   const auto name = arguments.case_file.string();
   if (io::is_wheelset_case(text, name)) return solve(arguments, io::parse_wheelset_case(text, name), text);
@@ -377,7 +145,8 @@ each. Prints the forces on the wheel in track axes and a column for each patch, 
 [sweep]; with side = "both" those of a wheelset with its height, roll and rolling speed. Of two bodies with
 radii ([body1], [body2]) solves Hertz's problem and then the theory that the file
 asks for; FASTSIM2 stands beside the exact theory and a creep-force table. Prints forces on body 1, the moment,
-areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures. With --json the numbers of
+areas and the frictional power, in units that fit. Writes result.h5 (SI) and pictures, or with -o NAME.csv all
+numbers as tables: NAME.csv and, of fields, patches and curves, NAME.GROUP.csv. With --json the numbers of
 result.h5 but its fields, by the names that they have there, and their units. Exit code 1: not converged.
 
 Example:
@@ -390,8 +159,9 @@ void add_solve_command(Command& program, int& exit_code) {
       "solve", "Solve a wheel on a rail or a Hertzian contact: forces, fields and pictures", footer);
   auto& arguments = command.arguments<SolveArguments>(exit_code, solve);
   command.add_option("CASE.toml", arguments.case_file, "case file (microslip init writes one)").required();
-  command.add_option("-o,--output FOLDER", arguments.folder,
-                     "folder for result.h5 and the pictures; default: results/NAME for NAME.toml");
+  command.add_option("-o,--output FOLDER", arguments.output,
+                     "folder for result.h5 and the pictures, or NAME.csv for tables; default: results/NAME for "
+                     "NAME.toml");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   add_json_flag(command, arguments.json);
 }

@@ -6,9 +6,11 @@
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/progress_bar.hpp"
+#include "app/tables.hpp"
 #include "campaign/launcher.hpp"
 #include "campaign/sweep_file.hpp"
 #include "io/case_file.hpp"
+#include "io/csv_tables.hpp"
 #include "io/output_file.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
@@ -44,7 +46,7 @@ public:
     ranks_.agree([&] {
       if (!ranks_.is_first()) return; // before the checkpoint's folder is made
       io::require_writable_file_in(arguments_.output.parent_path(), arguments_.output.filename());
-      (void)campaign::find_sweep(*sweep_, arguments_.output);
+      (void)find_result();
     });
     const campaign::CampaignPlan plan = sweep_->plan();
     campaign::Campaign campaign(campaign::checkpoint_of(arguments_.output), plan, ranks_);
@@ -69,12 +71,21 @@ private:
     return true;
   }
 
+  /// What an earlier run has written. Throws Error for another file, and for a table, which does not tell of what it
+  /// is.
+  std::optional<campaign::SweepCount> find_result() const {
+    if (!io::is_csv(arguments_.output)) return campaign::find_sweep(*sweep_, arguments_.output);
+    if (fs::exists(arguments_.output))
+      throw Error(arguments_.output.string() + ": is there already; remove it, or name another file");
+    return std::nullopt;
+  }
+
   /// Returns whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
   bool is_complete(campaign::Campaign& campaign) {
     bool is_there = false;
     ranks_.agree([&] {
       if (!ranks_.is_first()) return;
-      const auto found = campaign::find_sweep(*sweep_, arguments_.output);
+      const auto found = find_result();
       if (!found) return;
       is_there = true;
       count_ = *found;
@@ -105,10 +116,16 @@ private:
                                        .case_text = sweep_->spec().text()};
     if (arguments_.output.has_parent_path()) io::create_folder(arguments_.output.parent_path());
     ProgressBar bar(arguments_.output.filename().string());
-    count_ = campaign::write_sweep(*sweep_, campaign, provenance, arguments_.output, [&](double fraction) {
-      bar.update(fraction);
-      return may_go_on(fraction);
-    });
+    const auto write_file = [&](const fs::path& path) {
+      count_ = campaign::write_sweep(*sweep_, campaign, provenance, path, [&](double fraction) {
+        bar.update(fraction);
+        return may_go_on(fraction);
+      });
+    };
+    if (io::is_csv(arguments_.output))
+      write_tables(arguments_.output, write_file);
+    else
+      write_file(arguments_.output);
     campaign.remove();
   }
 
@@ -163,8 +180,9 @@ constexpr const char* footer = R"(SPEC.toml names a case file of `solve` and the
 OUT.h5 has the parameters and all quantities of every case, in their order, and the reasons of those that are
 not solved. Finished chunks of cases are kept in OUT.h5.checkpoint until OUT.h5 is complete: after an
 interruption, a crash or a full disk the same command goes on with what is missing, and ends at once if nothing
-is. Started by mpirun all ranks share the cases. The results are the same to the last bit on any threads and
-ranks. Exit code 1: some cases have another status than ok.
+is. With -o OUT.csv all of it is one table, a row for each case. Started by mpirun all ranks share the cases. The
+results are the same to the last bit on any threads and ranks. Exit code 1: some cases have another status than
+ok.
 
 Example:
   microslip sweep examples/creep_sweep.toml -o creep.h5
@@ -177,7 +195,7 @@ void add_sweep_command(Command& program, int& exit_code) {
       program.add_subcommand("sweep", "Solve many cases: a grid, a list or a random sample of a case's keys", footer);
   SweepArguments& arguments = command.arguments(exit_code, sweep);
   command.add_option("SPEC.toml", arguments.spec, "what varies in which case").required();
-  command.add_option("-o,--output OUT.h5", arguments.output, "result file").required();
+  command.add_option("-o,--output OUT.h5", arguments.output, "result file, or OUT.csv for a table").required();
   command.add_option(
       "--threads COUNT", arguments.threads,
       "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "

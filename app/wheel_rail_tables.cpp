@@ -1,7 +1,6 @@
-#include "app/wheel_rail_tables.hpp"
+#include "app/result_tables.hpp"
 
 #include "app/interior_table.hpp"
-#include "app/quantity_table.hpp"
 #include "io/option_words.hpp"
 #include "microslip/railway/vehicle/wheelset_quantities.hpp"
 
@@ -114,7 +113,7 @@ void round_to_zero(QuantityTable& table, const io::WheelRailSetting& input, doub
   table.round_to_zero("N m", load * input.wheelset.nominal_radius);
 }
 
-void print_wheel(const io::WheelRailCase& input, const WheelRailSolution& solution) {
+QuantityTable wheel_table(const io::WheelRailCase& input, const WheelRailSolution& solution) {
   QuantityTable table(description_of(input));
   round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheel) {
@@ -122,19 +121,19 @@ void print_wheel(const io::WheelRailCase& input, const WheelRailSolution& soluti
     if (!std::isnan(value)) table.add(std::string(label), factor * value, std::string(unit));
   }
   table.add("status", {std::string(to_string(solution.status))});
-  table.print();
+  return table;
 }
 
-void print_wheelset(const io::WheelsetCase& input, const WheelsetSolution& solution) {
+QuantityTable wheelset_table(const io::WheelsetCase& input, const WheelsetSolution& solution) {
   QuantityTable table(description_of(input));
   round_to_zero(table, input, solution.force.z);
   for (const auto& [name, label, unit, factor] : printed_of_wheelset)
     table.add(std::string(label), factor * find(wheelset_quantities(), name).value(solution), std::string(unit));
   table.add("status", {std::string(to_string(solution.status))});
-  table.print();
+  return table;
 }
 
-void print_both_wheels(const WheelsetSolution& solution) {
+QuantityTable both_wheels_table(const WheelsetSolution& solution) {
   QuantityTable table("wheels", {"left", "right"});
   for (const auto& [name, label, unit, factor] : printed_of_wheel) {
     if (name == "vertical" || name == "residual") continue; // the wheelset's
@@ -144,12 +143,11 @@ void print_both_wheels(const WheelsetSolution& solution) {
     table.add(std::string(label), {factor * left, factor * right}, std::string(unit));
   }
   table.add("status", {std::string(to_string(solution.left.status)), std::string(to_string(solution.right.status))});
-  table.print();
+  return table;
 }
 
 /// `heads`: their names.
-void print_patches(const std::vector<WheelRailPatch>& patches, const std::vector<std::string>& heads) {
-  if (patches.empty()) return;
+QuantityTable patches_table(const std::vector<WheelRailPatch>& patches, const std::vector<std::string>& heads) {
   std::vector<std::string> status;
   for (const WheelRailPatch& patch : patches) status.emplace_back(to_string(patch.status));
   QuantityTable table("patches", heads);
@@ -161,24 +159,14 @@ void print_patches(const std::vector<WheelRailPatch>& patches, const std::vector
     table.add(std::string(label), values, std::string(unit));
   }
   table.add("status", status);
-  table.print();
+  return table;
 }
 
 void add_heads(std::vector<std::string>& heads, const std::string& what, std::size_t count) {
   for (std::size_t k = 1; k <= count; ++k) heads.push_back(fmt::format("{} {}", what, k));
 }
 
-/// A column of the table of a sweep.
-struct Column {
-  std::string head, unit;
-  std::vector<std::string> cells;
-
-  std::size_t width() const {
-    std::size_t width = std::max(head.size(), unit.size());
-    for (const auto& cell : cells) width = std::max(width, cell.size());
-    return width;
-  }
-};
+using Column = StateTable::Column;
 
 /// Lengths of the state in mm, everything else as it is.
 PrintedQuantity printed_of_state(std::string_view name, std::string_view unit) {
@@ -271,57 +259,38 @@ std::vector<Column> result_columns(const cases::WheelsetResult& result) {
           column_of(result, "status", "", [](Solution s) { return std::string(to_string(s.status)); })};
 }
 
-template <class Input, class Result> void print_sweep(const Input& input, const Result& result) {
+template <class Input, class Result> StateTable state_table(const Input& input, const Result& result) {
   auto columns = varied_columns(input);
   for (auto& column : result_columns(result)) columns.push_back(std::move(column));
-  fmt::print("{}\n", description_of(input));
-  const auto print_line = [&](const auto& text_of) {
-    std::string line;
-    for (const Column& column : columns) line += fmt::format("  {:>{}}", text_of(column), column.width());
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
-  };
-  print_line([](const Column& column) { return column.head; });
-  print_line([](const Column& column) { return column.unit; });
-  for (std::size_t k = 0; k < result.solutions.size(); ++k)
-    print_line([k](const Column& column) { return column.cells[k]; });
+  return {description_of(input), std::move(columns)};
 }
 
 } // namespace
 
-void print_tables(const io::WheelRailCase& input, const cases::WheelRailResult& result) {
-  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  if (result.solutions.size() > 1) {
-    print_sweep(input, result);
-  } else {
-    print_wheel(input, result.solutions.front());
-    fmt::print("\n");
-    const auto& patches = result.solutions.front().patches;
-    std::vector<std::string> heads;
-    add_heads(heads, "patch", patches.size());
-    print_patches(patches, heads);
-    for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
-      print_interior(fmt::format("below patch {}", patch + 1), input.interior, result.interior[patch]);
-  }
-  fmt::print("\n");
+std::vector<ResultTable> result_tables(const io::WheelRailCase& input, const cases::WheelRailResult& result) {
+  if (result.solutions.size() > 1) return {state_table(input, result)};
+  std::vector<ResultTable> tables = {wheel_table(input, result.solutions.front())};
+  const auto& patches = result.solutions.front().patches;
+  std::vector<std::string> heads;
+  add_heads(heads, "patch", patches.size());
+  if (!patches.empty()) tables.push_back(patches_table(patches, heads));
+  for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
+    if (!result.interior[patch].empty())
+      tables.push_back(
+          interior_table(fmt::format("below patch {}", patch + 1), input.interior, result.interior[patch]));
+  return tables;
 }
 
-void print_tables(const io::WheelsetCase& input, const cases::WheelsetResult& result) {
-  if (!input.title.empty()) fmt::print("{}\n\n", input.title);
-  if (result.solutions.size() > 1) {
-    print_sweep(input, result);
-  } else {
-    const WheelsetSolution& solution = result.solutions.front();
-    print_wheelset(input, solution);
-    fmt::print("\n");
-    print_both_wheels(solution);
-    fmt::print("\n");
-    std::vector<WheelRailPatch> patches = solution.left.patches;
-    patches.insert(patches.end(), solution.right.patches.begin(), solution.right.patches.end());
-    std::vector<std::string> heads;
-    add_heads(heads, "left", solution.left.patches.size()), add_heads(heads, "right", solution.right.patches.size());
-    print_patches(patches, heads);
-  }
-  fmt::print("\n");
+std::vector<ResultTable> result_tables(const io::WheelsetCase& input, const cases::WheelsetResult& result) {
+  if (result.solutions.size() > 1) return {state_table(input, result)};
+  const WheelsetSolution& solution = result.solutions.front();
+  std::vector<ResultTable> tables = {wheelset_table(input, solution), both_wheels_table(solution)};
+  std::vector<WheelRailPatch> patches = solution.left.patches;
+  patches.insert(patches.end(), solution.right.patches.begin(), solution.right.patches.end());
+  std::vector<std::string> heads;
+  add_heads(heads, "left", solution.left.patches.size()), add_heads(heads, "right", solution.right.patches.size());
+  if (!patches.empty()) tables.push_back(patches_table(patches, heads));
+  return tables;
 }
 
 } // namespace microslip::app

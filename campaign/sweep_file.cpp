@@ -3,6 +3,7 @@
 #include "io/result_attribute.hpp"
 #include "io/result_file.hpp"
 #include "microslip/contact/warnings.hpp"
+#include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
 #include "microslip/status.hpp"
 
@@ -172,6 +173,9 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const io::P
   const SweepCount count = writer.finish();
   file.attribute("/", "case", sweep.spec().base_name());
   if (!sweep.spec().base_text().empty()) file.attribute("/", "base_case_text", sweep.spec().base_text());
+  if (const auto& sample = sweep.spec().sample())
+    file.attribute("/", sample_aim_name,
+                   std::string(description::sample_aims[static_cast<std::size_t>(sample->aim())]));
   file.attribute("/", identity_name, std::to_string(campaign.plan().identity));
   file.attribute("/", failed_name, std::to_string(count.failed));
   std::string warnings;

@@ -14,6 +14,8 @@ namespace microslip::campaign {
 
 /// Kind of a sweep's result files.
 inline constexpr const char* sweep_kind = "sweep";
+/// Root attribute of samples: the word of what their cases are for, see SampleAim.
+inline constexpr const char* sample_aim_name = "sample_aim";
 
 /// Outcomes of the cases of a sweep.
 struct SweepCount {

@@ -2,8 +2,10 @@
 
 #include "campaign/hash.hpp"
 #include "campaign/rows.hpp"
+#include "campaign/table_lines.hpp"
 #include "io/case_file.hpp"
 #include "io/csv_line.hpp"
+#include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
 #include "io/toml_path.hpp"
 #include "io/units.hpp"
@@ -12,8 +14,6 @@
 #include "microslip/version.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -26,46 +26,6 @@
 
 namespace microslip::campaign {
 
-/// The values of a parameter: those of a list, or a range.
-struct SweepSpec::Axis {
-  toml::array list = {};            ///< or else
-  std::vector<double> numbers = {}; ///< a column of numbers, or else
-  double from = 0, to = 0;
-  std::string from_text = {}, to_text = {}; ///< the ends as texts with units, until these are converted
-  bool is_logarithmic = false;
-  std::size_t count = 0;     ///< 0: any number between the ends
-  std::string location = {}; ///< for messages: file and line
-
-  CaseValue at(std::size_t i) const {
-    if (!list.empty()) return {.number = 0, .node = list.get(i)};
-    if (!numbers.empty()) return {.number = numbers[i]};
-    return {.number = i + 1 == count && count > 1 ? to : between(count > 1 ? double(i) / double(count - 1) : 0)};
-  }
-  /// Value below which a fraction `part` of them lies.
-  CaseValue at_fraction(double part) const {
-    if (count > 0) return at(std::min(count - 1, static_cast<std::size_t>(part * static_cast<double>(count))));
-    return {.number = between(part)};
-  }
-
-  bool has_units() const {
-    return !from_text.empty() || !to_text.empty() || std::any_of(list.begin(), list.end(), begins_with_number);
-  }
-  void check_ends() const {
-    if (is_logarithmic && from_text.empty() && to_text.empty() && !(from * to > 0))
-      throw Error(location + "a logarithmic scale needs ends of one sign");
-  }
-
-private:
-  static bool begins_with_number(const toml::node& node) {
-    double value = 0;
-    const std::string_view text = node.value_or(std::string_view());
-    return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
-  }
-  double between(double part) const {
-    return is_logarithmic ? from * std::pow(to / from, part) : from + (to - from) * part;
-  }
-};
-
 /// A parameter in the file.
 struct SweepSpec::Entry {
   std::string name;
@@ -77,20 +37,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// SplitMix64 (Steele, Lea and Flood 2014): numbers by their index, without a state.
-std::uint64_t scrambled(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
-/// Random number in [0, 1) of a case and a parameter.
-double random_part(std::uint64_t seed, const std::string& name, std::size_t index) {
-  const std::uint64_t stream = scrambled(hash_of(name) ^ scrambled(seed));
-  return static_cast<double>(scrambled(stream + index * 0x9e3779b97f4a7c15) >> 11) * 0x1p-53;
-}
-
 std::vector<std::string> keys_of(const std::string& name) {
   std::vector<std::string> keys;
   std::stringstream parts(name);
@@ -100,7 +46,7 @@ std::vector<std::string> keys_of(const std::string& name) {
 
 bool is_range(const toml::table& table) {
   const auto is_value = [&](const char* key) { return table.contains(key) && table.get(key)->is_value(); };
-  return table.empty() || is_value("from") || is_value("to") || is_value("count");
+  return table.empty() || is_value("from") || is_value("to") || is_value("count") || is_value("distribution");
 }
 
 /// A number as case files may have it: keys that want a number take a whole one, too.
@@ -114,35 +60,11 @@ void insert(toml::table& table, std::string_view key, const CaseValue& value) {
     table.insert_or_assign(key, value.number);
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), {});
-  if (!file || fs::is_directory(path)) throw Error(path.string() + ": cannot be read");
-  return text;
-}
-
 /// So that up to 20,000 cases each are kept by themselves.
 std::size_t usual_chunk(std::size_t count) {
   constexpr std::size_t fine = 20'000, largest = 64;
   return std::max(std::clamp<std::size_t>((count + fine - 1) / fine, 1, largest),
                   (count + most_chunks - 1) / most_chunks);
-}
-
-/// Calls `add` with fields and number of each line of a table that is not blank; its errors have file and line.
-template <class Add> void visit_lines(std::string_view text, const std::string& file, const Add& add) {
-  std::size_t number = 0;
-  std::optional<io::CsvLine> line;
-  while (!text.empty()) {
-    const auto next = io::take_line(text);
-    ++number;
-    if (io::trimmed(next).empty()) continue;
-    try {
-      if (!line) line.emplace(io::csv_separator(next));
-      add(line->split(next), number);
-    } catch (const Error& error) {
-      throw Error(file + ":" + std::to_string(number) + ": " + error.what());
-    }
-  }
 }
 
 } // namespace
@@ -204,18 +126,19 @@ std::vector<SweepSpec::Entry> SweepSpec::entries_of(const toml::table& section) 
   return entries;
 }
 
-void SweepSpec::add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys) {
-  Axis axis;
+void SweepSpec::add(const Entry& entry, const io::TomlSection& root, std::string_view section,
+                    SweepAxis (*read)(const io::TomlSection&)) {
+  SweepAxis axis;
   bool is_number = true;
-  const std::string location = name_ + ":" + std::to_string(entry.location.begin.line) + ": ";
   if (const auto* list = entry.values->as_array()) {
     if (list->empty()) fail(entry.location, entry.name + ": must have at least one value");
     axis.list = *list;
     axis.count = list->size();
-    axis.location = location;
+    axis.location = name_ + ":" + std::to_string(entry.location.begin.line) + ": ";
     is_number = std::all_of(list->begin(), list->end(), [](const toml::node& node) { return node.is_number(); });
   } else if (const auto* table = entry.values->as_table()) {
-    axis = range_of(root.inside(*table, entry.name, range_keys));
+    axis = read(root.inside(*table, entry.name, section));
+    is_number = axis.list.empty();
   } else {
     fail(entry.location, entry.name + ": must be a list of values or { from = ..., to = ... }");
   }
@@ -223,49 +146,83 @@ void SweepSpec::add(const Entry& entry, const io::TomlSection& root, std::string
     fail(entry.location,
          entry.name + ": names no key that cases have; vary the key itself, e.g. wheel" + entry.name.substr(5));
   parameters_.push_back({entry.name, keys_of(entry.name), is_number});
-  axes_.push_back(std::make_shared<Axis>(std::move(axis)));
-}
-
-SweepSpec::Axis SweepSpec::range_of(const io::TomlSection& range) {
-  range.allow_described();
-  Axis axis;
-  const auto read_end = [&](const char* key, double& value, std::string& text) {
-    if (range.is_text(key))
-      text = range.required_text(key);
-    else
-      value = range.number(key);
-  };
-  read_end("from", axis.from, axis.from_text);
-  read_end("to", axis.to, axis.to_text);
-  axis.is_logarithmic = range.word("scale") == description::sweep_scales[1];
-  axis.location = range.line_of("scale");
-  axis.check_ends();
-  if (range.is_described("count")) axis.count = static_cast<std::size_t>(range.whole("count"));
-  return axis;
+  axes_.push_back(std::move(axis));
 }
 
 void SweepSpec::read_grid(const io::TomlSection& root, const toml::table& section) {
-  for (const Entry& entry : entries_of(section)) add(entry, root, "grid.KEY");
+  for (const Entry& entry : entries_of(section)) add(entry, root, "grid.KEY", range_of);
   if (axes_.empty()) throw Error(name_ + ": [grid]: names no key that varies");
   count_ = 1;
-  for (const auto& axis : axes_) {
-    shape_.push_back(axis->count);
-    if (axis->count > std::size_t{most_cases} / count_)
+  for (const SweepAxis& axis : axes_) {
+    shape_.push_back(axis.count);
+    if (axis.count > std::size_t{most_cases} / count_)
       throw Error(name_ + ": [grid]: more than " + std::to_string(most_cases) + " cases");
-    count_ *= axis->count;
+    count_ *= axis.count;
   }
 }
 
 void SweepSpec::read_sample(const io::TomlSection& root, const toml::table& section) {
   const io::TomlSection sample = root.required_section("sample");
   if (!sample.has("count") || !sample.has("seed")) throw Error(name_ + ": [sample]: needs count and seed");
-  const int count = sample.whole("count"), seed = sample.whole("seed");
+  const std::string before = "correlations.";
   for (const Entry& entry : entries_of(section))
-    if (entry.name != "count" && entry.name != "seed") add(entry, root, "sample.KEY");
+    if (!sample.is_described(entry.name) && !entry.name.starts_with(before))
+      add(entry, root, "sample.KEY", distribution_of);
   if (axes_.empty()) throw Error(name_ + ": [sample]: names no key that varies");
-  is_sample_ = true;
-  count_ = static_cast<std::size_t>(count);
-  seed_ = static_cast<std::uint64_t>(seed);
+  std::vector<std::string> names;
+  for (const SweepParameter& parameter : parameters_) names.push_back(parameter.name);
+  const auto aim = option_of<SampleAim>(description::sample_aims, sample.word("aim"));
+  const auto points = option_of<PointSet>(description::point_sets, sample.word("points"));
+  const std::vector<Correlation> correlations = read_correlations(sample.optional_section("correlations"), section);
+  if (aim == SampleAim::sobol_indices && !correlations.empty())
+    sample.at("aim", [] { throw Error("sample.aim: sobol_indices need keys that vary without correlations"); });
+  sample.at("correlations", [&] {
+    sample_.emplace(aim, points, static_cast<std::size_t>(sample.whole("count")),
+                    static_cast<std::uint64_t>(sample.whole("seed")), names, correlations);
+  });
+  count_ = sample_->cases();
+  if (count_ > std::size_t{most_cases})
+    throw Error(name_ + ": [sample]: " + std::to_string(count_) + " cases, more than " + std::to_string(most_cases));
+}
+
+/// Place of the parameter with a name, that of one of its keys too, which a correlation has.
+std::size_t SweepSpec::correlated(const std::string& name) const {
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const auto& [whole, keys, is_number, unit] = parameters_[k];
+    if (whole != name && std::find(keys.begin(), keys.end(), name) == keys.end()) continue;
+    if (!axes_[k].is_ascending()) throw Error(name + ": is a list, whose values have no order");
+    return k;
+  }
+  std::vector<std::string_view> known;
+  for (const SweepParameter& parameter : parameters_) known.push_back(parameter.name);
+  throw Error(io::printable(name) + " does not vary" + io::suggestion(name, known));
+}
+
+std::vector<Correlation> SweepSpec::read_correlations(const io::TomlSection& correlations,
+                                                      const toml::table& section) const {
+  constexpr std::string_view between = " with ";
+  std::vector<Correlation> all;
+  const auto* table = section.get_as<toml::table>("correlations");
+  if (table == nullptr) return all;
+  for (const auto& [key, value] : *table)
+    correlations.at(key, [&] {
+      const std::string pair(key.str());
+      const std::string name = correlations.full(key) + ": ";
+      const auto place = pair.find(between);
+      if (place == std::string::npos)
+        throw Error(name + "must be of the form \"load.normal_force with friction.coefficient\"");
+      const auto number = value.value<double>();
+      if (!number || !(std::abs(*number) < 1)) throw Error(name + "must be a number between -1 and 1");
+      try {
+        const std::size_t first = correlated(std::string(io::trimmed(pair.substr(0, place)))),
+                          second = correlated(std::string(io::trimmed(pair.substr(place + between.size()))));
+        if (first == second) throw Error("are the same");
+        all.push_back({first, second, *number});
+      } catch (const Error& error) {
+        throw Error(name + error.what());
+      }
+    });
+  return all;
 }
 
 void SweepSpec::read_list(const io::TomlSection& list) {
@@ -297,7 +254,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   if (rows < 2) throw Error(file + ": has no cases: the first line must name keys, each one that follows is a case");
   count_ = rows - 1;
   if (count_ > std::size_t{most_cases}) throw Error(file + ": more than " + std::to_string(most_cases) + " cases");
-  std::vector<Axis> columns(parameters_.size(), Axis{.count = count_, .location = file + ": "});
+  std::vector<SweepAxis> columns(parameters_.size(), SweepAxis{.count = count_, .location = file + ": "});
   rows = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     for (std::size_t k = 0; rows > 0 && k < fields.size(); ++k) {
@@ -312,7 +269,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
     }
     ++rows;
   });
-  for (Axis& column : columns) axes_.push_back(std::make_shared<Axis>(std::move(column)));
+  axes_ = std::move(columns);
 }
 
 std::string SweepSpec::location(std::size_t index) const {
@@ -349,11 +306,11 @@ void SweepSpec::read_chunk(const io::TomlSection& root) {
 }
 
 CaseValue SweepSpec::value(std::size_t index, std::size_t k) const {
-  if (is_sample_) return axes_[k]->at_fraction(random_part(seed_, parameters_[k].name, index));
-  if (shape_.empty()) return axes_[k]->at(index);
+  if (sample_) return axes_[k].at_fraction(sample_->part(index, k));
+  if (shape_.empty()) return axes_[k].at(index);
   std::size_t stride = 1;
   for (std::size_t later = k + 1; later < shape_.size(); ++later) stride *= shape_[later];
-  return axes_[k]->at(index / stride % shape_[k]);
+  return axes_[k].at(index / stride % shape_[k]);
 }
 
 std::string SweepSpec::text_of(std::size_t index, std::size_t k) const {
@@ -382,52 +339,48 @@ void SweepSpec::put(const std::string& path, const CaseValue& value, toml::table
 }
 
 bool SweepSpec::has_units() const {
-  return std::any_of(axes_.begin(), axes_.end(), [](const auto& axis) { return axis->has_units(); });
+  return std::any_of(axes_.begin(), axes_.end(), [](const auto& axis) { return axis.has_units(); });
 }
 
 toml::table SweepSpec::case_as_written(std::size_t index) const {
   toml::table table = base_;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
-    const toml::value<std::string> from(axes_[k]->from_text);
-    if (axes_[k]->from_text.empty())
+    if (axes_[k].texts.empty()) {
       put(k, value(index, k), table);
-    else
-      put(k, {.number = 0, .node = &from}, table);
+    } else {
+      const toml::value<std::string> first(axes_[k].texts.front().text);
+      put(k, {.number = 0, .node = &first}, table);
+    }
   }
   return table;
 }
 
-void SweepSpec::convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const {
+void SweepSpec::convert(SweepAxis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const {
   const SweepParameter& parameter = parameters_[k];
   const auto unit = units.find(parameter.keys.front());
   if (unit == units.end()) return; // texts that begin with a digit
   for (const std::string& key : parameter.keys)
     if (const auto other = units.find(key); other == units.end() || other->second != unit->second)
       throw Error(axis.location + parameter.name + ": keys of different units cannot take the same text with a unit");
-  const auto number = [&](const std::string& text, std::size_t index) {
+  const auto converted = [&](const std::string& text, const std::string& to, std::size_t index) {
     try {
-      return io::number_in_unit(parameter.name, text, unit->second);
+      return io::number_in_unit(parameter.name, text, to);
     } catch (const Error& error) {
       throw Error((list_name_.empty() ? axis.location : location(index)) + error.what());
     }
   };
-  if (!axis.from_text.empty()) axis.from = number(std::exchange(axis.from_text, {}), 0);
-  if (!axis.to_text.empty()) axis.to = number(std::exchange(axis.to_text, {}), 0);
-  axis.check_ends();
-  for (std::size_t i = 0; i < axis.list.size(); ++i)
-    if (const auto* text = axis.list.get_as<std::string>(i)) {
-      const double value = number(text->get(), i);
-      axis.list.replace(axis.list.cbegin() + static_cast<std::ptrdiff_t>(i), value);
-    }
+  const std::string of_difference = unit->second == "deg C" ? "K" : unit->second;
+  axis.convert([&](const std::string& text, std::size_t i) { return converted(text, unit->second, i); },
+               [&](const std::string& text) { return converted(text, of_difference, 0); });
 }
 
 void SweepSpec::convert_units(const io::TomlSection::KeyUnits& units) {
   for (SweepParameter& parameter : parameters_)
     if (const auto unit = units.find(parameter.keys.front()); unit != units.end()) parameter.unit = unit->second;
   for (std::size_t k = 0; k < axes_.size(); ++k) {
-    if (!axes_[k]->has_units()) continue;
-    convert(*axes_[k], k, units);
-    const auto& list = axes_[k]->list;
+    if (!axes_[k].has_units()) continue;
+    convert(axes_[k], k, units);
+    const auto& list = axes_[k].list;
     parameters_[k].is_number = std::all_of(list.begin(), list.end(), [](const auto& node) { return node.is_number(); });
   }
   for (const auto& [key, unit] : units)
@@ -441,6 +394,7 @@ std::uint64_t SweepSpec::identity() const {
   for (const std::string_view part :
        {build.commit, std::string_view(text_), std::string_view(base_text_), std::string_view(list_text_)})
     hash = hash_of(std::to_string(part.size()) + ":", hash_of(part, hash));
+  for (const SweepAxis& axis : axes_) hash = hash_of(axis.table, hash);
   const auto add_file = [&](const toml::node* path) {
     std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);
     hash = hash_of(std::string((std::istreambuf_iterator<char>(file)), {}), hash);
@@ -449,7 +403,7 @@ std::uint64_t SweepSpec::identity() const {
     if (const auto* path = base_.at_path(key).node()) add_file(path);
     for (std::size_t k = 0; k < parameters_.size(); ++k)
       if (std::find(parameters_[k].keys.begin(), parameters_[k].keys.end(), key) != parameters_[k].keys.end())
-        for (const auto& path : axes_[k]->list) add_file(&path);
+        for (const auto& path : axes_[k].list) add_file(&path);
   }
   return hash;
 }

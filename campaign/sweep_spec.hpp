@@ -1,23 +1,17 @@
 #pragma once
 
+#include "campaign/sample.hpp"
+#include "campaign/sweep_axis.hpp"
 #include "io/toml_section.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace microslip::campaign {
-
-/// Value of a parameter in a case: a number, or what a list in the file or a column of a table has.
-struct CaseValue {
-  double number = 0;
-  const toml::node* node = nullptr; ///< instead of the number, if there is one; of the specification
-
-  bool operator==(const CaseValue&) const = default;
-};
 
 /// Parameters that vary from case to case.
 struct SweepParameter {
@@ -56,6 +50,8 @@ public:
   const std::vector<SweepParameter>& parameters() const { return parameters_; }
   /// Shape of a grid: the number of values of each parameter; the last varies fastest. Else empty.
   const std::vector<std::size_t>& shape() const { return shape_; }
+  /// How the cases of a random sample are made; none of a grid or a list.
+  const std::optional<Sample>& sample() const { return sample_; }
   /// Names of the quantities to keep; empty: all.
   const std::vector<std::string>& quantities() const { return quantities_; }
   /// Patches of each wheel to keep.
@@ -74,24 +70,25 @@ public:
   std::uint64_t identity() const;
 
 private:
-  struct Axis;
   struct Entry;
 
   void read_base(const io::TomlSection& root);
   void read_grid(const io::TomlSection& root, const toml::table& section);
   void read_sample(const io::TomlSection& root, const toml::table& section);
+  std::vector<Correlation> read_correlations(const io::TomlSection& correlations, const toml::table& section) const;
+  std::size_t correlated(const std::string& name) const;
   void read_list(const io::TomlSection& list);
   void parse_rows(std::string_view text, const std::string& file);
   void read_headings(const std::vector<std::string_view>& fields, std::vector<std::string>& units);
   void require_distinct_keys() const;
   void read_chunk(const io::TomlSection& root);
   std::vector<Entry> entries_of(const toml::table& section) const;
-  /// `range_keys` is the section of the table of inputs whose keys a range has.
-  void add(const Entry& entry, const io::TomlSection& root, std::string_view range_keys);
-  static Axis range_of(const io::TomlSection& range);
+  /// `read` takes what a table below the key has, described by the keys of `section` in the table of inputs.
+  void add(const Entry& entry, const io::TomlSection& root, std::string_view section,
+           SweepAxis (*read)(const io::TomlSection&));
   void put(std::size_t k, const CaseValue& value, toml::table& table) const;
   void put(const std::string& path, const CaseValue& value, toml::table& table) const;
-  void convert(Axis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
+  void convert(SweepAxis& axis, std::size_t k, const io::TomlSection::KeyUnits& units) const;
   [[noreturn]] void fail(const toml::source_region& location, const std::string& what) const;
 
   std::string title_, text_, name_, base_name_, base_text_;
@@ -99,10 +96,9 @@ private:
   toml::table base_;
   std::size_t count_ = 0, chunk_ = 1;
   std::vector<SweepParameter> parameters_;
-  std::vector<std::shared_ptr<Axis>> axes_; ///< of a grid or a sample, or columns of a list
+  std::vector<SweepAxis> axes_; ///< of a grid or a sample, or columns of a list
   std::vector<std::size_t> shape_;
-  std::uint64_t seed_ = 0;
-  bool is_sample_ = false;
+  std::optional<Sample> sample_;
   std::vector<std::string> quantities_;
   int patches_ = 0;
 };

@@ -216,6 +216,86 @@ TEST(SweepSpec, SamplesAreUniformAndOfTheirSeedAlone) {
   EXPECT_NEAR(static_cast<double>(words) / n, 0.5, sigma / 2);
 }
 
+/// Every part of a Latin hypercube has one case: the middles of ten parts lie beside the quantiles.
+TEST(SweepSpec, SamplesHaveTheDistributionsOfTheirKeys) {
+  const TemporaryFolder folder;
+  save(folder / "speeds.csv", "run,speed [km/h]\n1,72\n2,36\n3,108\n");
+  campaign::SweepSpec spec(std::string("[sample]\ncount = 4000\nseed = 3\npoints = \"latin_hypercube\"\n"
+                                       "a.load = { distribution = \"normal\", mean = \"80 kN\", standard_deviation = "
+                                       "\"8 kN\" }\n"
+                                       "a.temperature = { distribution = \"normal\", mean = \"293.15 K\", "
+                                       "standard_deviation = \"5 K\" }\n"
+                                       "a.speed = { distribution = \"empirical\", file = \"speeds.csv\", column = "
+                                       "\"speed\" }\n"
+                                       "[sample.correlations]\n\"a.temperature with a.load\" = -0.8\n") +
+                               inside,
+                           (folder / "s.toml").string());
+  ASSERT_TRUE(spec.has_units());
+  spec.convert_units({{"a.load", "N"}, {"a.temperature", "deg C"}, {"a.speed", "m/s"}});
+  const std::vector<double> load = numbers(spec, 0), temperature = numbers(spec, 1), speed = numbers(spec, 2);
+  const auto mean = [](const std::vector<double>& values, const auto& of) {
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += of(i);
+    return sum / static_cast<double>(values.size());
+  };
+  EXPECT_NEAR(mean(load, [&](std::size_t i) { return load[i]; }), 80e3, 20);
+  EXPECT_NEAR(mean(load, [&](std::size_t i) { return std::pow(load[i] - 80e3, 2); }), 64e6, 5e5);
+  EXPECT_NEAR(mean(load, [&](std::size_t i) { return temperature[i]; }), 20, 0.3);
+  EXPECT_NEAR(mean(load, [&](std::size_t i) { return (load[i] - 80e3) / 8e3 * (temperature[i] - 20) / 5; }), -0.8,
+              0.03);
+  for (const double value : {10.0, 20.0, 30.0})
+    EXPECT_NEAR(static_cast<double>(std::count(speed.begin(), speed.end(), value)), 4000 / 3.0, 1);
+  EXPECT_EQ(spec.parameters()[2].unit, "m/s");
+  EXPECT_TRUE(spec.parameters()[2].is_number);
+  const std::uint64_t before = spec.identity();
+  save(folder / "speeds.csv", "run,speed [km/h]\n1,72\n2,36\n3,109\n");
+  EXPECT_NE(campaign::SweepSpec(spec.text(), spec.name()).identity(), before);
+}
+
+/// A, B, and one that differs from A in a key alone, where it is as in B.
+TEST(SweepSpec, CasesForSobolsIndicesFollowEachOther) {
+  const campaign::SweepSpec spec(std::string("[sample]\ncount = 8\nseed = 3\npoints = \"sobol\"\naim = "
+                                             "\"sobol_indices\"\na.x = { from = 0, to = 1 }\na.y = { from = 0, to = 1 "
+                                             "}\n") +
+                                     inside,
+                                 "s.toml");
+  ASSERT_EQ(spec.count(), 32u);
+  for (std::size_t i = 0; i < 32; i += 4)
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NE(number(spec, i, k), number(spec, i + 1, k));
+      EXPECT_EQ(number(spec, i + 2, k), number(spec, k == 0 ? i + 1 : i, k));
+      EXPECT_EQ(number(spec, i + 3, k), number(spec, k == 1 ? i + 1 : i, k));
+    }
+}
+
+TEST(SweepSpec, WhatIsWrongWithASampleIsNamed) {
+  const auto refused = [](const std::string& lines, const std::string& what) {
+    expect_refused("[sample]\ncount = 8\nseed = 3\n" + lines + inside, what);
+  };
+  refused("a.x = { distribution = \"norml\", mean = 1 }\n", "s.toml:4: a.x.distribution");
+  refused("a.x = { distribution = \"norml\", mean = 1 }\n", "did you mean normal?");
+  refused("a.x = { distribution = \"normal\", mean = 1 }\n", "s.toml:4: [a.x]: standard_deviation is missing");
+  refused("a.x = { distribution = \"normal\", mean = 1, standard_deviation = -1 }\n",
+          "a.x.standard_deviation = -1 [SI]: must be positive");
+  refused("a.x = { distribution = \"normal\", mean = 1, standard_deviation = 1, mode = 2 }\n",
+          "a.x.mode: needs a.x.distribution = triangular");
+  refused("a.x = { distribution = \"triangular\", from = 1, to = 2, mode = 3 }\n",
+          "s.toml:4: mode = 3 []: must be between from and to");
+  refused("a.x = { distribution = \"empirical\", file = \"no.csv\" }\n", "s.toml:4: no.csv: cannot be read");
+  refused("a.x = { from = 0, to = 1 }\naim = \"all\"\n", "sample.aim");
+  const std::string two = "a.x = { from = 0, to = 1 }\na.y = { from = 0, to = 1 }\na.z = [1, 2]\n";
+  const auto correlated = [&](const std::string& line, const std::string& what) {
+    refused(two + "[sample.correlations]\n" + line + "\n", what);
+  };
+  correlated("\"a.x with a.y\" = 1", "s.toml:8: sample.correlations.a.x with a.y: must be a number between -1 and 1");
+  correlated("\"a.x with a.w\" = 0.5", "\"a.w\" does not vary");
+  correlated("\"a.x with a.z\" = 0.5", "a.z: is a list, whose values have no order");
+  correlated("\"a.x with a.x\" = 0.5", "are the same");
+  correlated("\"a.x and a.y\" = 0.5", "must be of the form");
+  refused("aim = \"sobol_indices\"\n" + two + "[sample.correlations]\n\"a.x with a.y\" = 0.5\n",
+          "sobol_indices need keys that vary without correlations");
+}
+
 TEST(SweepSpec, ABillionCasesTakeNoMemory) {
   const std::string axis = " = { from = 0, to = 1, count = 1000 }\n";
   const campaign::SweepSpec spec("[grid]\na.a" + axis + "a.b" + axis + "a.c" + axis + inside, "s.toml");

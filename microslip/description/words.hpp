@@ -29,6 +29,9 @@ inline constexpr std::array<Word, 3> patch_shapes{"flat", "curved", "conformal"}
 inline constexpr std::array<Word, 2> track_sides{"left", "right"};
 inline constexpr std::array<Word, 2> roll_rules{"equilibrium", "none"};
 inline constexpr std::array<Word, 2> sweep_scales{"linear", "logarithmic"};
+inline constexpr std::array<Word, 5> distributions{"uniform", "normal", "log_normal", "triangular", "empirical"};
+inline constexpr std::array<Word, 3> point_sets{"random", "latin_hypercube", "sobol"};
+inline constexpr std::array<Word, 2> sample_aims{"quantiles", "sobol_indices"};
 
 /// Kinds of cases: of two bodies, a wheel on a rail, a wheelset.
 inline constexpr std::array<Word, 3> case_kinds{"bodies", "wheel", "wheelset"};

@@ -3,7 +3,9 @@
 #include "binding/long_work.hpp"
 #include "binding/paths.hpp"
 #include "campaign/sweep_file.hpp"
+#include "campaign/sweep_statistics.hpp"
 #include "io/case_file.hpp"
+#include "io/json_result.hpp"
 #include "io/output_file.hpp"
 #include "microslip/batch/batch.hpp"
 #include "microslip/error.hpp"
@@ -145,6 +147,18 @@ SweepReport sweep(const py::object& spec, const py::object& output, int threads,
   return {found.cases, found.failed, kept};
 }
 
+/// The document of `microslip statistics --json`.
+py::object sweep_statistics(const py::object& path, const std::vector<std::string>& quantities,
+                            const std::vector<double>& quantiles, const std::string& group_by) {
+  const std::string name = readable_path(path);
+  const auto found =
+      campaign::sweep_statistics(name, {.quantities = quantities, .probabilities = quantiles, .group_by = group_by});
+  io::JsonResult result({.kind = campaign::statistics_kind, .title = found.title, .case_file = name},
+                        io::JsonFields::kept);
+  campaign::write_statistics(found, result);
+  return py::module_::import("json").attr("loads")(io::json_text(result.document()));
+}
+
 } // namespace
 
 void bind_sweep(py::module_& module) {
@@ -164,6 +178,19 @@ void bind_sweep(py::module_& module) {
       "concurrent.futures.Executor, whose workers import\n"
       "microslip and read the files of the specification. The results are the same to the last bit. Returns\n"
       "SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written.");
+  module.def(
+      "sweep_statistics", &sweep_statistics, "path"_a, "quantities"_a = std::vector<std::string>(),
+      "quantiles"_a = campaign::StatisticsOptions().probabilities, "group_by"_a = "",
+      "What the cases in the result file of a sweep say of the distributions of their quantities, all or those that\n"
+      "are named: a dict as `microslip statistics --json` prints it, SI units [-]. Below each quantity's path, "
+      "[\"contact\"][\"fx\"], there are\n"
+      "mean, mean_error, standard_deviation, least, largest, quantiles with the ends of their intervals of 95 %, and "
+      "of "
+      "cases for\n"
+      "Sobol's indices sobol_first and sobol_total with their errors: a list with an entry for each group, the values "
+      "of "
+      "the key\n"
+      "group_by, or one. Cases whose status is not ok are left out. Error for another file and names that it lacks.");
 }
 
 } // namespace microslip::python

@@ -2987,6 +2987,13 @@ def sweep(path: str | os.PathLike[str], output: str | os.PathLike[str], threads:
     microslip and read the files of the specification. The results are the same to the last bit. Returns
     SweepReport; Error for a wrong specification, another sweep's checkpoint, or an output that cannot be written."""
 
+def sweep_statistics(path: str | os.PathLike[str], quantities: list[str] = [], quantiles: list[float] = [0.05, 0.5, 0.95], group_by: str = '') -> object:
+    """What the cases in the result file of a sweep say of the distributions of their quantities, all or those that
+    are named: a dict as `microslip statistics --json` prints it, SI units [-]. Below each quantity's path, ["contact"]["fx"], there are
+    mean, mean_error, standard_deviation, least, largest, quantiles with the ends of their intervals of 95 %, and of cases for
+    Sobol's indices sobol_first and sobol_total with their errors: a list with an entry for each group, the values of the key
+    group_by, or one. Cases whose status is not ok are left out. Error for another file and names that it lacks."""
+
 def traction_bound(bound: Literal["parabolic", "elliptic"], a: float, b: float, normal_force: float, friction: float, x: ArrayLike, y: ArrayLike) -> Any:
     """g(x, y) [Pa] for semi-axes a, b [m], normal force [N] and friction coefficient [-]; 0 outside
     the ellipse. 'parabolic': mu 2 Fn/(pi a b) (1 - (x/a)^2 - (y/b)^2); 'elliptic': mu 3

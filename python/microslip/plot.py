@@ -29,6 +29,7 @@ from microslip.result_file import DAMAGED, ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
 from microslip.sliced_profile_picture import sliced_profile_pictures
 from microslip.solved_contacts import KINDS, read_contacts
+from microslip.statistics_pictures import statistics_pictures
 from microslip.subsurface_pictures import subsurface_pictures
 from microslip.sweep_picture import sweep_pictures
 from microslip.wheel_rail_pictures import wheel_rail_pictures
@@ -47,6 +48,7 @@ PICTURES_OF_KIND = {
     "profile": profile_pictures,
     "refinement": refinement_pictures,
     "sliced_profile": sliced_profile_pictures,
+    "statistics": statistics_pictures,
     "subsurface": subsurface_pictures,
     "sweep": sweep_pictures,
     "wheel_rail": wheel_rail_pictures,
