@@ -18,7 +18,7 @@ QuantityTable interior_table(const std::string& where, const InteriorGrid& point
   return table;
 }
 
-QuantityTable peaks_table(const LayeredPeaks& peaks) {
+QuantityTable peaks_table(const std::string& where, const LayeredPeaks& peaks) {
   const auto name = [&](Body body, int layer) {
     const auto is_last = [&](const LayerPeak& one) { return one.body == body && one.layer > layer; };
     const bool is_layer = std::any_of(peaks.layers.begin(), peaks.layers.end(), is_last) ||
@@ -30,7 +30,7 @@ QuantityTable peaks_table(const LayeredPeaks& peaks) {
     const auto mm = [](double length) { return std::abs(length) < 1e-9 ? 0 : 1e3 * length; };
     return fmt::format("at ({:.4g}, {:.4g}) mm, {:.4g} mm deep", mm(at.x), mm(at.y), mm(at.depth));
   };
-  QuantityTable table("largest stresses inside");
+  QuantityTable table("largest stresses " + where);
   for (const auto& [body, layer, value, at] : peaks.layers)
     table.add(name(body, layer) + ": von Mises", value, "Pa", place(at));
   for (const InterfacePeak& peak : peaks.interfaces) {

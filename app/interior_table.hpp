@@ -13,7 +13,7 @@ namespace microslip::app {
 QuantityTable interior_table(const std::string& where, const InteriorGrid& points,
                              const std::vector<InteriorState>& states);
 
-/// The largest stresses of layers and interfaces.
-QuantityTable peaks_table(const LayeredPeaks& peaks);
+/// The largest stresses of layers and interfaces, `where`: "inside".
+QuantityTable peaks_table(const std::string& where, const LayeredPeaks& peaks);
 
 } // namespace microslip::app

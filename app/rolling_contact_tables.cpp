@@ -250,7 +250,7 @@ std::vector<ResultTable> result_tables(const io::RollingCase& input, const cases
                                   : simplified_table(input, result));
   if (!result.exact) return tables;
   if (result.exact->nip) tables.push_back(nip_table(*result.exact->nip));
-  if (result.exact->peaks) tables.push_back(peaks_table(*result.exact->peaks));
+  if (result.exact->peaks) tables.push_back(peaks_table("inside", *result.exact->peaks));
   if (!result.exact->interior.empty())
     tables.push_back(interior_table("inside the bodies", input.interior, result.exact->interior));
   return tables;

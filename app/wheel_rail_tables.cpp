@@ -274,6 +274,8 @@ std::vector<ResultTable> result_tables(const io::WheelRailCase& input, const cas
   std::vector<std::string> heads;
   add_heads(heads, "patch", patches.size());
   if (!patches.empty()) tables.push_back(patches_table(patches, heads));
+  for (std::size_t patch = 0; patch < result.peaks.size(); ++patch)
+    tables.push_back(peaks_table(fmt::format("below patch {}", patch + 1), result.peaks[patch]));
   for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
     if (!result.interior[patch].empty())
       tables.push_back(

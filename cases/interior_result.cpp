@@ -28,20 +28,20 @@ void write_interior(io::ResultWriter& file, const std::string& group, const Inte
   field("von_mises", "Pa", "von Mises' equivalent stress", [](State s) { return von_mises(s.stress); });
 }
 
-void write_peaks(io::ResultWriter& file, const LayeredPeaks& peaks) {
-  const auto group = [](Body body, int layer) {
-    return "layers/body" + std::string(body == Body::first ? "1" : "2") + "/layer" + std::to_string(layer + 1) + "/";
+void write_peaks(io::ResultWriter& file, const std::string& group, const LayeredPeaks& peaks) {
+  const auto layer_group = [&](Body body, int layer) {
+    return group + "body" + std::string(body == Body::first ? "1" : "2") + "/layer" + std::to_string(layer + 1) + "/";
   };
   const auto place = [&](const std::string& path, const InteriorPoint& at, const std::string& of) {
     file.array(path, std::vector{at.x, at.y, at.depth}, "m", "x, y and depth of " + of);
   };
   for (const auto& [body, layer, value, at] : peaks.layers) {
-    file.scalar(group(body, layer) + "von_mises", value, "Pa",
+    file.scalar(layer_group(body, layer) + "von_mises", value, "Pa",
                 "largest von Mises' stress in the layer or, below all, the body");
-    place(group(body, layer) + "von_mises_at", at, "it");
+    place(layer_group(body, layer) + "von_mises_at", at, "it");
   }
   for (const InterfacePeak& peak : peaks.interfaces) {
-    const std::string below = group(peak.body, peak.layer);
+    const std::string below = layer_group(peak.body, peak.layer);
     file.scalar(below + "interface_shear", peak.shear, "Pa",
                 "largest shear stress between the layer and what is below");
     place(below + "interface_shear_at", peak.shear_place, "it");

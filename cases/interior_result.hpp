@@ -15,9 +15,9 @@ namespace microslip::cases {
 void write_interior(io::ResultWriter& file, const std::string& group, const InteriorGrid& points,
                     const std::vector<InteriorState>& states);
 
-/// Writes layers/body1/layer1/von_mises and so on, layers counted from 1, and of the interface below each shear and
-/// tension.
-void write_peaks(io::ResultWriter& file, const LayeredPeaks& peaks);
+/// Writes body1/layer1/von_mises and so on into a group, "layers/", say, layers counted from 1, and of the interface
+/// below each shear and tension.
+void write_peaks(io::ResultWriter& file, const std::string& group, const LayeredPeaks& peaks);
 
 /// The extremes of the stresses at some points inside the bodies: `value` [Pa] and `x`, `y`, `z` [m] of each measure.
 io::Json extremes_json(const InteriorGrid& points, const std::vector<InteriorState>& states);

@@ -383,7 +383,7 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     write_interior(file, "interior/", input.interior, exact->interior);
     if (exact->limit) write_limit(file, *exact->limit);
     if (exact->nip) write(file, nip_numbers(*exact->nip));
-    if (exact->peaks) write_peaks(file, *exact->peaks);
+    if (exact->peaks) write_peaks(file, "layers/", *exact->peaks);
     if (exact->curve) write_curve(file, "exact", *exact->curve);
     if (exact->curve && !result.simplified) write_curve_point(file, *exact->curve, result.contact);
   }

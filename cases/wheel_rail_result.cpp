@@ -289,7 +289,9 @@ WheelRailResult solve_case(const io::WheelRailCase& input, const Progress& progr
 
 WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, const Progress& progress) {
   const bool has_points = input.interior.count() > 0, is_single = input.states.size() == 1;
+  const std::optional<LayeredBodies> layered = input.layers.on(input.material);
   std::vector<std::vector<InteriorState>> interior;
+  std::vector<LayeredPeaks> peaks;
   auto result =
       solve_states<WheelRailResult>(input, progress, [&](const io::LoadedWheelState& s, const Progress& within) {
         solver.reset(); // states do not depend on each other
@@ -298,11 +300,15 @@ WheelRailResult solve_case(const io::WheelRailCase& input, WheelRail& solver, co
           if (has_points)
             interior.push_back(interior_states(io::interior_body(input, Body::first),
                                                io::interior_body(input, Body::second), fields, input.interior, within));
+        if (layered && is_single)
+          for (const ContactSolution& fields : solution.fields)
+            peaks.push_back(layered_peaks(*layered, fields, within));
         // Of a sweep with the theory fastsim2 they were needed for stresses only.
         if (!is_single && input.method.theory == Theory::fastsim2) solution.fields.clear();
         return solution;
       });
   result.interior = std::move(interior);
+  result.peaks = std::move(peaks);
   add_warnings(solutions_of(result), "", result.warnings);
   return result;
 }
@@ -337,6 +343,8 @@ void write_result(const io::WheelRailCase& input, const WheelRailResult& result,
   write_fields(file, "", solutions, input.strength);
   for (std::size_t patch = 0; patch < result.interior.size(); ++patch)
     write_interior(file, "interior/" + std::to_string(patch) + "/", input.interior, result.interior[patch]);
+  for (std::size_t patch = 0; patch < result.peaks.size(); ++patch)
+    write_peaks(file, "layers/" + std::to_string(patch) + "/", result.peaks[patch]);
   write_warnings(file, result.warnings);
 }
 

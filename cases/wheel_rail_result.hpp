@@ -3,6 +3,7 @@
 #include "io/json_result.hpp"
 #include "io/result_writer.hpp"
 #include "io/wheel_rail_case.hpp"
+#include "microslip/interior/layered_interior.hpp"
 #include "microslip/progress.hpp"
 
 #include <filesystem>
@@ -15,6 +16,7 @@ namespace microslip::cases {
 struct WheelRailResult {
   std::vector<WheelRailSolution> solutions;         ///< of each state
   std::vector<std::vector<InteriorState>> interior; ///< of each patch, of all states; empty without points
+  std::vector<LayeredPeaks> peaks;                  ///< of each patch of a single state, where the bodies have layers
   Status status = Status::ok;                       ///< the first one that is not ok
   std::string reason;                ///< of it, with the number of states it concerns; empty if all are ok
   std::vector<std::string> warnings; ///< of the profiles, and of results that are not to be trusted

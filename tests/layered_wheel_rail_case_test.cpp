@@ -1,10 +1,12 @@
 // Layers on wheels and rails in case files.
 
+#include "cases/wheel_rail_result.hpp"
 #include "io/case_inputs.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "tests/support/case_text.hpp"
 #include "tests/support/expect_error.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -80,6 +82,30 @@ TEST(LayeredWheelRailCase, AWheelsetIsBalancedOnItsLayers) {
   EXPECT_NEAR(coated.left.force.z + coated.right.force.z, 120e3, 1e-4 * 120e3);
   EXPECT_LT(coated.left.patches[0].peak_pressure, plain.left.patches[0].peak_pressure);
   EXPECT_LT(coated.right.patches[0].peak_pressure, plain.right.patches[0].peak_pressure);
+}
+
+/// What a case of one state finds is no less than the states inside at some points.
+TEST(LayeredWheelRailCase, TheLargestStressesOfLayersAreThoseBelowEachPatch) {
+  io::WheelRailCase input = parse(layered(wheel_rail_text, on_wheel));
+  input.method.elements = 8;
+  input.interior = {{-1e-3, 0, 1e-3}, {0, 1e-3}, {5e-5, 9.9e-5, 5e-4}};
+  const cases::WheelRailResult result = cases::solve_case(input);
+  ASSERT_EQ(result.status, Status::ok);
+  ASSERT_EQ(result.peaks.size(), result.solutions.front().patches.size());
+  const LayeredPeaks& peaks = result.peaks.front();
+  ASSERT_EQ(peaks.layers.size(), 3u); // coating, wheel, rail
+  ASSERT_EQ(peaks.interfaces.size(), 1u);
+  double in_coating = 0, in_wheel = 0;
+  for (std::size_t k = 0; k < result.interior.front().size(); ++k) {
+    double& largest = input.interior.z_of(k) < 1e-4 ? in_coating : in_wheel;
+    largest = std::max(largest, von_mises(result.interior.front()[k].stress));
+  }
+  EXPECT_GT(in_coating, 0);
+  EXPECT_LE(in_coating, 1.01 * peaks.layers[0].von_mises);
+  EXPECT_LE(in_wheel, 1.01 * peaks.layers[1].von_mises);
+  const io::Json document = cases::case_document(input, result, {});
+  EXPECT_EQ(document["layers"][0]["body1"]["layer1"]["von_mises"].get<double>(), peaks.layers[0].von_mises);
+  EXPECT_GT(document["layers"][0]["body1"]["layer1"]["interface_shear"].get<double>(), 0);
 }
 
 TEST(LayeredWheelRailCase, MistakesHaveTheirPlace) {

@@ -129,9 +129,10 @@ bool report_creep_force(Report& report, const StudyOptions& options) {
 void report_load_spread(Report& report) {
   constexpr std::size_t few = 1024, direct = 100'000;
   constexpr std::array<double, 3> probabilities{0.05, 0.5, 0.95};
-  report.heading(fmt::format("A load with a spread of 10 %: quantiles by {} points of Sobol's sequence over those of {} "
-                             "direct cases",
-                             few, direct));
+  report.heading(
+      fmt::format("A load with a spread of 10 %: quantiles by {} points of Sobol's sequence over those of {} "
+                  "direct cases",
+                  few, direct));
   ScatteredWheel wheel;
   const auto totals = [&](PointSet set, std::size_t count) {
     const Sample sample(SampleAim::quantiles, set, count, 1, {"load"}, {});
