@@ -14,8 +14,8 @@ namespace microslip::io {
 ///   NAME.numbers.csv;
 /// - NAME.GROUP.csv has the arrays of a group, a row for each entry: patches, cells with their places, points.
 ///
-/// Only the `shape` of a grid of a sweep is left out, which its parameters tell. All files appear whole, or none. Throws
-/// Error with a file's name. Memory does not depend on the length of arrays.
+/// Only the `shape` of a grid of a sweep is left out, which its parameters tell. All files appear whole, or none.
+/// Throws Error with a file's name. Memory does not depend on the length of arrays.
 std::vector<std::filesystem::path> write_csv_tables(const std::filesystem::path& result_file,
                                                     const std::filesystem::path& csv);
 

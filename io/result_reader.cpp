@@ -66,10 +66,10 @@ void ResultReader::find_members(hid_t group, const std::string& path) {
 void ResultReader::find_attributes(hid_t group, const std::string& path) {
   const int count = check(H5Aget_num_attrs(group), path);
   for (int i = 0; i < count; ++i) {
-    const Hdf5Handle attribute(check(H5Aopen_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, static_cast<hsize_t>(i),
-                                                    H5P_DEFAULT, H5P_DEFAULT),
-                                     path),
-                               H5Aclose);
+    const Hdf5Handle attribute(
+        check(H5Aopen_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, static_cast<hsize_t>(i), H5P_DEFAULT, H5P_DEFAULT),
+              path),
+        H5Aclose);
     std::array<char, 256> name{};
     check(H5Aget_name(attribute.get(), name.size(), name.data()), path);
     attributes_.push_back({path, name.data(), attribute_text(attribute.get(), path)});

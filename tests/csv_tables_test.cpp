@@ -123,8 +123,8 @@ TEST(CsvTables, SortNumbersFieldsPointsAndCurves) {
   }
   const auto names = io::write_csv_tables(folder / "r.h5", folder / "t.csv");
   EXPECT_EQ(names.front(), folder / "t.csv");
-  EXPECT_EQ(folder.entries(), (Names{"r.h5", "t.csv", "t.curve.csv", "t.curve.long.csv", "t.exact.fields.csv",
-                                     "t.inside.csv"}));
+  EXPECT_EQ(folder.entries(),
+            (Names{"r.h5", "t.csv", "t.curve.csv", "t.curve.long.csv", "t.exact.fields.csv", "t.inside.csv"}));
   EXPECT_EQ(contents(folder / "t.csv"), "name,value,unit,description\n"
                                         "exact/at[0],1,m,place\n"
                                         "exact/at[1],-0,m,place\n"
@@ -133,8 +133,7 @@ TEST(CsvTables, SortNumbersFieldsPointsAndCurves) {
                                         "exact/limit,inf,N,\"a \"\"limit\"\"\"\n"
                                         "exact/none,,N,not there\n"
                                         "exact/status,ok,-,how it ended\n");
-  EXPECT_EQ(contents(folder / "t.exact.fields.csv"),
-            "y [m],px [Pa],state\n7,1,0\n7,2,1\n7,3,2\n8,4,0\n8,5,1\n8,6,2\n");
+  EXPECT_EQ(contents(folder / "t.exact.fields.csv"), "y [m],px [Pa],state\n7,1,0\n7,2,1\n7,3,2\n8,4,0\n8,5,1\n8,6,2\n");
   EXPECT_EQ(contents(folder / "t.inside.csv"), "x [m],y [m],z [m],ux [m]\n1,4,5,11\n2,4,5,12\n3,4,5,13\n"
                                                "1,4,6,14\n2,4,6,15\n3,4,6,16\n");
   EXPECT_EQ(contents(folder / "t.curve.csv"), "fx [N],fy [N]\n1,3\n2,4\n");
