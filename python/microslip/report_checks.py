@@ -49,14 +49,14 @@ def of_two_bodies(result):
         limit = float(np.sum(area * result.array(f"{theory}/fields/bound", dimensions=2, finite=False)))
         if f"{theory}/fields/pressure" in result:
             pressure = result.array(f"{theory}/fields/pressure", dimensions=2, finite=False)
-            yield label, "pressures, normal force", np.sum(area * pressure), normal, "N", normal
+            yield label, "pressures = normal force", np.sum(area * pressure), normal, "N", normal
         for traction, force in ((px, "fx"), (py, "fy")):
-            yield label, f"tractions, {force}", np.sum(area * traction), result.number(f"{theory}/{force}"), "N", limit
+            yield label, f"tractions = {force}", np.sum(area * traction), result.number(f"{theory}/{force}"), "N", limit
         if theory == "exact" and "nip/slip_power" not in result and f"{theory}/power_by_creepage" in result:
             power, unit = result.number(f"{theory}/frictional_power"), result.unit(f"{theory}/frictional_power")
-            yield label, "power of friction, of forces", power, result.number(f"{theory}/power_by_creepage"), unit, abs(power)
+            yield label, "power of friction = of the forces", power, result.number(f"{theory}/power_by_creepage"), unit, abs(power)
     if "nip/slip_power" in result:
-        yield "nip", "power of drives, slip and hysteresis", *nip_power(result)
+        yield "nip", "power of drives = slip + hysteresis", *nip_power(result)
 
 
 def nip_power(result):
@@ -80,13 +80,13 @@ def of_wheel(result, side):
     sums = {"x": fx, "y": fy * cosine - normal * sine, "z": normal * cosine + fy * sine}
     for axis, values in sums.items():
         total = np.bincount(state.astype(int), values, minlength=len(force[axis]))
-        yield label, f"patches, F{axis}", total, force[axis], "N", np.abs(force["z"])
+        yield label, f"patches = F{axis}", total, force[axis], "N", np.abs(force["z"])
     whole = result.array(f"{side}wheel/frictional_power", finite=False)
     total = np.bincount(state.astype(int), power, minlength=len(whole))
-    yield label, "power of the patches, of the wheel", total, whole, "W", np.abs(whole)
+    yield label, "power of patches = of the wheel", total, whole, "W", np.abs(whole)
     if not side and "states/vertical_force" in result:
         load = result.array("states/vertical_force", finite=False)
-        yield label, "Fz, the load given", force["z"], load, "N", np.abs(load)
+        yield label, "Fz = load given", force["z"], load, "N", np.abs(load)
 
 
 def of_wheelset(result):
@@ -94,7 +94,7 @@ def of_wheelset(result):
     vertical = result.array("wheelset/force_z", finite=False)
     for axis in "yz":
         both = sum(result.array(f"{side}/wheel/force_{axis}", finite=False) for side in ("left", "right"))
-        yield "wheelset", f"both wheels, F{axis}", both, result.array(f"wheelset/force_{axis}", finite=False), "N", np.abs(vertical)
+        yield "wheelset", f"both wheels = F{axis}", both, result.array(f"wheelset/force_{axis}", finite=False), "N", np.abs(vertical)
     if "states/vertical_force" in result:
         load = result.array("states/vertical_force", finite=False)
-        yield "wheelset", "Fz, the load given", vertical, load, "N", np.abs(load)
+        yield "wheelset", "Fz = load given", vertical, load, "N", np.abs(load)

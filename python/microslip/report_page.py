@@ -11,7 +11,7 @@ import matplotlib
 from markupsafe import Markup
 
 from microslip import plot
-from microslip.picture_style import SETTINGS, THEORIES
+from microslip.picture_style import BLACK, SETTINGS, THEORIES, new_figure, open_axes
 from microslip.report_checks import checks
 from microslip.report_sweep import sweep_tables
 from microslip.report_template import FOLDER, address, environment, is_number, template_name
@@ -21,6 +21,7 @@ RESOLUTION = 200  # pixels in an inch of a picture
 TEXT_WIDTH = 7.1  # inches of a printed page
 # Pictures on the page: their scale, and that of those higher than so many inches, of which two fit a page.
 SCALE, SCALE_OF_TALL, TALL = 0.6, 0.46, 7.0
+BODIES = ("rail", "wheel", "left_rail", "right_rail", "left_wheel", "right_wheel")
 # Rows of the printed tables that are errors of the method, not results.
 ERRORS = ("discretisation error", "estimated error", "residual", "largest residual")
 WIDE_FROM = 4  # columns of numbers that do not fit half a page
@@ -44,7 +45,8 @@ LIMITS = ("Bodies are half-spaces at the scale of the contact, which is to be sm
           "they have layers.",
           "Linear elasticity: nothing yields. Smooth surfaces, dry friction by the law and the coefficient given.",
           "Quasi-static: no inertia of the material.")
-LIMITS_ON_RAILS = ("Wheel and rail are placed as rigid bodies; axle, wheel and rail do not bend.",)
+LIMITS_ON_RAILS = ("Wheel and rail are placed as rigid bodies; axle, wheel and rail do not bend.",
+                   "The error of the grid is not estimated for wheels on rails: solution.grid of twice as many elements tells it.")
 
 
 def write(document, output, form, template):
@@ -105,7 +107,7 @@ def facts(document, result):
     if date:
         rows.append(("date", date))
     rows.append(("program", f"microslip {document['version']}, commit {document['commit']}"))
-    for body in ("rail", "wheel", "left_rail", "right_rail", "left_wheel", "right_wheel"):
+    for body in BODIES:
         if f"profiles/{body}" in result:
             points = result.shape(f"profiles/{body}/y")[0]
             rows.append((f"profile of the {body.replace('_', ' ')}", f"{result.group_attribute(f'profiles/{body}', 'source')}, {points} points"))
@@ -203,6 +205,9 @@ def pictures(result_file):
     found = plot.figures(result_file)
     if "tractions.png" in found:
         found.pop("areas.png", None)  # whose border the tractions show
+    with ResultFile(result_file) as result:
+        if "gap.png" not in found and "profiles" in result:
+            found = {"profiles.png": profiles_picture(result), **found}
     shown = []
     for name, figure in found.items():
         width, height = figure.get_size_inches()
@@ -210,6 +215,20 @@ def pictures(result_file):
         shown.append({"name": Path(name).stem.replace("_", " "), "address": address(png(figure), name),
                       "percent": f"{min(100.0, 100 * scale * width / TEXT_WIDTH):.0f}"})
     return shown
+
+
+def profiles_picture(result):
+    """The profiles that were read, each in its own axes."""
+    names = [name for name in BODIES if f"profiles/{name}" in result]
+    figure = new_figure(2.8 * max(2, len(names)), 2.4)
+    for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
+        axes.plot(*(1e3 * result.array(f"profiles/{name}/{axis}") for axis in "yz"), color=BLACK, linewidth=1.2)
+        axes.set_title(name.replace("_", " "))
+        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_xlabel("y [mm]")
+        axes.set_ylabel("z [mm], up")
+        open_axes(axes)
+    return figure
 
 
 def png(figure):

@@ -64,33 +64,33 @@ class Checks(unittest.TestCase):
     """Balances that hold, and each of them broken."""
 
     def test_balances_of_two_bodies_hold(self):
-        self.assertEqual(apart(two_bodies()), {"pressures, normal force": 0, "tractions, fx": 0, "tractions, fy": 0,
-                                               "power of friction, of forces": 0})
+        self.assertEqual(apart(two_bodies()), {"pressures = normal force": 0, "tractions = fx": 0, "tractions = fy": 0,
+                                               "power of friction = of the forces": 0})
 
     def test_each_broken_balance_of_two_bodies_is_told(self):
-        for changed, name, by in (({"exact__fx": -6}, "tractions, fx", 1 / 8), ({"exact__fy": 2}, "tractions, fy", 2 / 8),
-                                  ({"hertz__normal_force": 40}, "pressures, normal force", 10 / 40),
-                                  ({"exact__power_by_creepage": 14}, "power of friction, of forces", 1)):
+        for changed, name, by in (({"exact__fx": -6}, "tractions = fx", 1 / 8), ({"exact__fy": 2}, "tractions = fy", 2 / 8),
+                                  ({"hertz__normal_force": 40}, "pressures = normal force", 10 / 40),
+                                  ({"exact__power_by_creepage": 14}, "power of friction = of the forces", 1)):
             found = apart(two_bodies(**changed))
             self.assertAlmostEqual(found.pop(name), by, delta=0.05 * by)
             self.assertEqual(set(found.values()), {0})
 
     def test_the_worst_state_of_a_wheel_is_told(self):
         self.assertLess(max(apart(wheel()).values()), 1e-15)
-        row = next(row for row in checks(wheel(wheel__force_x=[3, 4])) if row["name"] == "patches, Fx")
+        row = next(row for row in checks(wheel(wheel__force_x=[3, 4])) if row["name"] == "patches = Fx")
         self.assertEqual((row["left"], row["right"], row["unit"]), ("3", "4", "N"))
-        self.assertGreater(apart(wheel(states__vertical_force=[120, 90]))["Fz, the load given"], 0.05)
+        self.assertGreater(apart(wheel(states__vertical_force=[120, 90]))["Fz = load given"], 0.05)
 
     def test_states_without_a_result_are_left_out(self):
         nothing = wheel(wheel__force_x=[3, np.nan], wheel__force_y=[9, np.nan], wheel__force_z=[120, np.nan])
-        self.assertEqual(apart(nothing)["patches, Fx"], 0)
+        self.assertEqual(apart(nothing)["patches = Fx"], 0)
 
     def test_a_nip_takes_the_power_that_it_loses(self):
         nip = {"nip__slip_power": 3, "nip__hysteresis_power": 12, "nip__drive1": -10, "nip__drive2": 20, "inputs__motion__rolling_speed": 2,
                "exact__creepage_longitudinal": -0.25}
         found = apart(two_bodies(**nip))  # -10 N at 2.25 m/s, 20 N at 1.75 m/s: 12.5 W of 15 W
-        self.assertAlmostEqual(found["power of drives, slip and hysteresis"], 2.5 / 15, delta=0.01)
-        self.assertNotIn("power of friction, of forces", found)
+        self.assertAlmostEqual(found["power of drives = slip + hysteresis"], 2.5 / 15, delta=0.01)
+        self.assertNotIn("power of friction = of the forces", found)
 
 
 class Typesetting(unittest.TestCase):
