@@ -7,7 +7,7 @@ namespace microslip::app {
 
 /// How a module of the Python package has ended.
 struct PythonRun {
-  int code = 0; ///< as run_child returns it
+  int code = 0;                                        ///< as run_child returns it
   std::vector<std::string> output = {}, messages = {}; ///< lines of its output and errors
 
   /// Message of the module on its input, without its name; else empty.

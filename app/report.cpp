@@ -40,7 +40,7 @@ void run_module(const std::vector<std::string>& arguments) {
   const PythonRun run = run_python_module(module, arguments);
   if (run.code == 0) return;
   if (const std::string text = run.said_of_input(module); !text.empty()) throw Error(text);
-  const std::string why = run.code < 0            ? std::generic_category().message(-run.code)
+  const std::string why = run.code < 0           ? std::generic_category().message(-run.code)
                           : run.messages.empty() ? fmt::format("it ended with code {}", run.code)
                                                  : run.messages.back();
   throw Error(fmt::format("the report cannot be made by {}: {}", python(), why));
@@ -74,8 +74,8 @@ io::Json inputs_json(const io::ReadInputs& inputs, const description::InputTable
   io::Json rows = io::Json::array();
   for (const auto& [path, read] : inputs) {
     const std::size_t end = path.rfind('.'); // of the section's name
-    const description::Input* input = end == std::string::npos ? table.find("", path)
-                                                               : table.find(path.substr(0, end), path.substr(end + 1));
+    const description::Input* input =
+        end == std::string::npos ? table.find("", path) : table.find(path.substr(0, end), path.substr(end + 1));
     if (input == nullptr || (input->is_state && !read.is_given) || path == "title") continue;
     const auto [value, unit] = std::visit(InputText(read.unit), read.value);
     const auto line = lines.find(path);
@@ -152,8 +152,8 @@ Outcome report_sweep([[maybe_unused]] const ReportArguments& arguments) {
   throw Error(arguments.case_file.string() + ": is a sweep, which this system does not have");
 #else
   const io::Json document = document_of(arguments, "sweep");
-  const auto count = run_sweep(arguments.case_file, arguments.output,
-                               [&](const fs::path& file) { write(arguments, document, file); });
+  const auto count =
+      run_sweep(arguments.case_file, arguments.output, [&](const fs::path& file) { write(arguments, document, file); });
   return {count.failed == 0, count.warnings};
 #endif
 }

@@ -66,12 +66,13 @@ std::vector<Row> rows_of(const std::string& page, const std::string& table_class
 }
 
 const std::map<std::string, double>& units() {
-  static const std::map<std::string, double> known = {{"", 1},         {"N", 1},        {"kN", 1e3},    {"mm", 1e-3},
-                                                      {"mm²", 1e-6},   {"mm³/m", 1e-9}, {"MPa", 1e6},   {"N m", 1},
-                                                      {"W", 1},        {"kW", 1e3},     {"J", 1},       {"1/m", 1},
-                                                      {"kN/mm", 1e6},  {"nm", 1e-9},    {"µm", 1e-6},   {"N/mm²", 1e6},
-                                                      {"µg/m", 1e-9},  {"rad/s", 1},    {"mrad", 1e-3}, {"mm/s", 1e-3},
-                                                      {"deg", std::numbers::pi / 180}};
+  static const std::map<std::string, double> known = {{"", 1},        {"N", 1},       {"kN", 1e3},
+                                                      {"mm", 1e-3},   {"mm²", 1e-6},  {"mm³/m", 1e-9},
+                                                      {"MPa", 1e6},   {"N m", 1},     {"W", 1},
+                                                      {"kW", 1e3},    {"J", 1},       {"1/m", 1},
+                                                      {"kN/mm", 1e6}, {"nm", 1e-9},   {"µm", 1e-6},
+                                                      {"N/mm²", 1e6}, {"µg/m", 1e-9}, {"rad/s", 1},
+                                                      {"mrad", 1e-3}, {"mm/s", 1e-3}, {"deg", std::numbers::pi / 180}};
   return known;
 }
 
@@ -253,10 +254,11 @@ void hide_module(const TemporaryFolder& folder, const std::string& name) {
 TEST_F(CaseReport, NamesThePackageThatIsMissing) {
   const std::string two = "'" + examples + "two_rollers.toml'", path = "export PYTHONPATH=$PWD";
   hide_module(folder, "weasyprint");
-  expect_refused(two + " -o r.pdf",
-                 "microslip: a report needs the Python module weasyprint, which is not there: install the Debian package "
-                 "weasyprint, or name a file that ends with .html\n",
-                 path);
+  expect_refused(
+      two + " -o r.pdf",
+      "microslip: a report needs the Python module weasyprint, which is not there: install the Debian package "
+      "weasyprint, or name a file that ends with .html\n",
+      path);
   EXPECT_EQ(run_program(folder, "report " + two + " -o r.html", path).exit_code, 0);
   hide_module(folder, "jinja2");
   expect_refused(two + " -o r.html", "jinja2, which is not there: install the Debian package python3-jinja2\n", path);
