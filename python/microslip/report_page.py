@@ -26,7 +26,7 @@ BODIES = ("rail", "wheel", "left_rail", "right_rail", "left_wheel", "right_wheel
 ERRORS = ("discretisation error", "estimated error", "residual", "largest residual")
 WIDE_FROM = 4  # columns of numbers that do not fit half a page
 LONGEST_VALUE = 24  # letters
-MOST_STATES = 200  # rows of a table of states; of more the report shows every second, third, ...
+MOST_STATES = 200  # rows of a table of states; of more it shows one of each two, three, ...
 
 EXACT = ("Exact theory: elastic half-spaces, without a further assumption on tractions or on the shape of the contact. What is left is the "
          "error of the grid, below.")
@@ -164,7 +164,7 @@ def apart(tables):
     results, errors = [], []
     for table in tables:
         if "columns" in table:
-            results.append({**table, "columns": thinned(table["columns"]), "is_wide": True})
+            results.append({**thinned(table), "is_wide": True})
             continue
         rows = [laid_out(row, table) for row in table["rows"]]
         wrong = [row for row in rows if row["name"].startswith(ERRORS)]
@@ -189,10 +189,13 @@ def laid_out(row, table):
     return {**row, "values": values}
 
 
-def thinned(columns):
-    """Columns of a table of states with at most MOST_STATES rows."""
-    step = -(-len(columns[0]["cells"]) // MOST_STATES)
-    return [{**column, "cells": column["cells"][::step]} for column in columns]
+def thinned(table):
+    """A table of states with at most MOST_STATES rows."""
+    step = -(-len(table["columns"][0]["cells"]) // MOST_STATES)
+    if step == 1:
+        return table
+    columns = [{**column, "cells": column["cells"][::step]} for column in table["columns"]]
+    return {**table, "title": f"{table['title']}: one of each {step}", "columns": columns}
 
 
 def listing(name):
