@@ -38,6 +38,10 @@ void add_plot_command(Command& program, int& exit_code);
 /// Adds `microslip profile`, which reads, checks, draws and converts the profile of a wheel or rail.
 void add_profile_command(Command& program);
 
+/// Adds `microslip report`, which solves a case and writes a report of it; sets `exit_code` to 1 if the result is not
+/// one.
+void add_report_command(Command& program, int& exit_code);
+
 /// Adds `microslip run`, which runs the cases of an input file of the program CONTACT and sets `exit_code` to 1 unless
 /// all of them are solved.
 void add_run_command(Command& program, int& exit_code);

@@ -8,7 +8,7 @@ namespace microslip::app {
 
 /// Pictures of a result file.
 struct Pictures {
-  std::vector<std::string> files = {}; ///< names of the PNG files, in the order they were drawn
+  std::vector<std::string> files = {}; ///< names, in the order they were drawn
   std::string problem = {}; ///< one line on why there are none or not all, and what helps; empty if all is well
 };
 

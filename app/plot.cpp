@@ -4,6 +4,7 @@
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
 #include "io/output_file.hpp"
+#include "microslip/error.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,7 +17,8 @@ namespace {
 
 struct PlotArguments {
   std::string result, folder, other, spins;
-  std::vector<std::string> fields, surfaces;
+  std::vector<std::string> fields, surfaces, formats;
+  int dpi = 150;
   std::vector<double> cut, stresses; ///< one value, if given
   bool convergence = false, json = false;
 };
@@ -28,6 +30,8 @@ std::vector<std::string> python_arguments(const PlotArguments& given) {
     if (!value.empty()) arguments.push_back("--" + name + "=" + value);
   };
   add("output", given.folder);
+  for (const auto& format : given.formats) add("format", format);
+  add("dpi", fmt::format("{}", given.dpi));
   for (const auto& name : given.fields) add("field", name);
   for (const auto& name : given.surfaces) add("surface", name);
   for (const double y : given.cut) add("cut", fmt::format("{}", y));
@@ -46,6 +50,7 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
 }
 
 int plot(const PlotArguments& arguments) {
+  require_count("--dpi", arguments.dpi, 10, 2400);
   const std::filesystem::path folder = arguments.folder, beside = std::filesystem::path(arguments.result).parent_path();
   io::require_writable_folder(folder.empty() ? beside : folder);
   const auto pictures = draw_pictures(python_arguments(arguments));
@@ -66,10 +71,11 @@ constexpr const char* footer =
 are of two bodies, of wheels on rails in one state, and of the first 12 cases of a run whose elements are stored;
 stresses are of the former two, the others of two bodies. With --compare each --field is drawn for both results with
 their difference, which needs the same elements. Creep curves, convergence and stresses are computed by the Python
-module. Prints the names of the PNG files.
+module. Prints the names of the files.
 
 Example:
-  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0)";
+  microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0
+  microslip plot results/hertzian_contact/result.h5 --format pdf --format png --dpi 300)";
 
 } // namespace
 
@@ -79,6 +85,10 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_option("RESULT.h5", arguments.result, "a result file of solve, run, sweep, profile, conicity or validate")
       .required();
   command.add_option("-o,--output FOLDER", arguments.folder, "folder for the pictures; default: beside RESULT.h5");
+  command.add_option("--format pdf|png|svg", arguments.formats, "of the files; may be given again; default: png")
+      .expected(1)
+      .take_all();
+  command.add_option("--dpi COUNT", arguments.dpi, "pixels in an inch of PNG, 10 to 2400").capture_default_str();
   const auto field_option = [&](const std::string& name, std::vector<std::string>& fields, const char* what) {
     command.add_option(name + drawn_fields, fields, what).expected(1).take_all();
   };

@@ -1,16 +1,14 @@
 #include "app/commands.hpp"
 
+#include "app/case_run.hpp"
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/hertz.hpp"
-#include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
-#include "app/progress_bar.hpp"
 #include "app/result_tables.hpp"
 #include "app/tables.hpp"
 #include "cases/case_document.hpp"
-#include "cases/rolling_contact_result.hpp"
 #include "io/csv_tables.hpp"
 #include "io/output_file.hpp"
 
@@ -36,17 +34,6 @@ struct SolveArguments {
 };
 
 // Input is a RollingCase, a WheelRailCase or a WheelsetCase, Result what solve_case makes of it.
-
-template <class Input> auto solve_with_progress(const Input& input, const std::string& name) {
-  ProgressBar bar(name);
-  auto result = cases::solve_case(input, [&](double fraction) {
-    bar.update(fraction);
-    InterruptGuard::throw_if_interrupted();
-    return true;
-  });
-  InterruptGuard::throw_if_interrupted();
-  return result;
-}
 
 template <class Input>
 io::Provenance provenance_of(const SolveArguments& arguments, const Input& input, const std::string& case_text) {
@@ -134,9 +121,7 @@ int solve(const SolveArguments& given) {
   if (arguments.output.empty()) arguments.output = fs::path("results") / arguments.case_file.stem();
   const auto text = io::read_case_text(arguments.case_file);
   const auto name = arguments.case_file.string();
-  if (io::is_wheelset_case(text, name)) return solve(arguments, io::parse_wheelset_case(text, name), text);
-  if (io::is_wheel_rail_case(text, name)) return solve(arguments, io::parse_wheel_rail_case(text, name), text);
-  return solve(arguments, io::parse_case(text, name), text);
+  return with_case(text, name, [&](const auto& input) { return solve(arguments, input, text); });
 }
 
 constexpr const char* footer =

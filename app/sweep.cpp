@@ -6,7 +6,7 @@
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/progress_bar.hpp"
-#include "app/tables.hpp"
+#include "app/sweep.hpp"
 #include "campaign/launcher.hpp"
 #include "campaign/sweep_file.hpp"
 #include "io/case_file.hpp"
@@ -38,9 +38,19 @@ struct SweepArguments {
 /// Run of the command on one of the ranks.
 class SweepRun {
 public:
-  SweepRun(const SweepArguments& arguments, campaign::Ranks& ranks) : arguments_(arguments), ranks_(ranks) {}
+  /// `use` gets the result file, which is not kept then; without it the output is the result file.
+  SweepRun(const SweepArguments& arguments, campaign::Ranks& ranks, UseOfFile use = {})
+      : arguments_(arguments), ranks_(ranks), use_(std::move(use)) {}
 
   int run() {
+    solve();
+    if (!ranks_.is_first()) return ExitCode::done;
+    print_warnings(arguments_.output.string(), count_.warnings);
+    arguments_.json ? print_document() : print_summary();
+    return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
+  }
+
+  campaign::SweepCount solve() {
     ranks_.agree([&] { io::require_other_file(arguments_.output, arguments_.spec); });
     ranks_.agree([&] { sweep_.emplace(io::read_case_text(arguments_.spec), arguments_.spec.string()); });
     ranks_.agree([&] {
@@ -59,10 +69,7 @@ public:
           },
           may_go_on);
     }
-    if (!ranks_.is_first()) return ExitCode::done;
-    print_warnings(arguments_.output.string(), count_.warnings);
-    arguments_.json ? print_document() : print_summary();
-    return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
+    return count_;
   }
 
 private:
@@ -71,13 +78,9 @@ private:
     return true;
   }
 
-  /// What an earlier run has written. Throws Error for another file, and for a table, which does not tell of what it
-  /// is.
+  /// What an earlier run has written. Throws Error for another file.
   std::optional<campaign::SweepCount> find_result() const {
-    if (!io::is_csv(arguments_.output)) return campaign::find_sweep(*sweep_, arguments_.output);
-    if (fs::exists(arguments_.output))
-      throw Error(arguments_.output.string() + ": is there already; remove it, or name another file");
-    return std::nullopt;
+    return use_ ? std::nullopt : campaign::find_sweep(*sweep_, arguments_.output);
   }
 
   /// Returns whether an earlier run has written the result file; what it may have left of the checkpoint is removed.
@@ -122,8 +125,8 @@ private:
         return may_go_on(fraction);
       });
     };
-    if (io::is_csv(arguments_.output))
-      write_tables(arguments_.output, write_file);
+    if (use_)
+      with_result_file(arguments_.output, write_file, use_);
     else
       write_file(arguments_.output);
     campaign.remove();
@@ -154,16 +157,27 @@ private:
 
   const SweepArguments& arguments_;
   campaign::Ranks& ranks_;
+  UseOfFile use_;
   std::optional<campaign::Sweep> sweep_;
   std::size_t kept_ = 0;
   campaign::SweepCount count_;
 };
 
+/// What makes the table where one is asked for. Nothing in a table tells of which sweep it is: none is replaced.
+UseOfFile table_of(const SweepArguments& arguments, const campaign::Ranks& ranks) {
+  if (!io::is_csv(arguments.output)) return {};
+  if (ranks.is_first() && fs::exists(arguments.output))
+    throw Error(arguments.output.string() + ": is there already; remove it, or name another file");
+  return [&](const fs::path& result_file) { io::write_csv_tables(result_file, arguments.output); };
+}
+
 int sweep(const SweepArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
   const auto ranks = campaign::launched_ranks();
   try {
-    return SweepRun(arguments, *ranks).run();
+    UseOfFile table;
+    ranks->agree([&] { table = table_of(arguments, *ranks); });
+    return SweepRun(arguments, *ranks, table).run();
   } catch (const Error&) { // the same on all ranks
     if (ranks->is_first()) throw;
     return ExitCode::done; // with another code mpirun would end the first rank, which has yet to say what is wrong
@@ -189,6 +203,12 @@ Example:
   mpirun -n 64 microslip sweep examples/creep_sweep.toml -o creep.h5)";
 
 } // namespace
+
+campaign::SweepCount run_sweep(const fs::path& spec, const fs::path& output, const UseOfFile& use) {
+  const SweepArguments arguments = {.spec = spec, .output = output};
+  const auto ranks = campaign::launched_ranks();
+  return SweepRun(arguments, *ranks, use).solve();
+}
 
 void add_sweep_command(Command& program, int& exit_code) {
   Command command =

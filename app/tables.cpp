@@ -11,12 +11,17 @@ namespace microslip::app {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> write_tables(const fs::path& csv,
-                                      const std::function<void(const fs::path& result_file)>& write_result) {
-  const io::OutputFile scratch(fs::path(csv).replace_extension(".h5"));
-  write_result(scratch.temporary());
+void with_result_file(const fs::path& output, const UseOfFile& write, const UseOfFile& use) {
+  const io::OutputFile scratch(fs::path(output).replace_extension(".h5"));
+  write(scratch.temporary());
+  use(scratch.temporary());
+}
+
+std::vector<std::string> write_tables(const fs::path& csv, const UseOfFile& write_result) {
   std::vector<std::string> names;
-  for (const fs::path& table : io::write_csv_tables(scratch.temporary(), csv)) names.push_back(table.string());
+  with_result_file(csv, write_result, [&](const fs::path& result_file) {
+    for (const fs::path& table : io::write_csv_tables(result_file, csv)) names.push_back(table.string());
+  });
   return names;
 }
 

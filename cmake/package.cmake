@@ -20,8 +20,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 
 set(CPACK_DEBIAN_MICROSLIP_PACKAGE_NAME microslip)
 set(CPACK_DEBIAN_MICROSLIP_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
-set(CPACK_DEBIAN_MICROSLIP_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib")
-set(CPACK_DEBIAN_MICROSLIP_PACKAGE_SUGGESTS "g++, gfortran, pkg-config")
+set(CPACK_DEBIAN_MICROSLIP_PACKAGE_RECOMMENDS "python3-h5py, python3-jinja2, python3-matplotlib")
+set(CPACK_DEBIAN_MICROSLIP_PACKAGE_SUGGESTS "g++, gfortran, pkg-config, weasyprint")
 set(CPACK_DEBIAN_MICROSLIP_DESCRIPTION
 "Forces, tractions and slip between two bodies that roll on each other, such as
 wheel and rail: FASTSIM2 and Kalker's exact theory. Program, Python module,

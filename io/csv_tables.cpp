@@ -113,7 +113,7 @@ private:
       table->columns.push_back({array->name, array});
     }
     for (auto table = others.begin() + static_cast<std::ptrdiff_t>(first); table != others.end(); ++table)
-      std::ranges::stable_partition(table->columns, is_place);
+      std::stable_partition(table->columns.begin(), table->columns.end(), is_place);
   }
 
   /// Returns whether an array has the coordinates along a dimension of a table of several: x along the last one.

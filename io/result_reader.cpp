@@ -7,6 +7,8 @@
 #include <functional>
 #include <numeric>
 
+#include <fmt/format.h>
+
 namespace microslip::io {
 namespace {
 
@@ -37,7 +39,8 @@ void ResultReader::require_known_format() const {
   const std::string known = std::to_string(result_format);
   for (const auto& [group, name, value] : attributes_)
     if (group.empty() && name == "format" && value != known)
-      throw Error(name_ + ": has format " + value + " of result files; this version of microslip reads " + known);
+      throw Error(
+          fmt::format("{}: has format {} of result files; this version of microslip reads {}", name_, value, known));
 }
 
 /// Passes on what an HDF5 call returned, which is negative if the call failed.

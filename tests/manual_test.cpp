@@ -23,7 +23,7 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
   const TemporaryFolder folder;
   const auto page = manual();
   for (const std::string command : {"solve", "hertz", "batch", "sweep", "init", "run", "plot", "profile", "conicity",
-                                    "convert", "validate", "completion", "manual"}) {
+                                    "convert", "report", "validate", "completion", "manual"}) {
     const auto begin = page.find(".SS \"microslip " + command + " [OPTIONS]");
     ASSERT_NE(begin, std::string::npos) << command;
     const auto section = page.substr(begin, page.find("\n.S", begin) - begin);

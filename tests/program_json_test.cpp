@@ -239,8 +239,9 @@ TEST(ProgramJson, ValidateListsTheFiguresThatItPrints) {
 
 TEST(ProgramJson, ErrorsStayText) {
   const TemporaryFolder folder;
-  for (const auto* arguments : {"solve none.toml", "hertz none.toml", "run none.inp", "batch none.csv -o out.csv",
-                                "convert none.inp", "plot none.h5", "validate no-such-study"}) {
+  for (const auto* arguments :
+       {"solve none.toml", "hertz none.toml", "run none.inp", "batch none.csv -o out.csv", "convert none.inp",
+        "convert none.h5", "plot none.h5", "report none.toml -o r.html", "validate no-such-study"}) {
     const auto outcome = run_program(folder, std::string(arguments) + " --json");
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
     EXPECT_EQ(outcome.errors.rfind("microslip: ", 0), 0u) << outcome.errors;

@@ -818,7 +818,7 @@ TEST(Program, SolvesExtremeCases) {
 TEST(Program, ExplainsItself) {
   const TemporaryFolder folder;
   for (const auto* command : {"", "solve ", "hertz ", "batch ", "init ", "run ", "plot ", "profile ", "conicity ",
-                              "convert ", "explore ", "validate ", "bench ", "completion ", "manual "}) {
+                              "convert ", "explore ", "report ", "validate ", "bench ", "completion ", "manual "}) {
     const auto outcome = run_program(folder, command + std::string("--help"));
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.output.find("\nExample:\n  "), std::string::npos) << outcome.output;

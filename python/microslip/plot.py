@@ -38,6 +38,9 @@ from microslip.wheelset_pictures import wheelset_pictures
 ENDING = (signal.SIGINT, signal.SIGTERM)
 CREEP_TABLE = b"MSCREEP"  # how the files of creep-force tables begin
 
+FORMATS = ("pdf", "png", "svg")
+SETTINGS_OF_FILES = {"pdf.fonttype": 42}  # fonts that other programs can edit
+
 PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
     "conicity": conicity_pictures,
@@ -220,17 +223,32 @@ def ending_from_within():
             signal.signal(number, handler)
 
 
-def save(figure, path, metadata):
-    """Writes a picture under another name first, so that a file with the final name is always whole."""
+def save(figure, path, dpi, metadata):
+    """Writes a picture, of the format that its name ends with, under another name first, so that a file with the final name is
+    always whole."""
+    form = os.path.splitext(path)[1][1:]
     unfinished = f"{path}.{os.getpid()}.unfinished"
     with ending_from_within():
         try:
-            figure.savefig(unfinished, format="png", metadata=metadata)
+            figure.savefig(unfinished, format=form, dpi=dpi, metadata=metadata_of(form, *metadata))
             os.replace(unfinished, path)
         except BaseException:
             if os.path.exists(unfinished):
                 os.remove(unfinished)
             raise
+
+
+def require_formats(formats):
+    """Refuses formats of files that there are not."""
+    for form in formats:
+        if form not in FORMATS:
+            raise ResultError(f"--format {form}: must be one of {', '.join(FORMATS)}")
+
+
+def metadata_of(form, title, source):
+    """What a file says of itself: title and program, no time."""
+    return {"Title": title, **{"png": {"Software": source}, "pdf": {"Creator": source, "CreationDate": None},
+                               "svg": {"Creator": source, "Date": None}}[form]}
 
 
 def remove_older(folder, drawn):
@@ -245,32 +263,33 @@ def remove_older(folder, drawn):
                 os.remove(path)
 
 
-def draw(path, folder, chosen):
+def draw(path, folder, chosen, formats=("png",), dpi=SETTINGS["savefig.dpi"]):
     """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths. Where all of
     result.h5 are drawn beside it none of an earlier case stays."""
     if is_creep_table(path):
-        save_all(table_figures(path, **chosen), folder, {"Title": "creep-force table", "Software": "microslip"})
+        save_all(table_figures(path, **chosen), folder, formats, dpi, ("creep-force table", "microslip"))
         return
     with ResultFile(path) as result:
         source = f"microslip {result.attribute('version', '')} ({result.attribute('commit', '')})"
-        metadata = {"Title": result.attribute("title", ""), "Software": source}
+        metadata = (result.attribute("title", ""), source)
     drawn = figures(path, **chosen)
-    save_all(drawn, folder, metadata)
+    save_all(drawn, folder, formats, dpi, metadata)
     if not chosen and os.path.basename(path) == "result.h5" and os.path.samefile(folder, os.path.dirname(path) or "."):
         remove_older(folder, drawn)
 
 
-def save_all(drawn, folder, metadata):
-    """Writes pictures into a folder and prints their paths."""
+def save_all(drawn, folder, formats, dpi, metadata):
+    """Writes pictures into a folder, in each format, and prints their paths. `metadata`: title and program."""
     try:
         os.makedirs(folder, exist_ok=True)
     except FileExistsError:
         raise ResultError(f"{folder}: is a file, no folder for pictures") from None
-    with matplotlib.rc_context(SETTINGS):
+    with matplotlib.rc_context({**SETTINGS, **SETTINGS_OF_FILES}):
         for name, figure in drawn.items():
-            target = os.path.join(folder, name)
-            save(figure, target, metadata)
-            print(target, flush=True)
+            for form in formats:
+                target = os.path.join(folder, f"{os.path.splitext(name)[0]}.{form}")
+                save(figure, target, dpi, metadata)
+                print(target, flush=True)
 
 
 def numbers(text):
@@ -287,6 +306,9 @@ def parse(arguments):
                                      "of two bodies, or of wheels on rails, that the options ask for.")
     parser.add_argument("result", metavar="RESULT.h5", help="a file written by microslip")
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for the pictures (default: beside RESULT.h5)")
+    parser.add_argument("--format", metavar="FORMAT", action="append", default=[],
+                        help=f"of the files: {', '.join(FORMATS)}; may be given again (default: png)")
+    parser.add_argument("--dpi", type=int, default=SETTINGS["savefig.dpi"], help="pixels in an inch of PNG (default: %(default)s)")
     parser.add_argument("--field", metavar="NAME", action="append", default=[], help=f"a field as a map: {', '.join(FIELDS)}")
     parser.add_argument("--surface", metavar="NAME", action="append", default=[], help="a field as a surface")
     parser.add_argument("--cut", metavar="Y", type=float, help="tractions with their bound and slip along the row at y [mm]")
@@ -320,7 +342,9 @@ def main(arguments=None):
     options = None
     try:
         options = parse(arguments)
-        draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options))
+        require_formats(options.format)
+        draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options),
+             dict.fromkeys(options.format or ["png"]), options.dpi)
     except (ResultError, OSError) as error:
         print(f"microslip.plot: {error}", file=sys.stderr)
         return 2

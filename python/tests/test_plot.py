@@ -118,6 +118,22 @@ class CommandLineTest(FolderTest):
         self.run_plot(self.path)
         self.assertIn(b"microslip 0.1.0 (abc)", (self.folder / "model_problem.png").read_bytes())
 
+    def test_formats_that_are_asked_for(self):
+        write_model_problem(self.path)
+        code, names, errors = self.run_plot(self.path, "--format", "pdf", "--format", "svg", "--format", "png", "--dpi", 40)
+        self.assertEqual((code, errors), (0, []))
+        drawn = {form: self.folder / f"model_problem.{form}" for form in ("pdf", "svg", "png")}
+        self.assertEqual(names, [str(path) for path in drawn.values()])
+        self.assertTrue(drawn["pdf"].read_bytes().startswith(b"%PDF-"))
+        self.assertNotIn(b"CreationDate", drawn["pdf"].read_bytes())
+        self.assertIn("<dc:title>microslip 0.1.0 (abc)</dc:title>", drawn["svg"].read_text())  # the program
+        size = self.figures()["model_problem.png"].get_size_inches()
+        shape = matplotlib.image.imread(drawn["png"]).shape
+        self.assertEqual([shape[1], shape[0]], [int(40 * inches) for inches in size])
+
+    def test_formats_that_there_are_not(self):
+        self.assertEqual(self.run_plot(self.path, "--format", "jpg"), (2, [], ["microslip.plot: --format jpg: must be one of pdf, png, svg"]))
+
     def test_pictures_of_an_earlier_case_do_not_stay(self):
         write_rolling_contact(self.path, theories=("exact",))
         theirs = self.folder / "history.png"
