@@ -36,8 +36,7 @@ std::vector<ProfilePoint> with_errors(std::vector<ProfilePoint> points, std::spa
 /// An arc of a circle of this radius on the points between y = -width and y = width.
 std::vector<ProfilePoint> arc(double radius, double width, double spacing) {
   std::vector<ProfilePoint> points;
-  for (double y = -width; y <= width; y += spacing)
-    points.push_back({y, std::sqrt(radius * radius - y * y) - radius});
+  for (double y = -width; y <= width; y += spacing) points.push_back({y, std::sqrt(radius * radius - y * y) - radius});
   return points;
 }
 
@@ -68,13 +67,14 @@ TEST(ProfileNoise, IsEstimatedWhateverTheShape) {
   }
   points[300].z += 1e-3; // an outlier
   const auto noise = estimate_noise(points);
-  EXPECT_NEAR(noise.deviation, sigma, 0.15 * sigma); // an upper quartile, of 9 % scatter
+  EXPECT_NEAR(noise.deviation, sigma, 0.15 * sigma);  // an upper quartile, of 9 % scatter
   EXPECT_LT(noise.long_waves, 1.1 * noise.deviation); // errors are independent
   EXPECT_NEAR(noise.curvature, std::sqrt(6.0) * sigma / (spacing * spacing), 0.15 * noise.curvature);
 }
 
 TEST(ProfileNoise, ThatNeighboursShareHasLongWaves) {
-  // Means of n errors in succession, times sqrt(n): single points scatter as before, means of many sqrt(n) times as much.
+  // Means of n errors in succession, times sqrt(n): single points scatter as before, means of many sqrt(n) times as
+  // much.
   constexpr std::size_t shared = 4;
   const auto errors = white(2000, 3);
   std::vector<double> mean(errors.size());
@@ -169,6 +169,40 @@ TEST(CurvatureSteps, HoldPointsWithoutErrors) {
   EXPECT_EQ(found.back(), measured.back());
 }
 
+TEST(CurvatureSteps, TellErrorsFromSteps) {
+  // A line with a few steps and errors twice as large as their variances say; V of a hundred times as much is enough.
+  const std::size_t count = 300;
+  auto measured = white(count, 13);
+  std::vector<double> s, curvature(count), variances(count, 1e-12), larger(count, 1e-10);
+  for (std::size_t k = 0; k < count; ++k) {
+    s.push_back(1e-3 * static_cast<double>(k));
+    const double t = std::max(0.0, s.back() - 0.1), u = std::max(0.0, s.back() - 0.2);
+    measured[k] = 2e-6 * measured[k] + 3 * t * t - 5 * u * u;
+  }
+  EXPECT_NEAR(noise_factor_beside_few_curvature_steps(s, curvature, measured, variances), 4, 1);
+  EXPECT_NEAR(noise_factor_beside_few_curvature_steps(s, curvature, measured, larger), 0.04, 0.04);
+}
+
+TEST(ProfileNoise, SharedByNeighboursIsSmoothedAsWell) {
+  // Errors with a correlation of exp(-distance/0.4 mm).
+  const auto clean = two_arcs(3.3, 12.5, 1e-4);
+  auto errors = white(clean.size(), 8);
+  const double share = std::exp(-1e-4 / 0.4e-3);
+  for (std::size_t k = 1; k < errors.size(); ++k)
+    errors[k] = share * errors[k - 1] + std::sqrt(1 - share * share) * errors[k];
+  const auto points = with_errors(clean, errors, 4 * um);
+  const auto found = denoised(points, {}, estimate_noise(points));
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->long_waves, 1.5 * 4 * um); // sqrt(0.8 mm/0.1 mm) times 4 um are the long waves
+  EXPECT_LT(found->long_waves, 4 * 4 * um);
+  double largest = 0;
+  for (const std::size_t k : found->checked) {
+    const auto z = [&](std::size_t i) { return found->points[i].z - clean[i].z; };
+    largest = std::max(largest, std::abs(z(k + 30) - 2 * z(k) + z(k - 30)) / (3e-3 * 3e-3));
+  }
+  EXPECT_LT(largest, 5); // [1/m]
+}
+
 TEST(ProfileNoise, SmoothingKeepsJumpsOfCurvature) {
   const double left = 3.3, right = 12.5;
   const auto clean = two_arcs(left, right, 2.5e-4);
@@ -237,7 +271,7 @@ TEST(ProfileNoise, SmoothingHoldsKinks) {
 
 TEST(ProfileNoise, OfTwoPressuresIsByTheirCurvatures) {
   // B of 1/0.6 m and A of 1/0.92 m: a part of the curvature changes the pressure by 2/9 (2 - B/(A + B)) of it.
-  DenoisedPoints points{arc(0.3, 0.02, 1e-3), {20}, {0.1}};
+  DenoisedPoints points{arc(0.3, 0.02, 1e-3), 0, {20}, {0.1}};
   const double a = 1 / 0.92, b = 1 / 0.6;
   EXPECT_NEAR(pressure_deviation(points), 2.0 / 9 * (2 - b / (a + b)) * 0.05 / b, 1e-12);
   points.checked.clear(), points.curvature_deviation.clear();
@@ -255,14 +289,13 @@ TEST(ProfilePreparation, SmoothsByNoiseUnlessToldOtherwise) {
   EXPECT_NEAR(by_noise.smoothing.mean_move, 4 * um, 1 * um);
   EXPECT_GT(by_noise.smoothing.pressure_left, 0);
   ASSERT_EQ(by_noise.steps.size(), 1U);
-  EXPECT_TRUE(by_noise.steps[0].starts_with("smoothed by their scatter of ")) << by_noise.steps[0];
+  EXPECT_TRUE(by_noise.steps[0].starts_with("smoothed by their noise of ")) << by_noise.steps[0];
   EXPECT_FALSE(not_at_all.smoothing.by_noise);
   EXPECT_TRUE(not_at_all.steps.empty());
   ASSERT_FALSE(not_at_all.warnings.empty());
   EXPECT_NE(not_at_all.warnings.back().find("leave smoothing_length out"), std::string::npos);
   const auto nominal = io::read_profile(MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr").points;
-  const auto much =
-      prepare_profile(ProfileRole::rail, with_errors(nominal, white(nominal.size(), 5), 40 * um)).report;
+  const auto much = prepare_profile(ProfileRole::rail, with_errors(nominal, white(nominal.size(), 5), 40 * um)).report;
   ASSERT_FALSE(much.warnings.empty());
   EXPECT_NE(much.warnings.back().find("peak pressures on the running surface are uncertain by +-"), std::string::npos);
   const auto by_length = prepared({.smoothing_length = 5e-3});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace microslip {
@@ -96,8 +97,7 @@ public:
       while (i + 1 < size() && stations_[i + 1] <= k) ++i;
       result[k] = at_stations[i];
       if (i + 1 == size()) continue;
-      const double part =
-          static_cast<double>(k - stations_[i]) / static_cast<double>(stations_[i + 1] - stations_[i]);
+      const double part = static_cast<double>(k - stations_[i]) / static_cast<double>(stations_[i + 1] - stations_[i]);
       result[k] += part * (at_stations[i + 1] - at_stations[i]);
     }
     return result;
@@ -180,6 +180,11 @@ public:
     return distances_with_few_curvature_steps(s_, curvatures_, measured, variances);
   }
 
+  /// Factor by which errors are more variable.
+  double noise_factor(std::span<const double> measured, std::span<const double> variances) const {
+    return noise_factor_beside_few_curvature_steps(s_, curvatures_, measured, variances);
+  }
+
   std::vector<ProfilePoint> points(std::span<const double> distances) const {
     std::vector<ProfilePoint> result;
     for (std::size_t k = 0; k < s_.size(); ++k)
@@ -206,6 +211,40 @@ private:
   std::vector<double> s_, curvatures_; // at both ends no curvature, which no step needs
   std::vector<ProfilePoint> normals_;
 };
+
+/// The means of every `count` values in succession; those at the end that are fewer are left out.
+std::vector<double> block_means(std::span<const double> values, std::size_t count) {
+  std::vector<double> means;
+  for (std::size_t k = 0; k + count <= values.size(); k += count)
+    means.push_back(std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(k),
+                                    values.begin() + static_cast<std::ptrdiff_t>(k + count), 0.0) /
+                    static_cast<double>(count));
+  return means;
+}
+
+std::vector<ProfilePoint> block_means(std::span<const ProfilePoint> points, std::size_t count) {
+  std::vector<double> y, z;
+  for (const auto& p : points) y.push_back(p.y), z.push_back(p.z);
+  y = block_means(y, count), z = block_means(z, count);
+  std::vector<ProfilePoint> means;
+  for (std::size_t k = 0; k < y.size(); ++k) means.push_back({y[k], z[k]});
+  return means;
+}
+
+/// Factor of variances with which means of a millimetre scatter beside a smooth curve: 1 for independent errors, more
+/// for those that neighbours share.
+double shared_noise(std::span<const ProfilePoint> measured, std::span<const ProfilePoint> smooth,
+                    std::span<const double> variances, double spacing) {
+  constexpr double wide = 1e-3, clearly = 1.5;
+  const auto count = static_cast<std::size_t>(std::max(1L, std::lround(wide / spacing)));
+  const auto curve = block_means(smooth, count);
+  if (curve.size() < 4) return 1;
+  auto of_means = block_means(variances, count);
+  for (double& variance : of_means) variance /= static_cast<double>(count);
+  const Section section{std::span<const ProfilePoint>(curve)};
+  const double factor = section.noise_factor(section.distances(block_means(measured, count)), of_means);
+  return factor > clearly ? factor : 1;
+}
 
 /// Points of a section about 2 mm apart, with points 3 mm before and behind them.
 class CheckedPoints {
@@ -266,6 +305,13 @@ bool has_coinciding(std::span<const ProfilePoint> points) {
   return false;
 }
 
+/// A smooth curve beside points, for its direction: no smoother than it needs to be, so that it follows sharp corners.
+std::vector<ProfilePoint> beside_points(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
+                                        double length) {
+  auto curve = smoothed(points, kinks, length / 3);
+  return has_coinciding(curve) ? smoothed(points, kinks, length) : curve;
+}
+
 } // namespace
 
 ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {
@@ -288,22 +334,28 @@ ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {
 
 std::optional<DenoisedPoints> denoised(std::span<const ProfilePoint> points, std::span<const std::size_t> kinks,
                                        const ProfileNoise& noise) {
-  const auto beside = smoothed(points, kinks, noise.smoothing_length);
+  const auto beside = beside_points(points, kinks, noise.smoothing_length);
   if (has_coinciding(beside)) return {};
-  const LocalNoise local(points, median_spacing(points));
+  const double spacing = median_spacing(points);
+  const LocalNoise local(points, spacing);
   auto variances = local.windows.at_points(local.long_waves);
   for (double& v : variances) v = v * v;
   for (const std::size_t kink : kinks) variances[kink] = 0;
-  DenoisedPoints result{{points.begin(), points.end()}, {}, {}};
+  DenoisedPoints result{{points.begin(), points.end()}, noise.long_waves, {}, {}};
   std::vector<std::size_t> ends(kinks.begin(), kinks.end());
   ends.push_back(points.size() - 1);
   std::size_t first = 0;
   for (const std::size_t last : ends) {
     const std::size_t count = last - first + 1;
     if (count >= 4) {
-      const Section section{std::span(beside).subspan(first, count)};
-      const auto errors = std::span(variances).subspan(first, count);
-      const auto smooth = section.points(section.smooth(section.distances(points.subspan(first, count)), errors));
+      const auto measured = points.subspan(first, count);
+      const auto curve = std::span<const ProfilePoint>(beside).subspan(first, count);
+      const auto errors = std::span<double>(variances).subspan(first, count);
+      const double factor = shared_noise(measured, curve, errors, spacing);
+      for (double& variance : errors) variance *= factor;
+      result.long_waves = std::max(result.long_waves, noise.long_waves * std::sqrt(factor));
+      const Section section(curve);
+      const auto smooth = section.points(section.smooth(section.distances(measured), errors));
       std::copy(smooth.begin(), smooth.end(), result.points.begin() + static_cast<std::ptrdiff_t>(first));
       check(smooth, errors, first, result);
     }

@@ -212,9 +212,10 @@ private:
     const auto found = denoised(points_, kinks, report_.noise);
     if (!found) return;
     report_.smoothing.by_noise = true;
+    report_.noise.long_waves = found->long_waves;
     report_.smoothing.curvature_left = median_curvature_deviation(*found);
     report_.smoothing.pressure_left = pressure_deviation(*found);
-    move(found->points, kinks, "smoothed by their scatter of " + in_um(scatter()));
+    move(found->points, kinks, "smoothed by their noise of " + in_um(scatter()));
   }
 
   /// Deviation of the noise that counts.
@@ -253,7 +254,10 @@ private:
                                  in_percent(smoothing.pressure_left));
     if (!smoothing.by_noise && smoothing.length == 0 && noise.smoothing_length > 0)
       report_.warnings.push_back(scatters + ": curvatures are uncertain by " + digits(noise.curvature * 1e-3) +
-                                 " 1/mm, and peak pressures mean nothing; leave smoothing_length out");
+                                 " 1/mm, and peak pressures mean nothing; " +
+                                 (treatment_.smoothing_length
+                                      ? "leave smoothing_length out"
+                                      : "smooth with a wavelength of " + in_mm(noise.smoothing_length)));
   }
 
   void warn_of_axes() {
