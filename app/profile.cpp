@@ -83,6 +83,10 @@ void print_table(const cases::ProfileFindings& findings) {
   table.add("kinks", static_cast<double>(report.kinks.size()), "-");
   table.add("scatter of the points", report.noise.deviation * 1e6, "um");
   table.add("scatter of curvature", report.noise.curvature, "1/m");
+  if (report.smoothing.by_noise) {
+    table.add("curvature, 6 mm +-", report.smoothing.curvature_left, "1/m");
+    table.add("peak pressure +-", report.smoothing.pressure_left * 100, "%", "straight tread on head of 300 mm");
+  }
   add_dimensions(table, findings);
   table.print();
 }
@@ -188,7 +192,8 @@ void run(const ProfileArguments& arguments) {
 
 constexpr const char* footer =
     R"(Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, and the flange's
-dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. With --json the same in SI units.
+dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. Points that scatter are smoothed, unless
+--smoothing-length 0 is given. With --json the same in SI units.
 Axes of a profile: y to the field side, z up.
 
 Example:

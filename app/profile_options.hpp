@@ -18,7 +18,8 @@ struct ProfileOptions {
 
   InputOptions inputs;
   std::string format = {}, unit = {}, y_axis = {}, z_axis = {}; ///< empty: not given
-  double scale = 1, smoothing_length = 0;
+  double scale = 1;
+  std::optional<double> smoothing_length = {};
   int section = 1;
   std::vector<double> trim = {}; ///< none or two values
 };

@@ -112,10 +112,17 @@ io::Json profile_document(const ProfileFindings& findings) {
   document["points_read"] = report.points_read;
   document["points"] = report.points;
   document["length"] = io::json_number(profile.length());
-  document["smoothing_length"] = io::json_number(report.smoothing_length);
   document["noise"] = {{"deviation", io::json_number(report.noise.deviation)},
                        {"curvature", io::json_number(report.noise.curvature)},
+                       {"long_waves", io::json_number(report.noise.long_waves)},
                        {"smoothing_length", io::json_number(report.noise.smoothing_length)}};
+  document["smoothing_length"] = io::json_number(report.smoothing.length);
+  document["smoothing"] = {{"by_noise", report.smoothing.by_noise},
+                           {"mean_move", io::json_number(report.smoothing.mean_move)},
+                           {"largest_move", io::json_number(report.smoothing.largest_move)},
+                           {"curvature_change", io::json_number(report.smoothing.curvature_change)},
+                           {"curvature_left", io::json_number(report.smoothing.curvature_left)},
+                           {"pressure_left", io::json_number(report.smoothing.pressure_left)}};
   document["dimensions"] = dimensions_document(findings);
   auto kinks = io::Json::array();
   for (const auto& kink : report.kinks)
@@ -132,7 +139,13 @@ io::Json profile_document(const ProfileFindings& findings) {
                        {"smoothing_length", "m"},
                        {"noise/deviation", "m"},
                        {"noise/curvature", "1/m"},
+                       {"noise/long_waves", "m"},
                        {"noise/smoothing_length", "m"},
+                       {"smoothing/mean_move", "m"},
+                       {"smoothing/largest_move", "m"},
+                       {"smoothing/curvature_change", "1/m"},
+                       {"smoothing/curvature_left", "1/m"},
+                       {"smoothing/pressure_left", "-"},
                        {"dimensions", "m"},
                        {"kinks/y", "m"},
                        {"kinks/z", "m"},

@@ -121,7 +121,10 @@ private:
       assume("the unit of length is m, since the profile is " + digits(width) + " wide");
       return 1;
     }
-    fail("the profile is " + digits(width) + " wide, neither in mm nor in m; give the unit");
+    if (width == 0) fail("the profile has no width: " + counted(file_.points.size(), "point") + " with the same y");
+    const bool may_be_inches = width >= 1 && width < 5;
+    fail("the profile is " + digits(width) + " wide, neither in mm nor in m; give the unit" +
+         (may_be_inches ? ", in for inches" : ""));
   }
 
   void turn_axes(ProfileRole role) {

@@ -84,7 +84,7 @@ ProfileFileOptions profile_options(const TomlSection& section, const std::string
     });
     treatment.y_min = ends[0], treatment.y_max = ends[1];
   }
-  treatment.smoothing_length = section.number("smoothing_length");
+  treatment.smoothing_length = section.optional_number("smoothing_length");
   return options;
 }
 

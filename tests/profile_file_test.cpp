@@ -238,7 +238,7 @@ TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
   EXPECT_EQ(message_of(""), "a.prr: is empty");
   EXPECT_EQ(message_of(" \n\r\n"), "a.prr: is empty");
   EXPECT_EQ(message_of(std::string("1 2\n\0\n", 6), "x"), "x: is not a text file: it has NUL bytes");
-  EXPECT_EQ(message_of("1 2\n", "rail.dat").find("rail.dat: the profile is 0 wide"), 0u);
+  EXPECT_EQ(message_of("1 2\n", "rail.dat").find("rail.dat: the profile has no width: 1 point"), 0u);
   EXPECT_EQ(message_of("\x7f"
                        "ELF\x02\x01 \x03\xff\n",
                        "rail.dat"),

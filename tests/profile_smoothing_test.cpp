@@ -150,46 +150,5 @@ TEST(ProfileSmoothing, TendsToThePointsAndToALine) {
   expect_error([&] { smoothed(points, {}, -1); }, "smoothing_length", "[m]: must be in (0, 1]");
 }
 
-TEST(ProfileSmoothing, EstimatesNoiseWhateverTheShape) {
-  std::mt19937 random(7);
-  const double sigma = 5e-6;
-  std::normal_distribution<double> error(0, sigma);
-  std::vector<ProfilePoint> points;
-  for (int k = 0; k < 3000; ++k) {
-    const double angle = -0.6 + 1.2 * k / 2999, radius = 0.3 + error(random);
-    points.push_back({radius * std::sin(angle), radius * std::cos(angle)});
-  }
-  points[300].z += 1e-3; // an outlier
-  const auto noise = estimate_noise(points);
-  EXPECT_NEAR(noise.deviation, sigma, 0.1 * sigma);
-  const double spacing = 0.3 * 1.2 / 2999;
-  EXPECT_NEAR(noise.curvature, std::sqrt(6.0) * sigma / (spacing * spacing), 0.15 * noise.curvature);
-}
-
-TEST(ProfileSmoothing, TheLengthThatNoiseAsksForBringsItsCurvatureDown) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> error(0, 5e-6);
-  std::vector<ProfilePoint> points;
-  for (int k = 0; k < 2000; ++k) points.push_back({2e-4 * k, error(random)});
-  const auto noise = estimate_noise(points);
-  const Profile profile(ProfileRole::rail, smoothed(points, {}, noise.smoothing_length));
-  double squares = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const double curvature = profile.at(profile.length() * (0.1 + 0.8 * k / 4000)).second.z;
-    squares += curvature * curvature / 4000;
-  }
-  EXPECT_NEAR(std::sqrt(squares), 3, 0.5);
-}
-
-TEST(ProfileSmoothing, FindsNoNoiseInArcs) {
-  std::vector<ProfilePoint> points;
-  for (int k = 0; k <= 400; ++k) {
-    const double angle = -1.2 + 2.4 * k / 400;
-    points.push_back({0.08 * std::sin(angle), 0.08 * std::cos(angle)});
-  }
-  EXPECT_LT(estimate_noise(points).deviation, 1e-10);
-  EXPECT_EQ(estimate_noise(points).smoothing_length, 0);
-}
-
 } // namespace
 } // namespace microslip

@@ -29,10 +29,30 @@ TEST(ProgramProfile, PrintsTheDimensions) {
   const auto printed = run_program(folder, "profile " + wheel);
   EXPECT_EQ(printed.exit_code, 0);
   EXPECT_EQ(printed.errors, "");
-  for (const auto* text : {"wheel, Simpack", "flange thickness Sd           32.5 mm", "turned round"})
+  for (const auto* text : {"wheel, Simpack", "flange thickness Sd          32.5 mm", "turned round"})
     EXPECT_NE(printed.output.find(text), std::string::npos) << text << "\n" << printed.output;
   EXPECT_TRUE(folder.entries().empty());
   EXPECT_NE(run_program(folder, "profile " + rail).output.find("y of the gauge point"), std::string::npos);
+}
+
+TEST(ProgramProfile, SmoothsPointsThatScatter) {
+  const TemporaryFolder folder;
+  std::ofstream file(folder.path() / "rail.txt");
+  for (int k = -140; k <= 140; ++k) { // 5 um up and down by a rule without period
+    const double y = 0.25 * k, z = -y * y / 600 + 0.005 * std::sin(1.7 * k * k);
+    file << y << ' ' << z << '\n';
+  }
+  file.close();
+  const std::string path = (folder.path() / "rail.txt").string();
+  const auto by_noise = document(folder, path), not_at_all = document(folder, path + " --smoothing-length 0");
+  EXPECT_EQ(by_noise.at("smoothing").at("by_noise"), true);
+  EXPECT_NEAR(by_noise.at("noise").at("deviation").get<double>(), 3.5e-6, 2e-6);
+  EXPECT_GT(by_noise.at("smoothing").at("pressure_left").get<double>(), 0);
+  EXPECT_EQ(not_at_all.at("smoothing").at("by_noise"), false);
+  EXPECT_EQ(not_at_all.at("smoothing").at("largest_move"), 0);
+  const auto printed = run_program(folder, "profile " + path);
+  for (const auto* text : {"smoothed by their noise of ", "peak pressure +-", "curvature, 6 mm +-"})
+    EXPECT_NE(printed.output.find(text), std::string::npos) << text << "\n" << printed.output;
 }
 
 TEST(ProgramProfile, ShowsTheSlicesOfAProfileThatVaries) {

@@ -96,6 +96,10 @@ bool run_layers(const StudyOptions& options, std::ostream& out);
 /// input files, profiles and stored results; without them it says so.
 bool run_manchester(const StudyOptions& options, std::ostream& out);
 
+/// The study `measurements`. Wheels and rails with errors as instruments have them, smoothed by themselves: forces,
+/// peak pressures and conicity beside those without errors, and how uncertain pressures are said to be.
+bool run_measurements(const StudyOptions& options, std::ostream& out);
+
 /// The study `model-problem`: the paper's three cases of (F20). Transition points beside the printed ones, errors and
 /// orders of all strategies; writes model_problem.h5.
 bool run_model_problem(const StudyOptions& options, std::ostream& out);

@@ -37,6 +37,7 @@ constexpr std::array all_studies = {
     study("kalker-coefficients", run_kalker_coefficients),
     study("layers", run_layers),
     study("manchester", run_manchester),
+    study("measurements", run_measurements),
     study("model-problem", run_model_problem),
     study("random-problems", run_random_problems),
     study("random-wheels", run_random_wheels),

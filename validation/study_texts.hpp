@@ -33,6 +33,7 @@ inline constexpr std::array study_texts = {
     StudyText{"kalker-coefficients", "creepage coefficients without slip beside Kalker's table, and a finer table"},
     StudyText{"layers", "layered bodies beside closed forms and published figures: responses, contact, rolling"},
     StudyText{"manchester", "a wheelset of the Manchester benchmark beside CONTACT, with both theories"},
+    StudyText{"measurements", "measured profiles with noise: forces, pressures and conicity beside those without"},
     StudyText{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies"},
     StudyText{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps"},
     StudyText{"random-wheels",

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 namespace microslip::validation {
@@ -44,27 +43,14 @@ Profile worn(const Profile& rail, double depth) {
   return reshaped(rail, [=](const ProfilePoint& p) { return std::min(p.z, top - depth - p.y * p.y); });
 }
 
-/// Normally distributed numbers that are the same with every standard library (Box and Muller 1958).
-class Noise {
-public:
-  explicit Noise(std::uint64_t seed) : draw_(seed) {}
-  double operator()() {
-    const double radius = std::sqrt(-2 * std::log(1 - draw_.number(0, 1)));
-    return radius * std::cos(2 * std::numbers::pi * draw_.number(0, 1));
-  }
-
-private:
-  Draw draw_;
-};
-
 /// As measured: points every 0.25 mm with white noise of `deviation` [m], smoothed.
 Profile measured(const Profile& whole, double deviation, std::uint64_t seed) {
   constexpr double spacing = 0.25e-3, wavelength = 3e-3;
-  Noise noise(seed);
+  Draw draw(seed);
   std::vector<ProfilePoint> points;
   for (double s = 0; s < whole.length(); s += spacing) {
     ProfilePoint p = whole.at(s).value;
-    p.z += deviation * noise();
+    p.z += deviation * draw.normal();
     points.push_back(p);
   }
   ProfileTreatment smoothed;

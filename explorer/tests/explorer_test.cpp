@@ -222,7 +222,8 @@ TEST_F(ExplorerTest, TellsInputsInSiWithTheirDefaults) {
   EXPECT_FALSE(found["units"].contains("friction.law"));
   const io::Json wheel = result({{"call", "inputs"}, {"case", wheel_case()}, {"files", profiles()}});
   EXPECT_EQ(wheel["inputs"]["rail.profile"], "60e1.prr");
-  EXPECT_EQ(wheel["inputs"]["rail.smoothing_length"], 0);
+  EXPECT_EQ(wheel["inputs"]["rail.scale"], 1);
+  EXPECT_FALSE(wheel["inputs"].contains("rail.smoothing_length")); // left out: by the noise
   EXPECT_EQ(wheel["inputs"]["solution.grid"], 16);
   EXPECT_EQ(wheel["inputs"]["wheel.yaw"], 0.002);
   EXPECT_EQ(refusal({{"call", "inputs"}, {"case", with(ellipse_case(), "spin =", "spinn =")}}),
@@ -490,7 +491,8 @@ TEST_F(ExplorerTest, DescribesEveryInputAsTheTablesDo) {
   EXPECT_EQ(all["bodies"]["friction.law"]["words"].size(), 5);
   EXPECT_EQ(all["bodies"]["body2.poisson_ratio"]["largest"], 0.5);
   EXPECT_FALSE(all["bodies"]["body2.rolling_radius"].contains("least"));
-  EXPECT_EQ(all["wheel"]["rail.smoothing_length"]["default"], 0);
+  EXPECT_EQ(all["wheel"]["rail.scale"]["default"], 1);
+  EXPECT_FALSE(all["wheel"]["rail.smoothing_length"].contains("default"));
   EXPECT_EQ(all["wheel"]["rail.smoothing_length"]["section"], "profile");
   EXPECT_EQ(all["wheel"]["wheel.yaw"]["state"], true);
 }

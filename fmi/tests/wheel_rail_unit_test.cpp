@@ -146,12 +146,12 @@ TEST(WheelRailUnit, ParametersReachTheSolver) {
   EXPECT_EQ(instance.set_text("wheel.side", "right"), fmi2OK);
   EXPECT_EQ(instance.set("friction.coefficient", 0.2), fmi2OK);
   EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
-  EXPECT_EQ(instance.set("rail.smoothing_length", 2e-3), fmi2OK);
+  EXPECT_EQ(instance.set("rail.scale", 1.001), fmi2OK);
   EXPECT_EQ(instance.set_text("solution.theory", "exact"), fmi2OK);
   EXPECT_EQ(instance.set_integer("solution.grid", 8), fmi2OK);
   instance.set_state(running(-2e-3), 60e3);
   WheelRailBodies wanted = bodies(TrackSide::right);
-  wanted.rail = io::read_profile(resources / "60e1.prr", {.treatment = {.smoothing_length = 2e-3}}).profile;
+  wanted.rail = io::read_profile(resources / "60e1.prr", {.scale = 1.001}).profile;
   wanted.track.gauge = 1.437, wanted.track.cant = 0.025, wanted.wheelset.nominal_radius = 0.45;
   wanted.friction = {{0, 0.2}};
   WheelRail contact(wanted, {.theory = Theory::exact, .elements = 8});

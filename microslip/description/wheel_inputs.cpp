@@ -45,7 +45,8 @@ std::vector<Input> all_inputs() {
            word("z_axis", vertical_senses, "", "where z runs; left out: by the format or the shape"),
            whole("section", between(1, 10000), 1, "which profile of several in a file"),
            numbers("trim", "m", "y of both ends beyond which the profile is left out"),
-           number("smoothing_length", "m", between(0, 1), 0, "wavelength of which smoothing leaves half"),
+           number("smoothing_length", "m", between(0, 1),
+                  "wavelength of which smoothing leaves half, 0: none; left out: by the points' scatter"),
        }},
       {"wheelset",
        {

@@ -22,13 +22,18 @@ namespace microslip::python {
 template <>
 inline constexpr auto fields<ProfileKink> = members<&ProfileKink::point, &ProfileKink::s, &ProfileKink::angle>;
 template <>
-inline constexpr auto fields<ProfileNoise> =
-    members<&ProfileNoise::deviation, &ProfileNoise::curvature, &ProfileNoise::smoothing_length>;
+inline constexpr auto fields<ProfileNoise> = members<&ProfileNoise::deviation, &ProfileNoise::curvature,
+                                                     &ProfileNoise::long_waves, &ProfileNoise::smoothing_length>;
+template <>
+inline constexpr auto fields<ProfileSmoothing> =
+    members<&ProfileSmoothing::length, &ProfileSmoothing::by_noise, &ProfileSmoothing::mean_move,
+            &ProfileSmoothing::largest_move, &ProfileSmoothing::curvature_change, &ProfileSmoothing::curvature_left,
+            &ProfileSmoothing::pressure_left>;
 template <>
 inline constexpr auto fields<ProfileReport> =
     members<&ProfileReport::source, &ProfileReport::format, &ProfileReport::comment, &ProfileReport::unit,
             &ProfileReport::points_read, &ProfileReport::points, &ProfileReport::steps, &ProfileReport::assumptions,
-            &ProfileReport::warnings, &ProfileReport::kinks, &ProfileReport::noise, &ProfileReport::smoothing_length>;
+            &ProfileReport::warnings, &ProfileReport::kinks, &ProfileReport::noise, &ProfileReport::smoothing>;
 template <>
 inline constexpr auto fields<WheelDimensions> =
     members<&WheelDimensions::tape_line, &WheelDimensions::flange_height, &WheelDimensions::flange_thickness,
@@ -91,9 +96,10 @@ ProfileValue shared(PreparedProfile prepared) {
 }
 
 /// `trim` is None or two values.
-ProfileTreatment treatment_of(double smoothing_length, const std::optional<std::pair<double, double>>& trim) {
+ProfileTreatment treatment_of(std::optional<double> smoothing_length,
+                              const std::optional<std::pair<double, double>>& trim) {
   ProfileTreatment treatment;
-  treatment.smoothing_length = require_between("smoothing_length", smoothing_length, "m", 0, 1);
+  if (smoothing_length) treatment.smoothing_length = require_between("smoothing_length", *smoothing_length, "m", 0, 1);
   if (trim) {
     treatment.y_min = require_finite("trim", trim->first, "m");
     treatment.y_max = require_finite("trim", trim->second, "m");
@@ -101,8 +107,8 @@ ProfileTreatment treatment_of(double smoothing_length, const std::optional<std::
   return treatment;
 }
 
-ProfileValue from_points(const py::object& y, const py::object& z, ProfileRole kind, double smoothing_length,
-                         const std::optional<std::pair<double, double>>& trim) {
+ProfileValue from_points(const py::object& y, const py::object& z, ProfileRole kind,
+                         std::optional<double> smoothing_length, const std::optional<std::pair<double, double>>& trim) {
   const auto ys = real_array("y", y);
   const auto zs = real_array("z", z, Shape{ys.size()});
   std::vector<ProfilePoint> points;
@@ -181,8 +187,28 @@ void bind_report(py::module_& module) {
           "Standard deviation of the curvature that follows from the noise [1/m].")
       .def_property_readonly(
           "recommended_smoothing_length", [](const ProfileReport& self) { return self.noise.smoothing_length; },
-          "Wavelength of smoothing that brings the deviation of curvature down to 3 1/m [m]; 0: none needed.")
-      .def_readonly("smoothing_length", &ProfileReport::smoothing_length, "Wavelength of smoothing [m]; 0: none.");
+          "Wavelength of smoothing with the best peak pressures [m]; 0: the points do not scatter.")
+      .def_property_readonly(
+          "smoothing_length", [](const ProfileReport& self) { return self.smoothing.length; },
+          "Wavelength of smoothing that was asked for [m]; 0: none.")
+      .def_property_readonly(
+          "smoothed_by_noise", [](const ProfileReport& self) { return self.smoothing.by_noise; },
+          "Whether the points were smoothed by their noise, since they scatter and smoothing_length was None.")
+      .def_property_readonly(
+          "mean_move", [](const ProfileReport& self) { return self.smoothing.mean_move; },
+          "Root mean square of what smoothing moved the points by [m].")
+      .def_property_readonly(
+          "largest_move", [](const ProfileReport& self) { return self.smoothing.largest_move; },
+          "Largest move of a point by smoothing [m].")
+      .def_property_readonly(
+          "curvature_change", [](const ProfileReport& self) { return self.smoothing.curvature_change; },
+          "Root mean square of what smoothing changed the polygon's curvature by [1/m].")
+      .def_property_readonly(
+          "curvature_left", [](const ProfileReport& self) { return self.smoothing.curvature_left; },
+          "Standard deviation of the curvature of 6 mm that smoothing by noise leaves [1/m], median of the profile.")
+      .def_property_readonly(
+          "pressure_left", [](const ProfileReport& self) { return self.smoothing.pressure_left; },
+          "The same of the peak pressure of a straight tread on a head of radius 300 mm, relative [-].");
   report.def("__repr__", &to_text); // before the one of add_value
   add_value(report, {"source", "points"});
 }
@@ -270,10 +296,12 @@ void bind_profile(py::module_& module) {
       "The cross-section of a rail, or of a wheel through its axle: cubic splines between kinks, y to the field side,\n"
       "z up, from the gauge side to the field side, or from the back of the flange to the outer face.");
   profile.def(
-      py::init(&from_points), "y"_a, "z"_a, "kind"_a, py::kw_only(), "smoothing_length"_a = 0.0, "trim"_a = py::none(),
-      "Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none; trim drops the\n"
-      "ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points, for a length outside 5 mm to 500 mm,\n"
-      "and for a curve that crosses itself; the report says what was done and what looks wrong.");
+      py::init(&from_points), "y"_a, "z"_a, "kind"_a, py::kw_only(), "smoothing_length"_a = py::none(),
+      "trim"_a = py::none(),
+      "Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none, None: by the points'\n"
+      "noise, if they scatter; trim drops the ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points,\n"
+      "for a length outside 5 mm to 500 mm, and for a curve that crosses itself; the report says what was done and\n"
+      "what looks wrong.");
   bind_curve(profile);
   profile
       .def(
@@ -299,7 +327,7 @@ void bind_profile(py::module_& module) {
       "read_profile",
       [](const py::object& path, std::optional<ProfileRole> kind, std::optional<io::ProfileFormat> format,
          std::optional<double> unit, double scale, std::optional<io::LateralSense> y_axis,
-         std::optional<io::VerticalSense> z_axis, int section, double smoothing_length,
+         std::optional<io::VerticalSense> z_axis, int section, std::optional<double> smoothing_length,
          const std::optional<std::pair<double, double>>& trim) {
         const io::ProfileFileOptions options = {.format = format,
                                                 .role = kind,
@@ -315,7 +343,7 @@ void bind_profile(py::module_& module) {
         return value;
       },
       "path"_a, py::kw_only(), "kind"_a = py::none(), "format"_a = py::none(), "unit"_a = py::none(), "scale"_a = 1.0,
-      "y_axis"_a = py::none(), "z_axis"_a = py::none(), "section"_a = 1, "smoothing_length"_a = 0.0,
+      "y_axis"_a = py::none(), "z_axis"_a = py::none(), "section"_a = 1, "smoothing_length"_a = py::none(),
       "trim"_a = py::none(),
       "The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw "
       "of\n"

@@ -1318,10 +1318,11 @@ class NormalSolution:
 class Profile:
     """The cross-section of a rail, or of a wheel through its axle: cubic splines between kinks, y to the field side,
     z up, from the gauge side to the field side, or from the back of the flange to the outer face."""
-    def __init__(self, y: ArrayLike, z: ArrayLike, kind: Literal["rail", "wheel"], *, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> None:
-        """Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none; trim drops the
-        ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points, for a length outside 5 mm to 500 mm,
-        and for a curve that crosses itself; the report says what was done and what looks wrong."""
+    def __init__(self, y: ArrayLike, z: ArrayLike, kind: Literal["rail", "wheel"], *, smoothing_length: float | None = None, trim: tuple[float, float] | None = None) -> None:
+        """Points y, z [m], shape (n), in any order along the curve; smoothing_length [m], 0: none, None: by the points'
+        noise, if they scatter; trim drops the ends with y outside (y_min, y_max) [m]. Error for fewer than 4 points,
+        for a length outside 5 mm to 500 mm, and for a curve that crosses itself; the report says what was done and
+        what looks wrong."""
     @property
     def kind(self) -> str:
         """rail or wheel."""
@@ -1420,10 +1421,28 @@ class ProfileReport:
         """Standard deviation of the curvature that follows from the noise [1/m]."""
     @property
     def recommended_smoothing_length(self) -> float:
-        """Wavelength of smoothing that brings the deviation of curvature down to 3 1/m [m]; 0: none needed."""
+        """Wavelength of smoothing with the best peak pressures [m]; 0: the points do not scatter."""
     @property
     def smoothing_length(self) -> float:
-        """Wavelength of smoothing [m]; 0: none."""
+        """Wavelength of smoothing that was asked for [m]; 0: none."""
+    @property
+    def smoothed_by_noise(self) -> bool:
+        """Whether the points were smoothed by their noise, since they scatter and smoothing_length was None."""
+    @property
+    def mean_move(self) -> float:
+        """Root mean square of what smoothing moved the points by [m]."""
+    @property
+    def largest_move(self) -> float:
+        """Largest move of a point by smoothing [m]."""
+    @property
+    def curvature_change(self) -> float:
+        """Root mean square of what smoothing changed the polygon's curvature by [1/m]."""
+    @property
+    def curvature_left(self) -> float:
+        """Standard deviation of the curvature of 6 mm that smoothing by noise leaves [1/m], median of the profile."""
+    @property
+    def pressure_left(self) -> float:
+        """The same of the peak pressure of a straight tread on a head of radius 300 mm, relative [-]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -2948,7 +2967,7 @@ def read_case(path: str | os.PathLike[str]) -> RollingCase:
     file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
     ones [-]."""
 
-def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, section: int = 1, smoothing_length: float = 0.0, trim: tuple[float, float] | None = None) -> Profile:
+def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, section: int = 1, smoothing_length: float | None = None, trim: tuple[float, float] | None = None) -> Profile:
     """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw of
     a rail that varies along the track and of a wheel that is not round. What the file does not
     say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z is

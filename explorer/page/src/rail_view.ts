@@ -32,17 +32,13 @@ interface Conicity {
 }
 type Level = "fastsim2" | "exact";
 
-const groups: Record<"Wheelset" | "Profiles" | "Track and wheelset" | "Material", FieldSpec[]> = {
+const groups: Record<"Wheelset" | "Track and wheelset" | "Material", FieldSpec[]> = {
   Wheelset: [
     { key: "wheel.lateral", label: "lateral position, to the left", from: -8, to: 8, step: 0.01 },
     { key: "wheel.yaw", label: "yaw, to the left", from: -20, to: 20, step: 0.1 },
     { key: "wheel.vertical_force", label: "wheel load", from: 5, to: 150, step: 1 },
     { key: "wheel.forward_velocity", label: "speed", from: 5, to: 350, step: 1 },
     { key: "friction.coefficient", label: "friction", from: 0.05, to: 0.8, step: 0.01 },
-  ],
-  Profiles: [
-    { key: "rail.smoothing_length", label: "rail smoothed with a wavelength of" },
-    { key: "wheelset.smoothing_length", label: "wheel smoothed with a wavelength of" },
   ],
   "Track and wheelset": [
     { key: "track.cant", label: "rail inclination", unit: "rad" },
@@ -137,7 +133,7 @@ export class RailView {
   #controls(): HTMLElement[] {
     const made = (group: keyof typeof groups) => groups[group].map((spec) =>
       this.#form.add(spec, this.state.values[spec.key]!, (value) => { this.#change(spec.key, value); }).root);
-    const group = (name: keyof typeof groups, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
+    const group = (name: keyof typeof groups | "Profiles", ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
     const choose = (role: "rail" | "wheel") => {
       const input = element("input", { type: "file", id: `file-${role}` });
       input.addEventListener("change", () => { const [file] = input.files ?? []; if (file) void this.take(file, role); });
@@ -152,7 +148,7 @@ export class RailView {
           this.state.files = {};
           this.#remarks.textContent = "";
           this.#newProfiles("rail", "wheel");
-        }), ...made("Profiles")),
+        })),
       group("Track and wheelset", ...made("Track and wheelset")),
       group("Material", ...made("Material")),
       this.#more,

@@ -98,7 +98,7 @@ export function initialState(): State {
       values: {
         "wheel.lateral": 0.003, "wheel.yaw": 0.002, "wheel.vertical_force": 80e3, "wheel.forward_velocity": 30,
         "friction.coefficient": 0.3, "track.cant": 0.05, "track.gauge": 1.435, "wheelset.nominal_radius": 0.46,
-        "wheelset.flange_back_distance": 1.36, ...defaults("rail", "rail.smoothing_length", "wheelset.smoothing_length"),
+        "wheelset.flange_back_distance": 1.36,
         "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
       },
       shape: "true", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {}, more: {},

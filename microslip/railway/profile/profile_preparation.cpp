@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 #include "microslip/railway/profile/profile_crossing.hpp"
+#include "microslip/railway/profile/profile_noise.hpp"
 #include "microslip/railway/profile/profile_smoothing.hpp"
 #include "microslip/railway/profile/report_text.hpp"
 
@@ -37,6 +38,33 @@ bool less_in_z(const ProfilePoint& a, const ProfilePoint& b) {
 bool is_far_from_ends(std::span<const ProfilePoint> points, const ProfilePoint& p) {
   constexpr double far = 5e-3;
   return distance(p, points.front()) > far && distance(p, points.back()) > far;
+}
+
+/// Curvature [1/m] of the polygon at a point that is none of its ends.
+double curvature_at(std::span<const ProfilePoint> points, std::size_t k) {
+  return 2 * turn_at(points, k) / (distance(points[k - 1], points[k]) + distance(points[k], points[k + 1]));
+}
+
+/// Root mean square of the difference of both polygons' curvatures away from kinks.
+double curvature_change(std::span<const ProfilePoint> before, std::span<const ProfilePoint> after,
+                        std::span<const std::size_t> kinks) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t k = 1; k + 1 < before.size(); ++k) {
+    if (std::binary_search(kinks.begin(), kinks.end(), k)) continue;
+    const double change = curvature_at(after, k) - curvature_at(before, k);
+    squares += change * change;
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
+}
+
+double median_curvature_deviation(const DenoisedPoints& points) {
+  auto all = points.curvature_deviation;
+  if (all.empty()) return 0;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
 }
 
 /// The treatment of one profile's points, step by step.
@@ -164,29 +192,72 @@ private:
   }
 
   void smooth(const std::vector<std::size_t>& kinks) {
-    report_.smoothing_length = treatment_.smoothing_length;
-    if (treatment_.smoothing_length == 0) return;
-    const auto moved = smoothed(points_, kinks, treatment_.smoothing_length);
-    double largest = 0;
+    if (!treatment_.smoothing_length)
+      smooth_by_noise(kinks);
+    else if (*treatment_.smoothing_length != 0)
+      smooth_by_length(kinks, *treatment_.smoothing_length);
+  }
+
+  void smooth_by_length(const std::vector<std::size_t>& kinks, double length) {
+    const auto moved = smoothed(points_, kinks, length);
+    for (std::size_t k = 1; k < points_.size(); ++k)
+      if (distance(moved[k - 1], moved[k]) <= treatment_.smallest_spacing)
+        fail("smoothing with wavelength " + in_mm(length) + " makes points coincide at " + in_mm(moved[k]));
+    report_.smoothing.length = length;
+    move(moved, kinks, "smoothed with wavelength " + in_mm(length));
+  }
+
+  void smooth_by_noise(const std::vector<std::size_t>& kinks) {
+    if (report_.noise.smoothing_length == 0) return;
+    const auto found = denoised(points_, kinks, report_.noise);
+    if (!found) return;
+    report_.smoothing.by_noise = true;
+    report_.noise.long_waves = found->long_waves;
+    report_.smoothing.curvature_left = median_curvature_deviation(*found);
+    report_.smoothing.pressure_left = pressure_deviation(*found);
+    move(found->points, kinks, "smoothed by their noise of " + in_um(scatter()));
+  }
+
+  /// Deviation of the noise that counts.
+  double scatter() const { return std::max(report_.noise.deviation, report_.noise.long_waves); }
+
+  void move(const std::vector<ProfilePoint>& moved, const std::vector<std::size_t>& kinks, const std::string& how) {
+    ProfileSmoothing& smoothing = report_.smoothing;
+    double squares = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      largest = std::max(largest, distance(points_[k], moved[k]));
-      if (k > 0 && distance(moved[k - 1], moved[k]) <= treatment_.smallest_spacing)
-        fail("smoothing with wavelength " + in_mm(treatment_.smoothing_length) + " makes points coincide at " +
-             in_mm(moved[k]));
+      const double move = distance(points_[k], moved[k]);
+      smoothing.largest_move = std::max(smoothing.largest_move, move);
+      squares += move * move;
     }
+    smoothing.mean_move = std::sqrt(squares / static_cast<double>(points_.size()));
+    smoothing.curvature_change = curvature_change(points_, moved, kinks);
     points_ = moved;
-    report_.steps.push_back("smoothed with wavelength " + in_mm(treatment_.smoothing_length) +
-                            ", which moved points by up to " + in_mm(largest));
+    report_.steps.push_back(how + ", which moved them by up to " + in_um(smoothing.largest_move) + ", " +
+                            in_um(smoothing.mean_move) + " in the mean, and changed the curvature by " +
+                            digits(smoothing.curvature_change * 1e-3) + " 1/mm in the mean");
   }
 
   void warn() {
     warn_of_axes();
     warn_of_extent();
     warn_of_gaps();
-    if (treatment_.smoothing_length == 0 && report_.noise.smoothing_length > 0)
-      report_.warnings.push_back("the points scatter by " + in_mm(report_.noise.deviation) +
-                                 ": curvatures are uncertain by " + digits(report_.noise.curvature * 1e-3) +
-                                 " 1/mm; smooth with a wavelength of " + in_mm(report_.noise.smoothing_length));
+    warn_of_noise();
+  }
+
+  void warn_of_noise() {
+    constexpr double noticeable = 0.05; // of the peak pressure
+    const ProfileNoise& noise = report_.noise;
+    const ProfileSmoothing& smoothing = report_.smoothing;
+    const std::string scatters = "the points scatter by " + in_um(scatter());
+    if (smoothing.by_noise && smoothing.pressure_left > noticeable)
+      report_.warnings.push_back(scatters + ": peak pressures on the running surface are uncertain by +-" +
+                                 in_percent(smoothing.pressure_left));
+    if (!smoothing.by_noise && smoothing.length == 0 && noise.smoothing_length > 0)
+      report_.warnings.push_back(scatters + ": curvatures are uncertain by " + digits(noise.curvature * 1e-3) +
+                                 " 1/mm, and peak pressures mean nothing; " +
+                                 (treatment_.smoothing_length
+                                      ? "leave smoothing_length out"
+                                      : "smooth with a wavelength of " + in_mm(noise.smoothing_length)));
   }
 
   void warn_of_axes() {

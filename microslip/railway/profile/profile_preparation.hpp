@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,8 @@ struct ProfileTreatment {
   double zigzag_angle = 5 * std::numbers::pi / 6;
   /// Points at either end whose y is outside are dropped; those between, an overhanging gauge corner say, stay.
   double y_min = -std::numeric_limits<double>::infinity(), y_max = std::numeric_limits<double>::infinity();
-  double smoothing_length = 0; ///< wavelength L of `smoothed`; 0: none
+  /// Wavelength L of `smoothed`, 0: none; left out: by the points' noise, where they scatter (`denoised`).
+  std::optional<double> smoothing_length = {};
   KinkRule kinks = {};
 
   friend bool operator==(const ProfileTreatment&, const ProfileTreatment&) = default;

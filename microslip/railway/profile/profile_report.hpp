@@ -19,8 +19,23 @@ struct ProfileKink {
 struct ProfileNoise {
   double deviation = 0; ///< standard deviation [m]
   double curvature = 0; ///< standard deviation of the curvature that follows from it [1/m]
-  /// Wavelength of smoothing [m] that takes the deviation of the curvature down to 3 1/m; 0 if it is below.
+  /// Standard deviation [m] of independent errors that have the same waves of a few millimetres: more than `deviation`
+  /// where neighbours share errors, or values are rounded.
+  double long_waves = 0;
+  /// Wavelength of smoothing [m] with the best peak pressures; 0 where the curvature is certain within 3 1/m as it is.
   double smoothing_length = 0;
+};
+
+/// What smoothing did to a profile.
+struct ProfileSmoothing {
+  double length = 0;           ///< the wavelength that was asked for [m], 0: none
+  bool by_noise = false;       ///< by the points' noise, where nothing was asked for
+  double mean_move = 0;        ///< root mean square of the points' [m]
+  double largest_move = 0;     ///< [m]
+  double curvature_change = 0; ///< root mean square, of the polygon [1/m]
+  /// Standard deviations that the noise leaves, by_noise: of the curvature of 6 mm [1/m], median of the profile, and
+  /// of the peak pressure, relative, of this profile's part (`pressure_deviation`).
+  double curvature_left = 0, pressure_left = 0;
 };
 
 /// Operations on a profile's points, and conspicuous features of them, in words for users. Lengths in them are in
@@ -38,7 +53,7 @@ struct ProfileReport {
   std::vector<std::string> warnings = {};    ///< what is probably wrong
   std::vector<ProfileKink> kinks = {};
   ProfileNoise noise = {};
-  double smoothing_length = 0; ///< [m], 0: the spline passes through the points
+  ProfileSmoothing smoothing = {};
 };
 
 } // namespace microslip

@@ -119,31 +119,6 @@ std::vector<ProfilePoint> smoothed_sections(std::span<const ProfilePoint> points
   return result;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Distance of the middle one of five points, across the line through its neighbours, from the cubic through the other
-/// four, over what it is for independent errors of deviation 1.
-double residual(std::span<const ProfilePoint, 5> points) {
-  std::array<double, 5> s{};
-  for (std::size_t i = 1; i < 5; ++i) s[i] = s[i - 1] + distance(points[i - 1], points[i]);
-  ProfilePoint off = points[2];
-  double squares = 1;
-  for (const std::size_t i : {0, 1, 3, 4}) {
-    double weight = 1;
-    for (const std::size_t j : {0, 1, 3, 4})
-      if (j != i) weight *= (s[2] - s[j]) / (s[i] - s[j]);
-    off.y -= weight * points[i].y;
-    off.z -= weight * points[i].z;
-    squares += weight * weight;
-  }
-  const double along_y = points[3].y - points[1].y, along_z = points[3].z - points[1].z;
-  return std::abs(off.z * along_y - off.y * along_z) / (std::hypot(along_y, along_z) * std::sqrt(squares));
-}
-
 } // namespace
 
 std::vector<double> shares_of_length(std::span<const ProfilePoint> points) {
@@ -177,26 +152,6 @@ std::vector<ProfilePoint> smoothed_with_weights(std::span<const ProfilePoint> po
 
 double smoothing_factor(double length) {
   return std::pow(length / (2 * std::numbers::pi), 4);
-}
-
-ProfileNoise estimate_noise(std::span<const ProfilePoint> points) {
-  constexpr double median_of_normal = 0.67449; // of |x| for a normal distribution of deviation 1
-  constexpr double wanted_curvature = 3;       // [1/m]
-  if (points.size() < 5) return {};
-  std::vector<double> residuals, steps;
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) steps.push_back(distance(points[k], points[k + 1]));
-  for (std::size_t k = 2; k + 2 < points.size(); ++k)
-    if (const double r = residual(points.subspan(k - 2).first<5>()); std::isfinite(r)) residuals.push_back(r);
-  if (residuals.empty()) return {};
-
-  const double sigma = median(std::move(residuals)) / median_of_normal, h = median(std::move(steps));
-  ProfileNoise noise{sigma, std::sqrt(6.0) * sigma / (h * h), 0};
-  // Smoothing at L leaves int k^4/(1 + lambda k^4)^2 dk/pi sigma^2 h = sigma^2 h (2 pi/L)^5/(8 sqrt 2) of its square.
-  if (noise.curvature > wanted_curvature)
-    noise.smoothing_length =
-        2 * std::numbers::pi *
-        std::pow(sigma * sigma * h / (8 * std::sqrt(2.0) * wanted_curvature * wanted_curvature), 0.2);
-  return noise;
 }
 
 } // namespace microslip

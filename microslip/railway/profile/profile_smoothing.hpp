@@ -1,7 +1,6 @@
 #pragma once
 
 #include "microslip/railway/profile/profile.hpp"
-#include "microslip/railway/profile/profile_report.hpp"
 
 #include <cstddef>
 #include <span>
@@ -32,10 +31,5 @@ std::vector<double> shares_of_length(std::span<const ProfilePoint> points);
 
 /// The lambda of a wavelength, (L/2 pi)^4.
 double smoothing_factor(double length);
-
-/// Scatter of points: the median distance of each, across the curve, from the cubic in s through its two neighbours on
-/// either side, over what that is for independent errors of deviation 1. Corners and outliers do not count. Zero for
-/// fewer than five points. The deviation of curvature is sqrt(6) sigma/h^2, h the median spacing.
-ProfileNoise estimate_noise(std::span<const ProfilePoint> points);
 
 } // namespace microslip

@@ -6,18 +6,6 @@
 namespace microslip {
 namespace {
 
-/// Weights of the third divided difference of values at four points.
-std::array<double, 4> third_difference(const std::array<double, 4>& s) {
-  std::array<double, 4> weights{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    double product = 1;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (k != i) product *= s[i] - s[k];
-    weights[i] = 1 / product;
-  }
-  return weights;
-}
-
 /// Peano's kernel of the third divided difference: f[s0, s1, s2, s3] is the integral of its product with f'''. It is
 /// the quadratic B-spline of these knots over 2 (s3 - s0).
 double kernel(const std::array<double, 4>& s, double t) {
@@ -33,14 +21,25 @@ double kernel(const std::array<double, 4>& s, double t) {
 
 } // namespace
 
+std::array<double, 4> third_difference(const std::array<double, 4>& s) {
+  std::array<double, 4> weights{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    double product = 1;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (k != i) product *= s[i] - s[k];
+    weights[i] = 1 / product;
+  }
+  return weights;
+}
+
 QuinticSmoothing::QuinticSmoothing(std::span<const double> steps, std::span<const double> inverse_weights,
                                    double lambda)
     : inverse_weights_(inverse_weights.begin(), inverse_weights.end()), lambda_(lambda) {
   if (steps.size() < half_width) return;
-  bands_.resize(steps.size() + 1 - half_width);
+  bands_ = SymmetricBand<half_width>(steps.size() + 1 - half_width);
   add_kernels(steps);
   add_weights();
-  factorise();
+  bands_.factorise();
 }
 
 /// Integrals of products of two kernels, exact by three points of Gauss in each step.
@@ -69,32 +68,12 @@ void QuinticSmoothing::add_weights() {
             lambda_ * differences_[j][i] * inverse_weights_[j + i] * differences_[j + offset][i - offset];
 }
 
-/// L D L': pivots, and the columns of L below them.
-void QuinticSmoothing::factorise() {
-  for (std::size_t j = 0; j < bands_.size(); ++j) {
-    Differences& column = bands_[j];
-    for (std::size_t before = 1; before <= std::min(j, half_width); ++before) {
-      const Differences& done = bands_[j - before];
-      for (std::size_t offset = 0; before + offset <= half_width; ++offset)
-        column[offset] -= done[before] * done[before + offset] * done[0];
-    }
-    for (std::size_t offset = 1; offset <= half_width; ++offset) column[offset] /= column[0];
-  }
-}
-
 void QuinticSmoothing::smooth(std::span<double> values) const {
   const std::size_t count = bands_.size();
   std::vector<double> third(count); // coefficients of f''' on the kernels
-  for (std::size_t j = 0; j < count; ++j) {
+  for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i <= half_width; ++i) third[j] += differences_[j][i] * values[j + i];
-    for (std::size_t before = 1; before <= std::min(j, half_width); ++before)
-      third[j] -= bands_[j - before][before] * third[j - before];
-  }
-  for (std::size_t j = count; j-- > 0;) {
-    third[j] /= bands_[j][0];
-    for (std::size_t after = 1; after <= half_width && j + after < count; ++after)
-      third[j] -= bands_[j][after] * third[j + after];
-  }
+  bands_.solve(third);
   for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i <= half_width; ++i)
       values[j + i] -= lambda_ * inverse_weights_[j + i] * differences_[j][i] * third[j];

@@ -1,10 +1,15 @@
 #pragma once
 
+#include "microslip/numerics/symmetric_band.hpp"
+
 #include <array>
 #include <span>
 #include <vector>
 
 namespace microslip {
+
+/// Weights of the third divided difference of values at four ascending points.
+std::array<double, 4> third_difference(const std::array<double, 4>& s);
 
 /// Natural quintic smoothing spline: values at points s_i minimise sum w_i (x_i - f(s_i))^2 + lambda int f'''^2 ds, so
 /// that parabolas stay as they are and a wave of wavenumber k keeps 1/(1 + lambda k^6) of its amplitude (Reinsch's
@@ -23,12 +28,11 @@ private:
 
   void add_kernels(std::span<const double> steps);
   void add_weights();
-  void factorise();
 
   std::vector<double> inverse_weights_;
   double lambda_;
   std::vector<Differences> differences_; ///< third divided differences, by their first point
-  std::vector<Differences> bands_;       ///< of the matrix at and beside its diagonal, then of its L D L'
+  SymmetricBand<half_width> bands_;
 };
 
 } // namespace microslip

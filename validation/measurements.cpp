@@ -1,0 +1,12 @@
+#include "validation/measurements_smoothing.hpp"
+#include "validation/report.hpp"
+#include "validation/studies.hpp"
+
+namespace microslip::validation {
+
+bool run_measurements(const StudyOptions& options, std::ostream& out) {
+  Report report(out, options.figures);
+  return report_measured_profiles(report, options) && report.all_met();
+}
+
+} // namespace microslip::validation
