@@ -6,6 +6,7 @@
 #include "app/interior_table.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
+#include "app/measured_points.hpp"
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
@@ -14,15 +15,18 @@
 #include "cases/rolling_contact_result.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "microslip/error.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -36,6 +40,7 @@ namespace fs = std::filesystem;
 struct SolveArguments {
   fs::path case_file;
   fs::path folder;
+  fs::path points; ///< measured ones, of two bodies
   bool no_pictures = false, json = false;
 };
 
@@ -320,8 +325,12 @@ void print_file(const fs::path& file) {
 
 template <class Input, class Result>
 void print_document(const Input& input, const Result& result, const io::Provenance& provenance, const fs::path& file,
-                    std::vector<std::string> pictures) {
+                    std::vector<std::string> pictures, const std::optional<fit::MeasuredComparison>& comparison) {
   io::Json document = cases::case_document(input, result, provenance);
+  if (comparison)
+    document["measured_points"] = {{"points", comparison->curves.points.size()},
+                                   {"rms", io::json_number(comparison->rms)},
+                                   {"bias", io::json_number(comparison->bias)}};
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
   print_json(document);
@@ -341,17 +350,30 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
   fmt::print(stderr, "microslip: warning: {}: older than result.h5: {}\n", folder.string(), fmt::join(old, ", "));
 }
 
+/// The case beside measured points, if there are any.
+template <class Input>
+std::optional<fit::MeasuredComparison> compare(const SolveArguments& arguments, const Input& input) {
+  if (arguments.points.empty()) return std::nullopt;
+  if constexpr (std::is_same_v<Input, io::RollingCase>) return compare_with_points(input, arguments.points);
+  throw Error("--points: is for cases of two bodies");
+}
+
 template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
   io::require_writable_file_in(arguments.folder, io::result_name);
+  const auto comparison = compare(arguments, input);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input, result);
+  if (comparison && !arguments.json) fmt::print("{}\n\n", comparison_text(*comparison));
   const auto file = arguments.folder / io::result_name;
   const io::Provenance provenance = provenance_of(arguments, input, text);
   write(arguments, input, result, provenance, file);
   if (!arguments.json) print_file(file);
-  const auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw_pictures(file, arguments.folder);
+  auto pictures = arguments.no_pictures ? std::vector<std::string>() : draw_pictures(file, arguments.folder);
+  if (comparison)
+    for (const auto& written : write_comparison(*comparison, provenance, arguments.folder, !arguments.no_pictures))
+      pictures.push_back(written);
   if (arguments.json)
-    print_document(input, result, provenance, file, pictures);
+    print_document(input, result, provenance, file, pictures, comparison);
   else
     for (const auto& picture : pictures) print_file(picture);
   warn_of_old_pictures(arguments.folder, pictures);
@@ -392,6 +414,8 @@ void add_solve_command(Command& program, int& exit_code) {
   command.add_option("CASE.toml", arguments.case_file, "case file (microslip init writes one)").required();
   command.add_option("-o,--output FOLDER", arguments.folder,
                      "folder for result.h5 and the pictures; default: results/NAME for NAME.toml");
+  command.add_option("--points POINTS.csv", arguments.points,
+                     "measured creep curves as of `fit`, beside those of a case of two bodies, with rms and bias");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   add_json_flag(command, arguments.json);
 }

@@ -74,7 +74,7 @@ protected:
 };
 
 Words commands() {
-  return {"batch",  "bench", "completion", "conicity", "convert", "explore", "hertz", "init",
+  return {"batch",  "bench", "completion", "conicity", "convert", "explore", "fit",   "hertz",   "init",
           "manual", "plot",  "profile",    "run",      "solve",   "sweep",   "table", "validate"};
 }
 
