@@ -47,10 +47,11 @@ fit::FittedCurves find_fit(const FitArguments& arguments, const io::CaseInputs& 
   io::MeasuredCurves curves = io::read_measured_curves(io::read_case_text(arguments.points), arguments.points.string(),
                                                        fit::conditions_of(base));
   ProgressBar bar("fit");
-  const fit::FitOptions options{.huber = arguments.huber, .threads = arguments.threads, .progress = [&](double fraction) {
-                                  bar.update(fraction);
-                                  return !InterruptGuard::interrupted();
-                                }};
+  const fit::FitOptions options{
+      .huber = arguments.huber, .threads = arguments.threads, .progress = [&](double fraction) {
+        bar.update(fraction);
+        return !InterruptGuard::interrupted();
+      }};
   try {
     return fit::fit_creep_curves(std::move(curves), std::move(models), options);
   } catch (const Stopped&) {
@@ -64,8 +65,10 @@ std::vector<std::string> interval_texts(const fit::FittedParameter& one, const P
   const auto text = [&](double value) { return fmt::format("{:.4g}", value * unit.factor); };
   if (one.is_held) return {text(one.value), "held"};
   const bool open_below = one.parameter.scale == fit::ParameterScale::log ? one.lower <= 0 : one.lower <= 0;
-  const bool open_above = std::isinf(one.upper) || (one.parameter.scale == fit::ParameterScale::logit && one.upper >= 1);
-  return {text(one.value), fmt::format("{} to {}", open_below ? "open" : text(one.lower), open_above ? "open" : text(one.upper))};
+  const bool open_above =
+      std::isinf(one.upper) || (one.parameter.scale == fit::ParameterScale::logit && one.upper >= 1);
+  return {text(one.value),
+          fmt::format("{} to {}", open_below ? "open" : text(one.lower), open_above ? "open" : text(one.upper))};
 }
 
 void print_models(const fit::FittedCurves& run) {
@@ -75,7 +78,8 @@ void print_models(const fit::FittedCurves& run) {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < run.fits.size(); ++k)
     if (run.fits[k].is_solved()) order.push_back(k);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return run.fits[a].aicc < run.fits[b].aicc; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return run.fits[a].aicc < run.fits[b].aicc; });
   fmt::print("Models                parameters     rms    AICc above the best\n");
   for (const std::size_t k : order)
     fmt::print("  {:<20} {:>5} {:>13.5f} {:>10.1f}{}\n", run.fits[k].model.name(), run.fits[k].free.size(),
@@ -142,8 +146,8 @@ std::vector<std::string> findings(const fit::FittedCurves& run) {
 std::string advice(const fit::FittedCurves& run) {
   if (!run.further) return "";
   const fit::FurtherMeasurement& further = *run.further;
-  return fmt::format("{} points more at {:.2g} to {:.2g} % creepage and {:.4g} m/s: interval of {} x {:.2f}", further.points,
-                     100 * further.least_creepage, 100 * further.largest_creepage, further.speed,
+  return fmt::format("{} points more at {:.2g} to {:.2g} % creepage and {:.4g} m/s: interval of {} x {:.2f}",
+                     further.points, 100 * further.least_creepage, 100 * further.largest_creepage, further.speed,
                      name_of(run.best.parameters[further.parameter]), further.width);
 }
 
@@ -154,6 +158,8 @@ void print_text(const fit::FittedCurves& run) {
   print_parameters(run.best);
   print_derived(run);
   fmt::print("\nrms {:.5f}, bias {:.1e}\n", run.best.rms, run.bias());
+  if (std::abs(run.rms_of_case - run.best.rms) > 1e-6) // other elements
+    fmt::print("rms {:.5f} on the elements of the case\n", run.rms_of_case);
   if (const auto texts = findings(run); !texts.empty())
     fmt::print("\nWhat the data do not tell\n  {}\n", fmt::join(texts, "\n  "));
   if (const std::string text = advice(run); !text.empty()) fmt::print("\nWhat would help most\n  {}\n", text);
@@ -247,7 +253,8 @@ hardening_layer (exact theory); and Polach's formula, polach_formula and polach_
 
 Published parameters to start from, none of them a prediction:
 )";
-  for (const fit::StartingValues& set : fit::starting_values()) text += fmt::format("  {:<22} {}\n", set.name, set.source);
+  for (const fit::StartingValues& set : fit::starting_values())
+    text += fmt::format("  {:<22} {}\n", set.name, set.source);
   return text + "\nExample:\n  microslip fit examples/creep_curve.csv --case examples/creep_curve.toml -o fitted";
 }
 
@@ -257,8 +264,10 @@ void add_fit_command(Command& program) {
   Command command = program.add_subcommand("fit", "Fit friction and layers to measured creep curves", footer());
   FitArguments& arguments = command.arguments(run);
   command.add_option("POINTS.csv", arguments.points, "measured creep curves").required();
-  command.add_option("--case CASE.toml", arguments.case_file, "the contact, two bodies, and the theory to fit with").required();
-  command.add_option("--model NAME", arguments.model, "model to fit; default: all, and the simplest of the best is taken");
+  command.add_option("--case CASE.toml", arguments.case_file, "the contact, two bodies, and the theory to fit with")
+      .required();
+  command.add_option("--model NAME", arguments.model,
+                     "model to fit; default: all, and the simplest of the best is taken");
   command.add_option("--start NAME", arguments.start, "published parameters to start from; default: those of the case");
   command.add_flag("--huber", arguments.huber, "let single points far from the curve count less (Huber's loss)");
   command.add_option("--threads COUNT", arguments.threads,

@@ -17,11 +17,16 @@ void write_points(io::ResultWriter& file, const io::MeasuredCurves& curves, cons
     file.array("points/" + name, values, unit, what);
   };
   using Point = const io::MeasuredPoint&;
-  column("creepage", [](Point p) { return p.creepage; }, "-", "magnitude of the creepage");
-  column("coefficient", [](Point p) { return p.coefficient; }, "-", "measured adhesion coefficient");
-  column("rolling_speed", [](Point p) { return p.speed; }, "m/s", "rolling speed");
-  column("normal_force", [](Point p) { return p.normal_force; }, "N", "normal force");
-  column("run", [](Point p) { return static_cast<double>(p.run); }, "-", "number of the run");
+  column(
+      "creepage", [](Point p) { return p.creepage; }, "-", "magnitude of the creepage");
+  column(
+      "coefficient", [](Point p) { return p.coefficient; }, "-", "measured adhesion coefficient");
+  column(
+      "rolling_speed", [](Point p) { return p.speed; }, "m/s", "rolling speed");
+  column(
+      "normal_force", [](Point p) { return p.normal_force; }, "N", "normal force");
+  column(
+      "run", [](Point p) { return static_cast<double>(p.run); }, "-", "number of the run");
   file.array("points/fitted", computed, "-", "computed adhesion coefficient");
   file.text("runs", fmt::format("{}", fmt::join(curves.runs, "\n")), "names of the runs, a line each");
 }
@@ -29,10 +34,9 @@ void write_points(io::ResultWriter& file, const io::MeasuredCurves& curves, cons
 fit::MeasuredComparison compare_with_points(const io::RollingCase& input, const std::filesystem::path& points) {
   if (input.problem.load.given != NormalLoad::Given::force)
     throw Error("load.approach: creep curves need load.normal_force");
-  return fit::compare_with_measured(
-      input, io::read_measured_curves(
-                 io::read_case_text(points), points.string(),
-                 {.speed = input.problem.motion.rolling_speed, .normal_force = input.problem.load.value}));
+  return fit::compare_with_measured(input, io::read_measured_curves(io::read_case_text(points), points.string(),
+                                                                    {.speed = input.problem.motion.rolling_speed,
+                                                                     .normal_force = input.problem.load.value}));
 }
 
 std::vector<std::string> write_comparison(const fit::MeasuredComparison& comparison, const io::Provenance& of,
@@ -50,6 +54,12 @@ std::vector<std::string> write_comparison(const fit::MeasuredComparison& compari
   if (with_picture)
     for (const auto& picture : draw_pictures(path, folder)) files.push_back(picture);
   return files;
+}
+
+io::Json comparison_document(const fit::MeasuredComparison& comparison) {
+  return {{"points", comparison.curves.points.size()},
+          {"rms", io::json_number(comparison.rms)},
+          {"bias", io::json_number(comparison.bias)}};
 }
 
 std::string comparison_text(const fit::MeasuredComparison& comparison) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/measured_comparison.hpp"
+#include "io/json.hpp"
 #include "io/result_writer.hpp"
 
 #include <filesystem>
@@ -20,6 +21,8 @@ fit::MeasuredComparison compare_with_points(const io::RollingCase& input, const 
 std::vector<std::string> write_comparison(const fit::MeasuredComparison& comparison, const io::Provenance& of,
                                           const std::filesystem::path& folder, bool with_picture);
 
+/// `points`, `rms` and `bias` as members of a JSON object.
+io::Json comparison_document(const fit::MeasuredComparison& comparison);
 /// `72 measured points: rms 0.01234, bias -0.00123`.
 std::string comparison_text(const fit::MeasuredComparison& comparison);
 

@@ -327,10 +327,7 @@ template <class Input, class Result>
 void print_document(const Input& input, const Result& result, const io::Provenance& provenance, const fs::path& file,
                     std::vector<std::string> pictures, const std::optional<fit::MeasuredComparison>& comparison) {
   io::Json document = cases::case_document(input, result, provenance);
-  if (comparison)
-    document["measured_points"] = {{"points", comparison->curves.points.size()},
-                                   {"rms", io::json_number(comparison->rms)},
-                                   {"bias", io::json_number(comparison->bias)}};
+  if (comparison) document["measured_points"] = comparison_document(*comparison);
   pictures.insert(pictures.begin(), file.string());
   document["files"] = pictures;
   print_json(document);

@@ -153,7 +153,8 @@ std::vector<CurveBand> curve_bands(const CurveFit& fit, const io::MeasuredCurves
   for (std::size_t first = 0; first < grids.points.size(); first += points_of_curve) {
     CurveBand band{.conditions = grids.points[first]};
     for (std::size_t i = first; i < first + points_of_curve; ++i) {
-      const double creepage = grids.points[i].creepage, deviation = norm_by(covariances.robust, &values.jacobian[i * k], k);
+      const double creepage = grids.points[i].creepage,
+                   deviation = norm_by(covariances.robust, &values.jacobian[i * k], k);
       band.creepage.push_back(creepage);
       band.coefficient.push_back(values.coefficients[i]);
       band.half_width.push_back(t * deviation);

@@ -16,8 +16,8 @@ struct DerivedQuantity {
 struct CurveBand {
   io::MeasuredPoint conditions;
   std::vector<double> creepage = {}, coefficient = {};
-  std::vector<double> half_width = {};               ///< of the 95 % band of the curve at each creepage by itself
-  std::vector<double> scatter = {};                  ///< local standard deviation of the points
+  std::vector<double> half_width = {}; ///< of the 95 % band of the curve at each creepage by itself
+  std::vector<double> scatter = {};    ///< local standard deviation of the points
   std::vector<double> least_point = {}, largest_point = {}; ///< 95 % band of further points
   double simultaneous = 0; ///< half widths of the band that holds the whole curve, over `half_width`
   DerivedQuantity peak = {}, creepage_at_peak = {}, last = {}; ///< last: at the largest creepage

@@ -89,7 +89,8 @@ bool CreepCurveSolver::solve(const io::RollingCase& input, std::span<double> coe
 void CreepCurveSolver::solve_by_formula(const io::RollingCase& input, std::pair<double, double> factors,
                                         std::span<double> coefficients, std::size_t run) {
   for (const Curve& curve : curves_)
-    if (curve.conditions.run == run) interpolate(curve, formula(curve, factors, problem_of(input, curve)), coefficients);
+    if (curve.conditions.run == run)
+      interpolate(curve, formula(curve, factors, problem_of(input, curve)), coefficients);
 }
 
 bool CreepCurveSolver::solve_nodes(const Curve& curve, const io::RollingCase& input, std::vector<double>& at_nodes) {
@@ -148,7 +149,7 @@ std::vector<double> CreepCurveSolver::formula(const Curve& curve, std::pair<doub
 }
 
 void CreepCurveSolver::interpolate(const Curve& curve, const std::vector<double>& at_nodes,
-                                 std::span<double> coefficients) const {
+                                   std::span<double> coefficients) const {
   const auto& nodes = curve.nodes;
   std::vector<double> steps, second(nodes.size());
   for (std::size_t k = 1; k < nodes.size(); ++k) steps.push_back(std::log(nodes[k] / nodes[k - 1]));

@@ -19,8 +19,8 @@ namespace microslip::fit {
 /// the exact theory some 10 on 16 elements.
 class CreepCurveSolver {
 public:
-  /// `points` must outlive it. `elements`: the most that the exact theory may have across the ellipse, whatever the case
-  /// asks for.
+  /// `points` must outlive it. `elements`: the most that the exact theory may have across the ellipse, whatever the
+  /// case asks for.
   CreepCurveSolver(const io::MeasuredCurves& points, bool is_exact, int elements);
 
   /// Writes a coefficient for each point of a run, which has this case; of all runs by default. Returns false where the
@@ -41,7 +41,8 @@ private:
   RollingProblem problem_of(const io::RollingCase& input, const Curve& curve) const;
   bool solve_nodes(const Curve& curve, const io::RollingCase& input, std::vector<double>& at_nodes);
   void interpolate(const Curve& curve, const std::vector<double>& at_nodes, std::span<double> coefficients) const;
-  std::vector<double> formula(const Curve& curve, std::pair<double, double> factors, const RollingProblem& problem) const;
+  std::vector<double> formula(const Curve& curve, std::pair<double, double> factors,
+                              const RollingProblem& problem) const;
 
   const io::MeasuredCurves& points_;
   int elements_;

@@ -19,7 +19,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr const char* not_solved = "the fitted curve is not solved between and beyond the points";
 constexpr double told_apart = 2; // of Akaike's criterion: models that are closer are as good
-constexpr double box = 6; // about the start, in working coordinates: a factor of 400
+constexpr double box = 6;        // about the start, in working coordinates: a factor of 400
 
 /// The sum of squares of a fit's model over its free parameters, with an evaluator for one thread.
 class Deviations {
@@ -40,6 +40,7 @@ public:
   Deviations& operator=(const Deviations&) = delete;
 
   const LeastSquares& problem() const { return problem_; }
+  bool is_exact() const { return evaluator_.is_exact(); }
   void set_weights(std::vector<double> weights) { weights_ = std::move(weights); }
 
 private:
@@ -158,9 +159,10 @@ public:
         outside = distance, rise_outside = rise;
       if (std::abs(rise - 1) < 0.01) return best_[at_] + side_ * distance;
       if (inside >= limit) return side_ * infinite;
-      distance = std::isfinite(outside)
-                     ? inside + (outside - inside) * std::clamp((1 - rise_inside) / (rise_outside - rise_inside), 0.1, 0.9)
-                     : std::min(limit, distance * std::clamp(1.05 / std::max(rise, 1e-3), 1.2, 3.));
+      distance =
+          std::isfinite(outside)
+              ? inside + (outside - inside) * std::clamp((1 - rise_inside) / (rise_outside - rise_inside), 0.1, 0.9)
+              : std::min(limit, distance * std::clamp(1.05 / std::max(rise, 1e-3), 1.2, 3.));
     }
     if (!std::isfinite(outside)) return side_ * infinite;
     const double share = std::clamp((1 - rise_inside) / (rise_outside - rise_inside), 0., 1.);
@@ -250,18 +252,16 @@ std::vector<CurveFit> CurveFitter::fit(std::vector<CurveModel> models) const {
   const auto report = run_batch(fits.size(), batch_options(options_), [&] {
     return [&](std::size_t first, std::size_t, const Progress&) {
       CurveFit& one = fits[first];
-      const bool is_costly = one.model.shape() == CurveShape::elastic_layer ||
-                             one.model.shape() == CurveShape::plastic_layer ||
-                             one.model.shape() == CurveShape::hardening_layer;
-      if (curves_.points.size() > one.free.size() + 2) search(one, is_costly ? 2 : 5);
+      if (curves_.points.size() > one.free.size() + 2) search(one, 5);
     };
   });
   if (!report.complete) throw Stopped();
   return fits;
 }
 
-void CurveFitter::search(CurveFit& fit, int starts) const {
+void CurveFitter::search(CurveFit& fit, int most_starts) const {
   Deviations deviations(fit, curves_, fit.weights, options_.elements);
+  const int starts = deviations.is_exact() ? std::min(most_starts, 2) : most_starts;
   LeastSquaresMinimum best{.cost = infinite};
   for (int start = 0; start < starts; ++start)
     if (LeastSquaresMinimum found = minimise(deviations.problem(), start_of(fit, start)); found.cost < best.cost)
@@ -313,8 +313,7 @@ Collinearity collinearity_of(const CurveFit& fit) {
   for (std::size_t p = 0; p < k; ++p) vector[p] += 0.1 * static_cast<double>(p); // no eigenvector by symmetry
   double length = 1;
   for (int step = 0; step < 100; ++step) {
-    for (std::size_t p = 0; p < k; ++p)
-      next[p] = std::inner_product(vector.begin(), vector.end(), &inverse[p * k], 0.);
+    for (std::size_t p = 0; p < k; ++p) next[p] = std::inner_product(vector.begin(), vector.end(), &inverse[p * k], 0.);
     length = std::sqrt(std::inner_product(next.begin(), next.end(), next.begin(), 0.));
     for (std::size_t p = 0; p < k; ++p) vector[p] = next[p] / length;
   }
@@ -336,7 +335,8 @@ void CurveFitter::find_intervals(CurveFit& fit) const {
       const double classical = covariances.classical[j * k + j], robust = covariances.robust[j * k + j];
       const double raised = std::clamp(robust / classical, 1., 2.);
       const double guess = std::clamp(t * std::sqrt(raised * classical), 1e-4, 1.);
-      ends[item] = ProfileEnd(fit, *deviations, j, item % 2 == 0 ? -1 : 1, fit.cost * (1 + share * raised), guess).find();
+      ends[item] =
+          ProfileEnd(fit, *deviations, j, item % 2 == 0 ? -1 : 1, fit.cost * (1 + share * raised), guess).find();
     };
   });
   if (!report.complete) throw Stopped();
@@ -344,7 +344,9 @@ void CurveFitter::find_intervals(CurveFit& fit) const {
   for (std::size_t j = 0; j < k; ++j) {
     FittedParameter& one = fit.parameters[fit.free[j]];
     one.lower = one.parameter.from_working(ends[2 * j]);
-    one.upper = std::isinf(ends[2 * j + 1]) && one.parameter.scale == ParameterScale::log ? infinite : one.parameter.from_working(ends[2 * j + 1]);
+    one.upper = std::isinf(ends[2 * j + 1]) && one.parameter.scale == ParameterScale::log
+                    ? infinite
+                    : one.parameter.from_working(ends[2 * j + 1]);
     one.is_identified = ends[2 * j + 1] - ends[2 * j] < widest;
   }
 }
@@ -359,8 +361,8 @@ CurveFit CurveFitter::hold_unidentified(const CurveFit& fit) const {
     double width = 0;
     for (const FittedParameter& one : now.parameters) {
       if (one.is_held || one.is_identified || one.of_model == 0) continue;
-      const double wide = one.parameter.to_working(std::min(one.upper, 1e300)) -
-                          one.parameter.to_working(std::max(one.lower, 1e-300));
+      const double wide =
+          one.parameter.to_working(std::min(one.upper, 1e300)) - one.parameter.to_working(std::max(one.lower, 1e-300));
       if (wide > width) width = wide, worst = one.of_model;
     }
     if (worst == held.size()) return now;
@@ -388,6 +390,16 @@ CurveValues curve_values(const CurveFit& fit, const io::MeasuredCurves& points, 
   return values;
 }
 
+double rms_of_case(const CurveFit& fit, const io::MeasuredCurves& curves) {
+  std::vector<double> coefficients(curves.points.size());
+  if (!CurveEvaluator(fit.model, curves, std::numeric_limits<int>::max()).evaluate(fit.values(), coefficients))
+    return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    sum += std::pow(coefficients[i] - curves.points[i].coefficient, 2);
+  return std::sqrt(sum / static_cast<double>(coefficients.size()));
+}
+
 CurveFit CurveFitter::freed(const CurveFit& fit, const std::vector<std::size_t>& free) const {
   CurveFit found = fit;
   found.free = free;
@@ -400,8 +412,7 @@ std::size_t preferred(const std::vector<CurveFit>& fits) {
   for (const bool formulas : {false, true})
     for (std::size_t k = 0; k < fits.size() && (candidates.empty() || !formulas); ++k)
       if (fits[k].is_solved() && fits[k].model.is_formula() == formulas) candidates.push_back(k);
-  if (candidates.empty())
-    throw Error("no model could be fitted: there are too few points, or the case was not solved");
+  if (candidates.empty()) throw Error("no model could be fitted: there are too few points, or the case was not solved");
   const auto by_criterion = [&](std::size_t a, std::size_t b) { return fits[a].aicc < fits[b].aicc; };
   const double best = fits[*std::min_element(candidates.begin(), candidates.end(), by_criterion)].aicc;
   std::erase_if(candidates, [&](std::size_t k) { return fits[k].aicc > best + told_apart; });

@@ -15,7 +15,7 @@ namespace microslip::fit {
 /// How models are fitted.
 struct FitOptions {
   bool huber = false; ///< Huber's loss with 1.345 standard deviations, these from the median of the deviations
-  int elements = 16;  ///< most elements across the ellipse by the exact theory while a curve is fitted
+  int elements = 12;  ///< most elements across the ellipse by the exact theory while a curve is fitted
   int threads = 1;
   Progress progress = {}; ///< false ends a fit with Stopped
 };
@@ -23,14 +23,15 @@ struct FitOptions {
 /// Fitted parameter: one of the model, the friction of each run for itself.
 struct FittedParameter {
   CurveParameter parameter;
-  std::string run = {};    ///< of a run's friction, if there are several
+  std::string run = {};     ///< of a run's friction, if there are several
   std::size_t of_model = 0; ///< index among the model's parameters
   double value = 0;
   /// Ends of the 95 % interval, from the profile of the sum of squares; infinite, or 0 at the lower end, where it is
   /// open. Those of a held parameter are its value.
   double lower = 0, upper = 0;
-  bool is_held = false;       ///< at its start, not fitted
-  bool is_identified = true;  ///< false: its interval is open or wider than a factor of 4 (of p/(1 - p) for a share), or it was held for that
+  bool is_held = false;      ///< at its start, not fitted
+  bool is_identified = true; ///< false: its interval is open or wider than a factor of 4 (of p/(1 - p) for a share), or
+                             ///< it was held for that
 };
 
 /// Parameters that depend on each other so much that the data hardly tell them apart.
@@ -73,6 +74,10 @@ struct CurveValues {
 /// solved. Cost: that of k + 1 curves.
 CurveValues curve_values(const CurveFit& fit, const io::MeasuredCurves& points, int elements);
 
+/// Root mean square deviation of a fit's values where the exact theory has as many elements as the case asks for; NaN
+/// where that is not solved.
+double rms_of_case(const CurveFit& fit, const io::MeasuredCurves& curves);
+
 /// Fits models to measured curves by least squares, all points alike unless they have a sigma.
 class CurveFitter {
 public:
@@ -94,14 +99,15 @@ public:
 
 private:
   CurveFit prepare(const CurveModel& model, const std::vector<bool>& held) const;
-  void search(CurveFit& fit, int starts) const;
+  void search(CurveFit& fit, int most_starts) const;
 
   const io::MeasuredCurves& curves_;
   FitOptions options_;
 };
 
 /// Index of the model to take: among those that a case can have, formulas only where there are no others, and within 2
-/// of the smallest criterion the one with the fewest free parameters, of these the best. Throws Error if none is solved.
+/// of the smallest criterion the one with the fewest free parameters, of these the best. Throws Error if none is
+/// solved.
 std::size_t preferred(const std::vector<CurveFit>& fits);
 /// Indices of the other models whose criterion is at most 2 above that of the one taken, the best first.
 std::vector<std::size_t> not_told_apart(const std::vector<CurveFit>& fits, std::size_t taken);

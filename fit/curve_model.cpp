@@ -12,9 +12,8 @@ namespace microslip::fit {
 namespace {
 
 constexpr std::string_view laws[] = {"coulomb", "linear", "rational", "polach"};
-constexpr std::string_view at_rest = "friction.static_coefficient", ratio = "friction.ratio",
-                           decay = "friction.decay", half_velocity = "friction.half_velocity",
-                           initial = "solution.slope_reduction.initial",
+constexpr std::string_view at_rest = "friction.static_coefficient", ratio = "friction.ratio", decay = "friction.decay",
+                           half_velocity = "friction.half_velocity", initial = "solution.slope_reduction.initial",
                            at_infinity = "solution.slope_reduction.at_infinity",
                            slope_decay = "solution.slope_reduction.decay", modulus = "layer.shear_modulus",
                            thickness = "layer.thickness", yield_stress = "layer.yield_stress",
@@ -199,7 +198,9 @@ const std::vector<StartingValues>& starting_values() {
   static const std::vector<StartingValues> all = {
       {"polach_dry", polach_2005, {{at_rest, 0.55}, {ratio, 0.4}, {decay, 0.6}, {k_a, 1.0}, {k_s, 0.4}}},
       {"polach_wet", polach_2005, {{at_rest, 0.30}, {ratio, 0.4}, {decay, 0.2}, {k_a, 0.3}, {k_s, 0.1}}},
-      {"eurosprinter", spiryagin, {{at_rest, 0.36}, {ratio, 0.38}, {decay, 0.7}, {at_infinity, 0.02}, {slope_decay, 0.64}}},
+      {"eurosprinter",
+       spiryagin,
+       {{at_rest, 0.36}, {ratio, 0.38}, {decay, 0.7}, {at_infinity, 0.02}, {slope_decay, 0.64}}},
       {"eurosprinter_layer", guide, {{at_rest, 0.33}, {ratio, 0.424}, {decay, 0.5545}, {modulus, 8.2e9}}},
       {"clay", hou, {{yield_stress, 200e6}, {hardening, 400e9}}},
       {"molybdenum_disulphide", hou, {{yield_stress, 20e6}, {hardening, 20e9}}},

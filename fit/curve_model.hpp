@@ -28,12 +28,12 @@ struct CurveParameter {
 
 /// What makes the creep curve less steep than that of clean bodies, and how friction falls.
 enum class CurveShape {
-  clean,           ///< nothing
-  reduced_slope,   ///< one slope reduction, solution.slope_reduction.initial
-  falling_slope,   ///< Spiryagin, Polach & Cole 2013 with k0 = 1: at_infinity, decay
-  elastic_layer,   ///< a layer that stays elastic
-  plastic_layer,   ///< one that yields and does not harden
-  hardening_layer, ///< one without elasticity that yields and hardens
+  clean,               ///< nothing
+  reduced_slope,       ///< one slope reduction, solution.slope_reduction.initial
+  falling_slope,       ///< Spiryagin, Polach & Cole 2013 with k0 = 1: at_infinity, decay
+  elastic_layer,       ///< a layer that stays elastic
+  plastic_layer,       ///< one that yields and does not harden
+  hardening_layer,     ///< one without elasticity that yields and hardens
   polach_formula,      ///< Polach's formula 2005 with k_a = 2.5 k_s, the ratio of his dry set
   polach_formula_free, ///< the same with k_a and k_s free
 };
@@ -42,8 +42,8 @@ enum class CurveShape {
 /// which every run has for itself.
 class CurveModel {
 public:
-  /// `law`: of friction, "coulomb", "linear", "rational" or "polach", which is the exponential one. Starting values that `base` has
-  /// are taken from there. Throws Error for a word that is none of these.
+  /// `law`: of friction, "coulomb", "linear", "rational" or "polach", which is the exponential one. Starting values
+  /// that `base` has are taken from there. Throws Error for a word that is none of these.
   CurveModel(CurveShape shape, std::string_view law, const io::CaseInputs& base);
 
   const std::string& name() const { return name_; }
@@ -69,8 +69,9 @@ private:
 };
 
 /// Words of the shapes, in their order: names of models. Those of clean bodies have the law's.
-inline constexpr std::string_view shape_names[] = {"clean",         "reduced_slope",   "falling_slope",  "elastic_layer",
-                                                   "plastic_layer", "hardening_layer", "polach_formula", "polach_formula_free"};
+inline constexpr std::string_view shape_names[] = {"clean",          "reduced_slope",      "falling_slope",
+                                                   "elastic_layer",  "plastic_layer",      "hardening_layer",
+                                                   "polach_formula", "polach_formula_free"};
 
 /// Models that a case can be fitted with: by its theory, with all friction laws on clean bodies and Polach's law on
 /// the others. Throws Error for a case that is not of two bodies.

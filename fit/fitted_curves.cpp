@@ -32,6 +32,18 @@ io::Json parameters_document(const CurveFit& fit) {
   return document;
 }
 
+/// Correlations of the free parameters in their working coordinates, by the sandwich covariance.
+io::Json correlations_document(const CurveFit& fit, const io::MeasuredCurves& curves) {
+  const std::size_t k = fit.free.size();
+  const std::vector<double> covariance = covariances_of(fit, curves).robust;
+  io::Json rows = io::Json::object();
+  for (std::size_t p = 0; p < k; ++p)
+    for (std::size_t q = 0; q < k; ++q)
+      rows[name_of(fit.parameters[fit.free[p]])][name_of(fit.parameters[fit.free[q]])] =
+          io::json_number(covariance[p * k + q] / std::sqrt(covariance[p * k + p] * covariance[q * k + q]));
+  return rows;
+}
+
 io::Json models_document(const std::vector<CurveFit>& fits) {
   io::Json models = io::Json::array();
   for (const CurveFit& fit : fits) {
@@ -92,7 +104,8 @@ FittedCurves fit_creep_curves(io::MeasuredCurves curves, std::vector<CurveModel>
   Collinearity collinearity = collinearity_of(full);
   auto bands = curve_bands(fitter.freed(best, full.free), curves, options.elements);
   auto others = not_told_apart(fits, taken);
-  const auto further = further_measurement(fitter, best, curves, options.elements);
+  const auto further = further_measurement(fitter, best, full.free, curves, options.elements);
+  const double of_case = rms_of_case(best, curves);
   std::optional<LargestDifference> difference;
   if (!others.empty()) difference = largest_difference(best, fits[others.front()], curves, options.elements);
   return {.curves = std::move(curves),
@@ -104,7 +117,8 @@ FittedCurves fit_creep_curves(io::MeasuredCurves curves, std::vector<CurveModel>
           .bands = std::move(bands),
           .others = std::move(others),
           .difference = difference,
-          .further = further};
+          .further = further,
+          .rms_of_case = of_case};
 }
 
 io::Json fitted_document(const FittedCurves& fitted) {
@@ -113,9 +127,11 @@ io::Json fitted_document(const FittedCurves& fitted) {
   document["runs"] = fitted.curves.runs;
   document["model"] = fitted.best.model.name();
   document["rms"] = io::json_number(fitted.best.rms);
+  document["rms_of_case"] = io::json_number(fitted.rms_of_case);
   document["bias"] = io::json_number(fitted.bias());
   document["aicc"] = io::json_number(fitted.best.aicc);
   document["parameters"] = parameters_document(fitted.best);
+  document["correlations"] = correlations_document(fitted.best, fitted.curves);
   document["curves"] = curves_document(fitted);
   document["models"] = models_document(fitted.fits);
   io::Json& collinear = document["collinearity"];
@@ -125,12 +141,11 @@ io::Json fitted_document(const FittedCurves& fitted) {
   document["not_told_apart"] = io::Json::array();
   for (const std::size_t k : fitted.others) document["not_told_apart"].push_back(fitted.fits[k].model.name());
   if (const auto& further = fitted.further)
-    document["further_measurement"] = {
-        {"parameter", name_of(fitted.best.parameters[further->parameter])},
-        {"points", further->points},
-        {"creepage", numbers(further->least_creepage, further->largest_creepage)},
-        {"rolling_speed", further->speed},
-        {"relative_width", io::json_number(further->width)}};
+    document["further_measurement"] = {{"parameter", name_of(fitted.best.parameters[further->parameter])},
+                                       {"points", further->points},
+                                       {"creepage", numbers(further->least_creepage, further->largest_creepage)},
+                                       {"rolling_speed", further->speed},
+                                       {"relative_width", io::json_number(further->width)}};
   return document;
 }
 

@@ -34,17 +34,13 @@ std::pair<double, double> range_of(const io::MeasuredCurves& curves) {
 } // namespace
 
 std::optional<FurtherMeasurement> further_measurement(const CurveFitter& fitter, const CurveFit& fit,
+                                                      const std::vector<std::size_t>& counted,
                                                       const io::MeasuredCurves& curves, int elements) {
   constexpr double worthwhile = 0.7;
-  std::vector<std::size_t> all(fit.parameters.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const CurveFit free = fitter.freed(fit, all);
-  const std::size_t k = all.size(), n = curves.points.size();
+  const CurveFit free = fitter.freed(fit, counted);
+  const std::size_t k = counted.size(), n = curves.points.size();
   const auto now = normal_matrix(free.jacobian, free.weights, k);
   const auto variances = inverse_of(now, k);
-  std::size_t worst = 0;
-  for (std::size_t j = 1; j < k; ++j)
-    if (variances[j * k + j] > variances[worst * k + worst]) worst = j;
   const auto [least, largest] = range_of(curves);
   const double speed = curves.points.front().speed;
   const std::size_t count = std::max<std::size_t>(10, n / 5);
@@ -55,19 +51,23 @@ std::optional<FurtherMeasurement> further_measurement(const CurveFitter& fitter,
                            Plan{least, largest, speed / 2}, Plan{least, largest, speed * 2}}) {
     std::vector<double> with = now;
     try {
-      const auto more = normal_matrix(curve_values(free, points_of(curves, plan, count), elements).jacobian, weights, k);
+      const auto more =
+          normal_matrix(curve_values(free, points_of(curves, plan, count), elements).jacobian, weights, k);
       for (std::size_t i = 0; i < with.size(); ++i) with[i] += more[i];
     } catch (const Error&) { // a creepage that is not solved
       continue;
     }
-    const double width = std::sqrt(inverse_of(with, k)[worst * k + worst] / variances[worst * k + worst]);
-    if (width <= worthwhile && (!best || width < best->width))
-      best = {.parameter = worst,
+    const auto narrowed = inverse_of(with, k);
+    for (std::size_t j = 0; j < k; ++j) {
+      const double width = std::sqrt(narrowed[j * k + j] / variances[j * k + j]);
+      if (width > worthwhile || (best && width >= best->width)) continue;
+      best = {.parameter = counted[j],
               .points = count,
               .least_creepage = plan.least,
               .largest_creepage = plan.largest,
               .speed = plan.speed,
               .width = width};
+    }
   }
   return best;
 }
@@ -77,7 +77,8 @@ LargestDifference largest_difference(const CurveFit& first, const CurveFit& seco
   constexpr std::size_t count = 41;
   const auto [least, largest] = range_of(curves);
   const auto points = points_of(curves, {least / 10, 2 * largest, curves.points.front().speed}, count);
-  const auto a = curve_values(first, points, elements).coefficients, b = curve_values(second, points, elements).coefficients;
+  const auto a = curve_values(first, points, elements).coefficients,
+             b = curve_values(second, points, elements).coefficients;
   LargestDifference found;
   for (std::size_t i = 0; i < count; ++i)
     if (std::abs(a[i] - b[i]) > std::abs(found.first - found.second))

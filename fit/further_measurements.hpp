@@ -17,11 +17,12 @@ struct FurtherMeasurement {
   double width = 1; ///< of the parameter's interval with these points, over that without them
 };
 
-/// What would narrow down the parameter whose standard error is the largest, all parameters counted, those that are held
-/// too: a fifth of the number of points more, at least 10, below the smallest creepage (to a tenth of it), beyond the
-/// largest (to twice that), or over the same creepages at half or twice the speed. By the derivatives and the present
-/// scatter. The best of these, if the interval would be at most 0.7 of what it is.
+/// Points that would narrow down a parameter the most, with the parameters `counted` free, by their indices, those too
+/// that are held because the data do not identify them: a fifth of the number of points more, at least 10, below the
+/// smallest creepage (to a tenth of it), beyond the largest (to twice that), or over the same creepages at half or
+/// twice the speed. By the derivatives and the present scatter. None if no interval would be at most 0.7 of what it is.
 std::optional<FurtherMeasurement> further_measurement(const CurveFitter& fitter, const CurveFit& fit,
+                                                      const std::vector<std::size_t>& counted,
                                                       const io::MeasuredCurves& curves, int elements);
 
 /// Creepage at which two fits differ most.

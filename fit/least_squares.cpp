@@ -27,7 +27,7 @@ public:
       now_.parameters[j] = std::clamp(now_.parameters[j], problem_.lower[j], problem_.upper[j]);
     now_.residuals.resize(problem_.count);
     now_.cost = problem_.residuals(now_.parameters, now_.residuals) ? square_sum(now_.residuals)
-                                                                     : std::numeric_limits<double>::infinity();
+                                                                    : std::numeric_limits<double>::infinity();
     now_.jacobian = std::move(jacobian);
     is_fresh_ = false;
     if (now_.jacobian.empty() && std::isfinite(now_.cost)) renew_jacobian();
@@ -51,7 +51,8 @@ private:
     std::vector<std::size_t> found;
     for (std::size_t j = 0; j < k_; ++j) {
       const double t = now_.parameters[j];
-      const bool is_stopped = (t <= problem_.lower[j] && downhill[j] < 0) || (t >= problem_.upper[j] && downhill[j] > 0);
+      const bool is_stopped =
+          (t <= problem_.lower[j] && downhill[j] < 0) || (t >= problem_.upper[j] && downhill[j] > 0);
       if (!held_[j] && !is_stopped) found.push_back(j);
     }
     return found;
@@ -64,8 +65,7 @@ private:
     for (std::size_t i = 0; i < problem_.count; ++i)
       for (std::size_t j = 0; j < k_; ++j) downhill[j] -= now_.jacobian[i * k_ + j] * now_.residuals[i];
     const auto free = moving(downhill);
-    const std::vector<double> normal =
-        normal_matrix(now_.jacobian, std::vector<double>(problem_.count, 1), k_);
+    const std::vector<double> normal = normal_matrix(now_.jacobian, std::vector<double>(problem_.count, 1), k_);
     std::vector<double> step(k_, 0);
     double longest = 2;
     for (double damping = damping_; longest > 1 && damping < most_damping; damping *= 4) {
@@ -105,7 +105,7 @@ private:
       next.parameters[j] = std::clamp(next.parameters[j] + step[j], problem_.lower[j], problem_.upper[j]);
     if (next.parameters == now_.parameters) return false;
     next.cost = problem_.residuals(next.parameters, next.residuals) ? square_sum(next.residuals)
-                                                                     : std::numeric_limits<double>::infinity();
+                                                                    : std::numeric_limits<double>::infinity();
     if (!(next.cost < now_.cost)) {
       if (!is_fresh_)
         renew_jacobian();
@@ -199,8 +199,7 @@ std::vector<double> normal_matrix(const std::vector<double>& jacobian, std::span
   std::vector<double> matrix(k * k, 0);
   for (std::size_t i = 0; i < weights.size(); ++i)
     for (std::size_t p = 0; p < k; ++p)
-      for (std::size_t q = 0; q < k; ++q)
-        matrix[p * k + q] += weights[i] * jacobian[i * k + p] * jacobian[i * k + q];
+      for (std::size_t q = 0; q < k; ++q) matrix[p * k + q] += weights[i] * jacobian[i * k + p] * jacobian[i * k + q];
   return matrix;
 }
 

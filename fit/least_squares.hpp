@@ -12,9 +12,9 @@ namespace microslip::fit {
 struct LeastSquares {
   /// Writes the n residuals at parameters; false where there are none, which counts as infinitely bad.
   std::function<bool(std::span<const double> parameters, std::span<double> residuals)> residuals;
-  std::size_t count = 0;                   ///< n
+  std::size_t count = 0;                      ///< n
   std::vector<double> lower = {}, upper = {}; ///< ends of the box, k of each
-  double step = 3e-3;                      ///< of the differences that derivatives are found by
+  double step = 3e-3;                         ///< of the differences that derivatives are found by
 };
 
 /// Minimum of a sum of squares.
@@ -38,7 +38,8 @@ struct DescentEnd {
 /// has `jacobian` they are those.
 /// Cost: some k + 1 evaluations for every three steps, and one for each.
 LeastSquaresMinimum minimise(const LeastSquares& problem, std::span<const double> start,
-                             const std::vector<bool>& held = {}, std::vector<double> jacobian = {}, const DescentEnd& end = {});
+                             const std::vector<bool>& held = {}, std::vector<double> jacobian = {},
+                             const DescentEnd& end = {});
 
 /// Derivatives of the residuals at parameters by forward differences, n rows of k numbers; by backward ones at the
 /// upper end of the box and where there are no residuals before it; nothing where there are none on either side.

@@ -15,8 +15,8 @@ struct MeasuredComparison {
   double bias = 0;                  ///< their mean [-]
 };
 
-/// Solves the case at the measured creepages, speeds and loads. Throws Error for a case without creep curves or one that
-/// is not solved there.
+/// Solves the case at the measured creepages, speeds and loads. Throws Error for a case without creep curves or one
+/// that is not solved there.
 MeasuredComparison compare_with_measured(const io::RollingCase& input, io::MeasuredCurves curves);
 
 } // namespace microslip::fit

@@ -125,10 +125,9 @@ MeasuredPoint read_point(const std::vector<std::string_view>& fields, const Head
   if (header.has(speed)) point.speed = header.positive(fields, speed);
   if (header.has(normal_force)) point.normal_force = header.positive(fields, normal_force);
   const double scale = header.has(force) ? 1 / point.normal_force : 1;
-  point.coefficient =
-      require_between(label_of(measured), header.number(fields, measured), header.unit_of(measured), -largest / scale,
-                      largest / scale) *
-      (creepage < 0 ? -scale : scale);
+  point.coefficient = require_between(label_of(measured), header.number(fields, measured), header.unit_of(measured),
+                                      -largest / scale, largest / scale) *
+                      (creepage < 0 ? -scale : scale);
   point.creepage = std::abs(creepage);
   if (header.has(sigma)) point.sigma = header.positive(fields, sigma) * scale;
   point.run = index_of(curves.runs, header.has(run) ? header.text(fields, run) : "");

@@ -21,8 +21,9 @@ struct MeasuredPoint {
 /// Measured creep curves of one table.
 struct MeasuredCurves {
   std::vector<MeasuredPoint> points = {};
-  std::vector<std::string> runs = {}; ///< names of the runs, in the order of the table; one without a name if it has none
-  bool is_lateral = false;            ///< whether the creepage is lateral, else longitudinal
+  std::vector<std::string> runs =
+      {};                  ///< names of the runs, in the order of the table; one without a name if it has none
+  bool is_lateral = false; ///< whether the creepage is lateral, else longitudinal
   bool has_sigma = false;
 };
 

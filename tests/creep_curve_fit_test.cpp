@@ -4,6 +4,7 @@
 #include "fit/curve_bands.hpp"
 #include "fit/curve_evaluator.hpp"
 #include "fit/curve_fit.hpp"
+#include "fit/further_measurements.hpp"
 #include "fit/student.hpp"
 
 #include "paths.hpp"
@@ -96,19 +97,20 @@ TEST_P(ModelOfCreepCurves, FindsTheParametersOfItsOwnCurves) {
     EXPECT_NEAR(fit.parameters[j].value / truth.values[j], 1, 0.01) << fit.parameters[j].parameter.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(, ModelOfCreepCurves,
-                         testing::Values(Truth{CurveShape::clean, "coulomb", "fastsim2", {0.27}},
-                                         Truth{CurveShape::clean, "linear", "fastsim2", {0.4, 0.4, 1.1}},
-                                         Truth{CurveShape::clean, "rational", "fastsim", {0.3, 0.4, 0.7}},
-                                         Truth{CurveShape::clean, "polach", "fastsim2", {0.4, 0.4, 0.8}},
-                                         Truth{CurveShape::reduced_slope, "polach", "fastsim2", {0.3, 0.4, 0.3, 0.3}},
-                                         Truth{CurveShape::falling_slope, "polach", "fastsim2", {0.4, 0.4, 0.6, 0.05, 0.9}},
-                                         Truth{CurveShape::polach_formula, "polach", "fastsim2", {0.36, 0.4, 0.6, 0.36}},
-                                         Truth{CurveShape::polach_formula_free, "polach", "exact", {0.36, 0.4, 0.6, 0.9, 0.3}}),
-                         [](const auto& one) {
-                           return std::string(shape_names[static_cast<std::size_t>(one.param.shape)]) + "_" +
-                                  one.param.law + "_" + one.param.theory;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    , ModelOfCreepCurves,
+    testing::Values(Truth{CurveShape::clean, "coulomb", "fastsim2", {0.27}},
+                    Truth{CurveShape::clean, "linear", "fastsim2", {0.4, 0.4, 1.1}},
+                    Truth{CurveShape::clean, "rational", "fastsim", {0.3, 0.4, 0.7}},
+                    Truth{CurveShape::clean, "polach", "fastsim2", {0.4, 0.4, 0.8}},
+                    Truth{CurveShape::reduced_slope, "polach", "fastsim2", {0.3, 0.4, 0.3, 0.3}},
+                    Truth{CurveShape::falling_slope, "polach", "fastsim2", {0.4, 0.4, 0.6, 0.05, 0.9}},
+                    Truth{CurveShape::polach_formula, "polach", "fastsim2", {0.36, 0.4, 0.6, 0.36}},
+                    Truth{CurveShape::polach_formula_free, "polach", "exact", {0.36, 0.4, 0.6, 0.9, 0.3}}),
+    [](const auto& one) {
+      return std::string(shape_names[static_cast<std::size_t>(one.param.shape)]) + "_" + one.param.law + "_" +
+             one.param.theory;
+    });
 
 TEST(CreepCurveFit, FindsAYieldingLayerByTheExactTheory) {
   const CurveModel model(CurveShape::hardening_layer, "polach", contact("exact"));
@@ -193,6 +195,31 @@ TEST(CreepCurveFit, NamesWhatTheDataDoNotIdentify) {
   }
 }
 
+/// A slope of which points in full sliding tell little is told best by points at smaller creepages.
+TEST(CreepCurveFit, AsksForPointsWhereAParameterActs) {
+  const CurveModel model(CurveShape::reduced_slope, "coulomb", contact());
+  const auto curves = curve_of(model, {0.3, 0.5}, points_at(5e-3, 0.1, 40), 0.01);
+  const CurveFitter fitter(curves, {});
+  const CurveFit fit = fitter.fit({model}).front();
+  const auto further = further_measurement(fitter, fit, fit.free, curves, 16);
+  ASSERT_TRUE(further.has_value());
+  EXPECT_EQ(fit.parameters[further->parameter].parameter.name, "solution.slope_reduction.initial");
+  EXPECT_EQ(further->points, 10U);
+  EXPECT_NEAR(further->least_creepage, 5e-4, 1e-12);
+  EXPECT_NEAR(further->largest_creepage, 5e-3, 1e-12);
+  EXPECT_LT(further->width, 0.7);
+}
+
+TEST(CreepCurveFit, FindsWhereTwoModelsDiffer) {
+  const CurveModel steep(CurveShape::clean, "coulomb", contact()),
+      flat(CurveShape::reduced_slope, "coulomb", contact());
+  const auto curves = curve_of(flat, {0.3, 0.5}, points_at(5e-3, 0.1, 40), 0.01);
+  const auto fits = CurveFitter(curves, {}).fit({steep, flat});
+  const auto [creepage, first, second] = largest_difference(fits[0], fits[1], curves, 16);
+  EXPECT_LT(creepage, 5e-3); // where the one slides already
+  EXPECT_GT(first - second, 0.03);
+}
+
 /// Two columns of derivatives at an angle a: the smaller singular value is sqrt(1 - cos a).
 TEST(CreepCurveFit, TellsCollinearParameters) {
   CurveFit fit{.model = CurveModel(CurveShape::reduced_slope, "polach", contact())};
@@ -244,7 +271,8 @@ TEST(CreepCurveFit, RefusesWheelsOnRails) {
 
 /// The figures that a curve of these data is to reach: CONTACT's two models leave 0.0284 and 0.0259.
 TEST(CreepCurveFit, ReachesTheScatterOfTheEurosprinter) {
-  const auto path = std::filesystem::path(MICROSLIP_SOURCE_DIR) / "../shared/data/creep-curves/eurosprinter_measured.csv";
+  const auto path =
+      std::filesystem::path(MICROSLIP_SOURCE_DIR) / "../shared/data/creep-curves/eurosprinter_measured.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
   std::ifstream file(path);
   std::stringstream rest;

@@ -16,7 +16,8 @@ MeasuredCurves read(const std::string& text) {
 }
 
 TEST(MeasuredCurve, UnitsStandBehindNames) {
-  const auto curves = read("# by hand\nforce [kN];creepage_longitudinal [%];rolling_speed [km/h];note\n-25,5;0,5;36;x\n");
+  const auto curves =
+      read("# by hand\nforce [kN];creepage_longitudinal [%];rolling_speed [km/h];note\n-25,5;0,5;36;x\n");
   ASSERT_EQ(curves.points.size(), 1U);
   EXPECT_NEAR(curves.points[0].creepage, 0.005, 1e-15);
   EXPECT_NEAR(curves.points[0].coefficient, 0.255, 1e-12);

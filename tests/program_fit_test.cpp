@@ -3,6 +3,7 @@
 #include "paths.hpp"
 #include "tests/support/program_document.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -27,6 +28,10 @@ TEST(ProgramFit, WritesTheDocumentAndACaseThatRuns) {
   EXPECT_GT(slope.at("interval")[1].get<double>(), slope.at("value").get<double>());
   EXPECT_TRUE(json.at("parameters").contains("friction.static_coefficient of evening"));
   EXPECT_EQ(json.at("curves").size(), 2U);
+  EXPECT_NEAR(json.at("rms_of_case").get<double>(), json.at("rms").get<double>(), 1e-6); // FASTSIM2 has its own cells
+  const auto& correlations = json.at("correlations").at("friction.decay");
+  EXPECT_NEAR(correlations.at("friction.decay").get<double>(), 1, 1e-12);
+  EXPECT_LE(std::abs(correlations.at("friction.static_coefficient of evening").get<double>()), 1);
   EXPECT_TRUE(std::filesystem::exists(folder / "fitted/result.h5"));
   const auto solved = program_document(folder, "solve fitted/case.toml --no-pictures");
   EXPECT_EQ(solved.at("status"), "ok");
@@ -46,7 +51,8 @@ TEST(ProgramFit, SolveComparesWithThePoints) {
   const TemporaryFolder folder;
   std::ofstream file(folder / "points.csv");
   file << "creepage_longitudinal [%],adhesion_coefficient\n";
-  for (const auto point : {"0.1,0.14", "0.2,0.2", "0.4,0.26", "0.8,0.29", "1.6,0.3", "3.2,0.31", "6.4,0.28", "12.8,0.2"})
+  for (const auto point :
+       {"0.1,0.14", "0.2,0.2", "0.4,0.26", "0.8,0.29", "1.6,0.3", "3.2,0.31", "6.4,0.28", "12.8,0.2"})
     file << point << "\n";
   file.close();
   const std::string of = " --case " MICROSLIP_SOURCE_DIR "/examples/creep_curve.toml";
@@ -57,6 +63,9 @@ TEST(ProgramFit, SolveComparesWithThePoints) {
   EXPECT_NEAR(comparison.at("rms").get<double>(), fitted.at("rms").get<double>(), 1e-6);
   EXPECT_NEAR(comparison.at("bias").get<double>(), fitted.at("bias").get<double>(), 1e-6);
   EXPECT_TRUE(std::filesystem::exists(folder / "solved/measured_points.h5"));
+  const auto drawn = program_document(folder, "plot solved/result.h5 --points points.csv -o drawn");
+  EXPECT_EQ(drawn.at("measured_points"), comparison);
+  EXPECT_EQ(run_program(folder, "plot solved/measured_points.h5 --points points.csv").exit_code, 2);
   const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
   EXPECT_EQ(run_program(folder, "solve " + wheel + " --points points.csv").exit_code, 2);
 }
