@@ -38,12 +38,13 @@ py::dict fit_creep_curve(const py::object& measured, const py::object& case_file
 } // namespace
 
 void bind_creep_curve_fit(py::module_& module) {
-  module.def("fit_creep_curve", &fit_creep_curve, "measured"_a, "case_file"_a, "model"_a = "", "start"_a = "",
-             "huber"_a = false,
-             "Fits friction and layers to the measured creep curves of a CSV by the theory of a case file, both given by\n"
-             "their paths, as `microslip fit` does [-]. Without `model` the simplest of the best is taken. Returns its\n"
-             "document as a dict: rms, parameters with value and interval, curves, models; and case, the text of the\n"
-             "fitted case file. Error for wrong files, unknown names, and points that no model can be fitted to.");
+  module.def(
+      "fit_creep_curve", &fit_creep_curve, "measured"_a, "case_file"_a, "model"_a = "", "start"_a = "",
+      "huber"_a = false,
+      "Fits friction and layers to the measured creep curves of a CSV by the theory of a case file, both given by\n"
+      "their paths, as `microslip fit` does [-]. Without `model` the simplest of the best is taken. Returns its\n"
+      "document as a dict: rms, parameters with value and interval, curves, models; and case, the text of the\n"
+      "fitted case file. Error for wrong files, unknown names, and points that no model can be fitted to.");
 }
 
 } // namespace microslip::python
