@@ -23,6 +23,9 @@ void add_convert_command(Command& program, int& exit_code);
 /// microslip explore: opens the explorer's page in a browser.
 void add_explore_command(Command& program);
 
+/// Adds `microslip fit`, which fits friction and layers to measured creep curves.
+void add_fit_command(Command& program);
+
 /// Adds `microslip hertz`.
 void add_hertz_command(Command& program);
 

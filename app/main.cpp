@@ -24,6 +24,7 @@ void add_commands(Command& program, int& exit_code) {
   add_run_command(program, exit_code);
   add_profile_command(program);
   add_conicity_command(program);
+  add_fit_command(program);
   add_plot_command(program, exit_code);
   add_report_command(program, exit_code);
   add_explore_command(program);

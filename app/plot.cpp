@@ -1,9 +1,12 @@
 #include "app/commands.hpp"
 
+#include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/json_document.hpp"
+#include "app/measured_points.hpp"
 #include "app/pictures.hpp"
 #include "io/output_file.hpp"
+#include "io/result_attribute.hpp"
 #include "microslip/error.hpp"
 
 #include <filesystem>
@@ -11,12 +14,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace microslip::app {
 namespace {
 
 struct PlotArguments {
   std::string result, folder, other, spins;
+  std::filesystem::path points;
   std::vector<std::string> fields, surfaces, formats;
   int dpi = 150;
   std::vector<double> cut, stresses; ///< one value, if given
@@ -49,10 +54,38 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
   print_json(document);
 }
 
+/// The case of a result of two bodies beside measured points.
+int plot_points(const PlotArguments& arguments, const std::filesystem::path& folder) {
+  if (python_arguments(arguments).size() > (arguments.folder.empty() ? 1U : 2U))
+    throw Error("--points: is drawn by itself, without other options for pictures");
+  const auto attribute = [&](const char* name) { return io::result_attribute(arguments.result, name).value_or(""); };
+  if (attribute("kind") != "rolling_contact")
+    throw Error(arguments.result + ": --points is for results of `solve` of two bodies");
+  const auto input = io::parse_case(attribute("case_text"), attribute("case_file"));
+  const fit::MeasuredComparison comparison = compare_with_points(input, arguments.points);
+  const auto files = write_comparison(comparison,
+                                      {.title = attribute("title"),
+                                       .command_line = command_line(),
+                                       .case_file = attribute("case_file"),
+                                       .case_text = attribute("case_text")},
+                                      folder, true);
+  if (arguments.json) {
+    auto document = json_document("plot");
+    document["input"] = arguments.result;
+    document["measured_points"] = comparison_document(comparison);
+    document["files"] = files;
+    print_json(document);
+  } else {
+    fmt::print("{}\n{}\n", comparison_text(comparison), fmt::join(files, "\n"));
+  }
+  return ExitCode::done;
+}
+
 int plot(const PlotArguments& arguments) {
   require_count("--dpi", arguments.dpi, 10, 2400);
   const std::filesystem::path folder = arguments.folder, beside = std::filesystem::path(arguments.result).parent_path();
   io::require_writable_folder(folder.empty() ? beside : folder);
+  if (!arguments.points.empty()) return plot_points(arguments, folder.empty() ? beside : folder);
   const auto pictures = draw_pictures(python_arguments(arguments));
   if (!arguments.json)
     for (const auto& picture : pictures.files) fmt::print("{}\n", picture);
@@ -107,6 +140,8 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_flag("--convergence", arguments.convergence, "errors of the exact theory over the number of elements");
   command.add_option("--compare OTHER.h5", arguments.other,
                      "another result file, side by side with this one, and fields with their differences");
+  command.add_option("--points POINTS.csv", arguments.points,
+                     "measured creep curves as of `fit`, beside those of a case of two bodies, with rms and bias");
   add_json_flag(command, arguments.json);
 }
 

@@ -5,18 +5,22 @@
 #include "app/exit_code.hpp"
 #include "app/hertz.hpp"
 #include "app/json_document.hpp"
+#include "app/measured_points.hpp"
 #include "app/pictures.hpp"
 #include "app/result_tables.hpp"
 #include "app/tables.hpp"
 #include "cases/case_document.hpp"
 #include "io/csv_tables.hpp"
 #include "io/output_file.hpp"
+#include "microslip/error.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,6 +34,7 @@ namespace fs = std::filesystem;
 struct SolveArguments {
   fs::path case_file;
   fs::path output; ///< a folder, or the name of a table
+  fs::path points; ///< measured ones, of two bodies
   bool no_pictures = false, json = false;
 };
 
@@ -70,8 +75,9 @@ WrittenFiles write(const SolveArguments& arguments, const Input& input, const Re
 
 template <class Input, class Result>
 void print_document(const Input& input, const Result& result, const io::Provenance& provenance,
-                    const WrittenFiles& files) {
+                    const WrittenFiles& files, const std::optional<fit::MeasuredComparison>& comparison) {
   io::Json document = cases::case_document(input, result, provenance);
+  if (comparison) document["measured_points"] = comparison_document(*comparison);
   document["files"] = files.results;
   for (const std::string& picture : files.pictures) document["files"].push_back(picture);
   print_json(document);
@@ -91,6 +97,15 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
   fmt::print(stderr, "microslip: warning: {}: older than result.h5: {}\n", folder.string(), fmt::join(old, ", "));
 }
 
+/// The case beside measured points, if there are any.
+template <class Input>
+std::optional<fit::MeasuredComparison> compare(const SolveArguments& arguments, const Input& input) {
+  if (arguments.points.empty()) return std::nullopt;
+  if (io::is_csv(arguments.output)) throw Error("--points: needs a folder as output");
+  if constexpr (std::is_same_v<Input, io::RollingCase>) return compare_with_points(input, arguments.points);
+  throw Error("--points: is for cases of two bodies");
+}
+
 /// Throws Error unless the output can be written: said before long work.
 void require_writable(const fs::path& output) {
   if (io::is_csv(output))
@@ -101,12 +116,17 @@ void require_writable(const fs::path& output) {
 
 template <class Input> int solve(const SolveArguments& arguments, const Input& input, const std::string& text) {
   require_writable(arguments.output);
+  const auto comparison = compare(arguments, input);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input.title, result_tables(input, result));
+  if (comparison && !arguments.json) fmt::print("{}\n\n", comparison_text(*comparison));
   const io::Provenance provenance = provenance_of(arguments, input, text);
-  const WrittenFiles files = write(arguments, input, result, provenance);
+  WrittenFiles files = write(arguments, input, result, provenance);
+  if (comparison)
+    for (const auto& written : write_comparison(*comparison, provenance, arguments.output, !arguments.no_pictures))
+      files.pictures.push_back(written);
   if (arguments.json)
-    print_document(input, result, provenance, files);
+    print_document(input, result, provenance, files, comparison);
   else
     print_files(files.pictures);
   if (!io::is_csv(arguments.output)) warn_of_old_pictures(arguments.output, files.pictures);
@@ -147,6 +167,8 @@ void add_solve_command(Command& program, int& exit_code) {
   command.add_option("-o,--output FOLDER", arguments.output,
                      "folder for result.h5 and the pictures, or NAME.csv for tables; default: results/NAME for "
                      "NAME.toml");
+  command.add_option("--points POINTS.csv", arguments.points,
+                     "measured creep curves as of `fit`, beside those of a case of two bodies, with rms and bias");
   command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
   add_json_flag(command, arguments.json);
 }

@@ -138,6 +138,11 @@ class Runner:
         """A profile."""
         self.microslip("profile", EXAMPLES / name, "-o", "pictures")
 
+    def measured_curve(self, name):
+        """Measured creep curves, with the case of the same name; what is fitted is a case."""
+        self.microslip("fit", EXAMPLES / name, "--case", (EXAMPLES / name).with_suffix(".toml"), "-o", "fitted")
+        self.microslip("solve", "fitted/case.toml", "--no-pictures", "-o", "results")
+
     def python(self, name):
         """A script."""
         for package in ("numpy", "matplotlib", "microslip"):
@@ -188,6 +193,7 @@ KINDS = {
     "profiles/*": Runner.profile,
     "*.toml": Runner.case,
     "*.inp": Runner.contact_input,
+    "creep_curve.csv": Runner.measured_curve,
     "*.csv": Runner.table,
     "*.py": Runner.python,
     "*.sbatch": Runner.job,

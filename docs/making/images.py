@@ -53,6 +53,8 @@ SOURCES = (
            {name: name for name in ("gap.png", "patches.png", "rail_head.png", "tractions_on_profiles.png")}),
     Source("microslip solve examples/lateral_sweep.toml -o {folder}",
            {"contact_points.png": "contact_points.png", "wheel_forces.png": "forces.png"}),
+    Source("microslip fit examples/creep_curve.csv --case examples/creep_curve.toml -o {folder}",
+           {"creep_curve_fit.png": "creep_curve_fit.png"}),
     Source("microslip conicity examples/profiles/s1002.prw examples/profiles/60e1.prr --cant 0.025 -o {folder}",
            {"conicity.png": "conicity.png", "wheelset_contact_points.png": "contact_points.png"}),
     Source("build/release/bin/wheelset {folder} && /usr/bin/python3 examples/wheelset/plot.py {folder}",

@@ -21,6 +21,7 @@ void bind_solver(pybind11::module_& module);
 void bind_nip(pybind11::module_& module);
 void bind_case_files(pybind11::module_& module);
 void bind_inputs_of_cases(pybind11::module_& module);
+void bind_creep_curve_fit(pybind11::module_& module);
 void bind_contact_input(pybind11::module_& module);
 void bind_profile(pybind11::module_& module);
 void bind_wheel_rail(pybind11::module_& module);

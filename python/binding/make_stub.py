@@ -43,6 +43,8 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
     "creepage": "Creepage | tuple[float, float, float]",
     "path": "str | os.PathLike[str]",
     "output": "str | os.PathLike[str]",
+    "measured": "str | os.PathLike[str]",
+    "case_file": "str | os.PathLike[str]",
     "executor": "Executor",
 }
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
@@ -64,6 +66,7 @@ RESULTS = {"pressure": "Any", "coefficient": "Any", "traction_bound": "Any", "an
            "radial_steering_index": "Any",
            "point": "tuple[Any, Any]",  # a number for numbers, else an array
            "to_dict": "dict[str, Any]",
+           "fit_creep_curve": "dict[str, Any]",
            "to_dataframe": "Any", "to_xarray": "Any"}  # a pandas.DataFrame, an xarray.Dataset
 
 

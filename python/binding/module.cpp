@@ -67,6 +67,7 @@ PYBIND11_MODULE(_core, module) {
   bind_nip(module);
   bind_case_files(module);
   bind_inputs_of_cases(module);
+  bind_creep_curve_fit(module);
   bind_contact_input(module);
   bind_profile(module);
   bind_wheel_rail(module);

@@ -2905,6 +2905,12 @@ def creepage_coefficients(a_over_b: float, poisson_ratio: float, coefficients: L
     (Kalker 1990, table E.3) or 'computed' (accurate to 1e-4 from a/b = 0.05 to 20). Beyond a table
     they tend to the limits of slender ellipses."""
 
+def fit_creep_curve(measured: str | os.PathLike[str], case_file: str | os.PathLike[str], model: str = '', start: str = '', huber: bool = False) -> dict[str, Any]:
+    """Fits friction and layers to the measured creep curves of a CSV by the theory of a case file, both given by
+    their paths, as `microslip fit` does [-]. Without `model` the simplest of the best is taken. Returns its
+    document as a dict: rms, parameters with value and interval, curves, models; and case, the text of the
+    fitted case file. Error for wrong files, unknown names, and points that no model can be fitted to."""
+
 def friction_work(solution: ContactSolution) -> NDArray[numpy.float64]:
     """T-gamma per area of each element, the work of friction per metre rolled [N/m^2], shape (my, mx)."""
 

@@ -15,6 +15,7 @@ from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
 from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
 from microslip.contact_run_pictures import cases_of_run, contact_run_pictures
+from microslip.creep_curve_fit_picture import creep_curve_fit_pictures, measured_points_pictures
 from microslip.cut_picture import cut_picture
 from microslip.difference_picture import difference_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
@@ -45,8 +46,10 @@ PICTURES_OF_KIND = {
     "rolling_contact": rolling_contact_pictures,
     "conicity": conicity_pictures,
     "contact_run": contact_run_pictures,
+    "creep_curve_fit": creep_curve_fit_pictures,
     "fastsim2-table1": fastsim2_table1_pictures,
     "fastsim2-table2": fastsim2_table2_pictures,
+    "measured_points": measured_points_pictures,
     "model-problem": model_problem_pictures,
     "profile": profile_pictures,
     "refinement": refinement_pictures,

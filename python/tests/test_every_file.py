@@ -225,6 +225,13 @@ class EveryFileTest(unittest.TestCase):
         self.assertEqual(axes.get_title(), "12 of 30 combinations")
         self.assertEqual([len(line.get_xdata()) for line in axes.lines], [16] * 12)
 
+    def test_measured_creep_curves(self):
+        points, case = EXAMPLES / "creep_curve.csv", EXAMPLES / "creep_curve.toml"
+        self.run_program("fit", points, "--case", case, "--model", "polach", "-o", "a", "--no-pictures")
+        self.expect("a/result.h5", "creep_curve_fit.png")
+        self.run_program("solve", case, "--points", points, "-o", "b", "--no-pictures")
+        self.expect("b/measured_points.h5", "measured_points.png")
+
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "profile.png")

@@ -1,0 +1,88 @@
+// `microslip fit`: the document, the case file that it writes, and what is refused.
+
+#include "paths.hpp"
+#include "tests/support/program_document.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace microslip {
+namespace {
+
+const std::string points = MICROSLIP_SOURCE_DIR "/examples/creep_curve.csv";
+const std::string example = points + " --case " MICROSLIP_SOURCE_DIR "/examples/creep_curve.toml";
+
+TEST(ProgramFit, WritesTheDocumentAndACaseThatRuns) {
+  const TemporaryFolder folder;
+  const auto json = program_document(folder, "fit " + example + " --model reduced_slope -o fitted --no-pictures");
+  EXPECT_EQ(json.at("kind"), "creep_curve_fit");
+  EXPECT_EQ(json.at("model"), "reduced_slope");
+  EXPECT_EQ(json.at("points"), 72);
+  EXPECT_NEAR(json.at("rms").get<double>(), 0.0183, 3e-4);
+  const auto& slope = json.at("parameters").at("solution.slope_reduction.initial");
+  EXPECT_LT(slope.at("interval")[0].get<double>(), slope.at("value").get<double>());
+  EXPECT_GT(slope.at("interval")[1].get<double>(), slope.at("value").get<double>());
+  EXPECT_TRUE(json.at("parameters").contains("friction.static_coefficient of evening"));
+  EXPECT_EQ(json.at("curves").size(), 2U);
+  EXPECT_NEAR(json.at("rms_of_case").get<double>(), json.at("rms").get<double>(), 1e-6); // FASTSIM2 has its own cells
+  const auto& correlations = json.at("correlations").at("friction.decay");
+  EXPECT_NEAR(correlations.at("friction.decay").get<double>(), 1, 1e-12);
+  EXPECT_LE(std::abs(correlations.at("friction.static_coefficient of evening").get<double>()), 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "fitted/result.h5"));
+  const auto solved = program_document(folder, "solve fitted/case.toml --no-pictures");
+  EXPECT_EQ(solved.at("status"), "ok");
+  const std::string text = contents(folder / "fitted/case.toml");
+  EXPECT_NE(text.find("[solution.slope_reduction]"), std::string::npos) << text;
+}
+
+TEST(ProgramFit, WritesNoCaseOfAFormula) {
+  const TemporaryFolder folder;
+  const auto json = program_document(folder, "fit " + example + " --model polach_formula -o fitted --no-pictures");
+  EXPECT_EQ(json.at("files").size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(folder / "fitted/case.toml"));
+}
+
+/// The curve of a fit with one run misses its points as the fit says.
+TEST(ProgramFit, SolveComparesWithThePoints) {
+  const TemporaryFolder folder;
+  std::ofstream file(folder / "points.csv");
+  file << "creepage_longitudinal [%],adhesion_coefficient\n";
+  for (const auto point :
+       {"0.1,0.14", "0.2,0.2", "0.4,0.26", "0.8,0.29", "1.6,0.3", "3.2,0.31", "6.4,0.28", "12.8,0.2"})
+    file << point << "\n";
+  file.close();
+  const std::string of = " --case " MICROSLIP_SOURCE_DIR "/examples/creep_curve.toml";
+  const auto fitted = program_document(folder, "fit points.csv" + of + " --model polach -o fitted --no-pictures");
+  const auto solved = program_document(folder, "solve fitted/case.toml --points points.csv -o solved --no-pictures");
+  const auto& comparison = solved.at("measured_points");
+  EXPECT_EQ(comparison.at("points"), 8);
+  EXPECT_NEAR(comparison.at("rms").get<double>(), fitted.at("rms").get<double>(), 1e-6);
+  EXPECT_NEAR(comparison.at("bias").get<double>(), fitted.at("bias").get<double>(), 1e-6);
+  EXPECT_TRUE(std::filesystem::exists(folder / "solved/measured_points.h5"));
+  const auto drawn = program_document(folder, "plot solved/result.h5 --points points.csv -o drawn");
+  EXPECT_EQ(drawn.at("measured_points"), comparison);
+  EXPECT_EQ(run_program(folder, "plot solved/measured_points.h5 --points points.csv").exit_code, 2);
+  const std::string wheel = MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml";
+  EXPECT_EQ(run_program(folder, "solve " + wheel + " --points points.csv").exit_code, 2);
+}
+
+TEST(ProgramFit, RefusesWithTheNearestWord) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& words) {
+    const Outcome outcome = run_program(folder, "fit " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
+  };
+  refused(example + " --model reduced_slop", "did you mean reduced_slope?");
+  refused(example + " --start polach_wett", "did you mean polach_wet?");
+  refused(points + " --case " MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml", "needs a case of two bodies");
+  std::ofstream(folder / "few.csv") << "creepage_longitudinal,adhesion_coefficient\n0.01,0.2\n";
+  refused("few.csv --case " MICROSLIP_SOURCE_DIR "/examples/creep_curve.toml", "too few points");
+}
+
+} // namespace
+} // namespace microslip
