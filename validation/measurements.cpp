@@ -1,3 +1,5 @@
+#include "validation/measurements_fits.hpp"
+#include "validation/measurements_sampling.hpp"
 #include "validation/measurements_smoothing.hpp"
 #include "validation/report.hpp"
 #include "validation/studies.hpp"
@@ -6,7 +8,8 @@ namespace microslip::validation {
 
 bool run_measurements(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  return report_measured_profiles(report, options) && report.all_met();
+  return report_creep_curve_fits(report, options) && report_sampling(report, options) &&
+         report_measured_profiles(report, options) && report.all_met();
 }
 
 } // namespace microslip::validation

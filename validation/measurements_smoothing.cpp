@@ -121,8 +121,8 @@ public:
   /// None if progress asked to stop.
   std::optional<Tally> tally(const Errors& errors, Smoothing smoothing, const StudyOptions& options) const {
     std::vector<Tally> parts(samples);
-    const BatchReport done = run_batch(
-        samples, {.threads = options.threads, .progress = options.progress}, [&]() -> BatchWorker {
+    const BatchReport done =
+        run_batch(samples, {.threads = options.threads, .progress = options.progress}, [&]() -> BatchWorker {
           return [&](std::size_t first, std::size_t count, const Progress&) {
             for (std::size_t k = first; k < first + count; ++k) parts[k] = sample(k, errors, smoothing);
           };
@@ -171,7 +171,8 @@ private:
   Results clean_;
 };
 
-constexpr const char* columns = "errors                                  both of 96    forces   pressure rms   stated   largest";
+constexpr const char* columns =
+    "errors                                  both of 96    forces   pressure rms   stated   largest";
 
 std::string row(const std::string& name, const Tally& t) {
   const auto percent = [n = t.solved](double squares) { return fmt::format("{:.1f} %", 100 * std::sqrt(squares / n)); };
@@ -249,8 +250,8 @@ bool report_conicity(Report& report, const Measurement& measurement, const Study
   const double clean = Measurement::conicity(measurement.clean());
   for (const double deviation : {1 * um, 4 * um, 10 * um}) {
     std::vector<double> errors(samples);
-    const BatchReport done = run_batch(
-        samples, {.threads = options.threads, .progress = options.progress}, [&]() -> BatchWorker {
+    const BatchReport done =
+        run_batch(samples, {.threads = options.threads, .progress = options.progress}, [&]() -> BatchWorker {
           return [&](std::size_t first, std::size_t count, const Progress&) {
             for (std::size_t k = first; k < first + count; ++k) {
               double stated = 0;
