@@ -16,7 +16,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest difference of two results, as a fraction of mu Fn.
 double difference(const EllipticContact& contact, const ContactSolution& a, const ContactSolution& b) {
-  const double full = contact.friction.static_coefficient() * contact.normal_force;
+  const double full = contact.friction.peak_coefficient() * contact.normal_force;
   if (!(full > 0)) return 0;
   const ContactForces f = a.forces(), g = b.forces();
   const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
