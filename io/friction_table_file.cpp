@@ -51,7 +51,8 @@ Places places_of(const std::vector<std::string_view>& headings) {
   Places places;
   std::vector<std::string_view> strangers;
   for (std::size_t i = 0; i < headings.size(); ++i) {
-    const auto [name, unit] = name_and_unit(headings[i]);
+    const std::pair heading = name_and_unit(headings[i]);
+    const std::string_view name = heading.first, unit = heading.second;
     const auto* found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
     if (found == columns.end()) {
       strangers.push_back(name);

@@ -36,8 +36,7 @@ TEST(FrictionTableFile, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_EQ(error_of([&] { parse(text); }), message);
   };
   refused(head + "1, -0.1\n", "mu.csv:3: column coefficient = -0.1 [-]: must be in [0, 10]");
-  refused(head + "\n1, 0.3\n1, 0.2\n",
-          "mu.csv:5: column slip_velocity = 1 [m/s]: must be above the one before, 1");
+  refused(head + "\n1, 0.3\n1, 0.2\n", "mu.csv:5: column slip_velocity = 1 [m/s]: must be above the one before, 1");
   refused(head + "1\n", "mu.csv:3: column coefficient: has no number");
   refused(head + "1, much\n", "mu.csv:3: column coefficient: \"much\" is not a number");
   refused(head, "mu.csv: must have a line with the columns slip_velocity and coefficient and at least 2 with numbers");

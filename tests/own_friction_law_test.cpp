@@ -20,8 +20,7 @@ constexpr double speed = 20;
 const FrictionLaw exponential = FrictionLaw::exponential(0.2, {.drop = 0.15, .half_velocity = 0.03});
 
 FrictionLaw table_of(const FrictionLaw& law, double accuracy) {
-  return FrictionLaw::table(
-      FrictionTable::sampled([&](double v) { return law.coefficient(v); }, 40, accuracy));
+  return FrictionLaw::table(FrictionTable::sampled([&](double v) { return law.coefficient(v); }, 40, accuracy));
 }
 
 /// Rises from rest to a peak and falls then.

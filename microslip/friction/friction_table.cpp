@@ -23,8 +23,8 @@ void check(const std::vector<double>& v, const std::vector<double>& mu) {
       throw Error(place("slip_velocities", i), v[i], "m/s", "above the one before, " + shortest_text(v[i - 1]));
   }
   if (mu.size() != v.size())
-    throw Error("coefficients: must be " + std::to_string(v.size()) + " numbers, one for each of slip_velocities, not " +
-                std::to_string(mu.size()));
+    throw Error("coefficients: must be " + std::to_string(v.size()) +
+                " numbers, one for each of slip_velocities, not " + std::to_string(mu.size()));
   for (std::size_t i = 0; i < mu.size(); ++i)
     require_between(place("coefficients", i), mu[i], "-", 0, FrictionLaw::largest_coefficient);
 }
@@ -94,7 +94,8 @@ Samples refined(const Samples& coarse, double accuracy) {
     fine.v.insert(fine.v.end(), between.v.begin(), between.v.end());
     fine.mu.insert(fine.mu.end(), between.mu.begin(), between.mu.end());
     if (fine.v.size() > most)
-      throw Error("accuracy = " + shortest_text(accuracy) + " [-]: needs more than 100,000 samples of this coefficient");
+      throw Error("accuracy = " + shortest_text(accuracy) +
+                  " [-]: needs more than 100,000 samples of this coefficient");
   }
   fine.v.push_back(coarse.v.back());
   fine.mu.push_back(coarse.mu.back());

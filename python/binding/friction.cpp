@@ -40,12 +40,17 @@ void bind_falling_laws(py::class_<FrictionLaw>& law) {
         "Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).");
 }
 
+std::vector<double> list_of(const char* field, const py::object& numbers) {
+  const RealArray array = real_array(field, numbers);
+  return {array.data(), array.data() + array.size()};
+}
+
 /// Binds tables, given or sampled.
 void bind_tables(py::class_<FrictionLaw>& law) {
   law.def_static(
          "table",
-         [](std::vector<double> velocities, std::vector<double> coefficients) {
-           return FrictionLaw::table({std::move(velocities), std::move(coefficients)});
+         [](const py::object& velocities, const py::object& coefficients) {
+           return FrictionLaw::table({list_of("slip_velocities", velocities), list_of("coefficients", coefficients)});
          },
          "slip_velocities"_a, "coefficients"_a,
          "Coefficients [-] at slip velocities [m/s], at least two, ascending from 0 or more on; between them by\n"
