@@ -36,7 +36,7 @@ QuantityTable hertz_table(const io::RollingCase& input, const cases::RollingCont
 void round_to_zero(QuantityTable& table, const cases::RollingContactResult& result) {
   const EllipticContact& contact = result.contact;
   const double length = std::sqrt(contact.a * contact.b);
-  const double limit = contact.friction.static_coefficient() * contact.normal_force;
+  const double limit = contact.friction.peak_coefficient() * contact.normal_force;
   table.round_to_zero("N", limit);
   table.round_to_zero("N m", limit * length);
   table.round_to_zero("m^2", 4 * length * length);
@@ -65,7 +65,7 @@ QuantityTable simplified_table(const io::RollingCase& input, const cases::Rollin
   const auto& simplified = *result.simplified;
   const ContactSolution& solution = simplified.solution;
   const Totals& t = solution.totals;
-  const auto limit = result.contact.friction.static_coefficient() * result.contact.normal_force;
+  const auto limit = result.contact.friction.peak_coefficient() * result.contact.normal_force;
   const auto moment = limit * std::sqrt(result.contact.a * result.contact.b);
   const auto area = t.adhesion_area + t.slip_area;
   QuantityTable table(describe_simplified(input));
@@ -158,7 +158,7 @@ private:
 };
 
 void add_totals(TheoryRows& rows, const EllipticContact& contact) {
-  const auto limit = contact.friction.static_coefficient() * contact.normal_force;
+  const auto limit = contact.friction.peak_coefficient() * contact.normal_force;
   const auto moment = limit * std::sqrt(contact.a * contact.b);
   for (const auto* name : {"fx", "fy", "mz"}) rows.add(name);
   if (limit > 0) {

@@ -18,8 +18,8 @@ FrictionTerm term_of(const microslip_contact& contact, int i) {
   return drop == 0 ? FrictionTerm{} : FrictionTerm{drop, contact.friction_half_velocity[i]};
 }
 
-/// microslip_friction_law numbers the laws as the library does.
-constexpr int laws = static_cast<int>(FrictionLaw::names.size());
+/// microslip_friction_law numbers the laws as the library does; tables are for problems.
+constexpr int laws = FrictionLaw::first_falling + FrictionLaw::falling;
 
 /// Throws Error, for which it allocates, if a number is out of range.
 FrictionLaw friction_of(const microslip_contact& contact) {

@@ -399,7 +399,7 @@ std::uint64_t SweepSpec::identity() const {
     std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);
     hash = hash_of(std::string((std::istreambuf_iterator<char>(file)), {}), hash);
   };
-  for (const std::string key : {"rail.profile", "wheelset.profile", "solution.table"}) {
+  for (const std::string key : {"rail.profile", "wheelset.profile", "solution.table", "friction.table"}) {
     if (const auto* path = base_.at_path(key).node()) add_file(path);
     for (std::size_t k = 0; k < parameters_.size(); ++k)
       if (std::find(parameters_[k].keys.begin(), parameters_[k].keys.end(), key) != parameters_[k].keys.end())

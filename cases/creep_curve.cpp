@@ -19,7 +19,7 @@ Variable choose_variable(const EllipticContact& contact) {
   const auto& creepage = contact.creepage;
   const auto coefficients = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
   const auto area = contact.a * contact.b;
-  const auto limit = contact.friction.static_coefficient() * contact.normal_force / (contact.shear_modulus * area);
+  const auto limit = contact.friction.peak_coefficient() * contact.normal_force / (contact.shear_modulus * area);
   if (creepage.longitudinal == 0 && creepage.lateral == 0 && creepage.spin != 0)
     return {"spin", "1/m", &Creepage::spin, limit / (coefficients.c23 * std::sqrt(area))};
   if (std::abs(creepage.longitudinal) >= std::abs(creepage.lateral))

@@ -30,7 +30,7 @@ EllipticContact similar(EllipticContact contact) {
 
 DiscretisationError difference(const EllipticContact& contact, const Totals& a, const ContactForces& forces,
                                double power) {
-  const auto limit = contact.friction.static_coefficient() * contact.normal_force;
+  const auto limit = contact.friction.peak_coefficient() * contact.normal_force;
   if (limit == 0) return {};
   const auto length = std::sqrt(contact.a * contact.b);
   return {.fx = std::abs(a.fx - forces.fx) / limit,
@@ -289,7 +289,7 @@ void write_curve_point(io::ResultWriter& file, const CreepCurve& curve, const El
   write("creepage_longitudinal", creepage.longitudinal, "-");
   write("creepage_lateral", creepage.lateral, "-");
   write("spin", creepage.spin, "1/m");
-  file.scalar("creep_curve/limit", contact.friction.static_coefficient() * contact.normal_force, "N",
+  file.scalar("creep_curve/limit", contact.friction.peak_coefficient() * contact.normal_force, "N",
               "mu Fn without slip, which no force exceeds");
   file.attribute("creep_curve", "variable", curve.variable);
 }

@@ -94,11 +94,17 @@ class Draw(random.Random):
 LAWS = next(one["words"] for one in microslip.inputs("bodies") if one["key"] == "law")
 
 
+def friction_table(draw, count):
+    velocities = sorted({draw.scale(1e-4, 10) for _ in range(count + 1)})
+    return velocities, [draw.number(0.05, 0.6) for _ in velocities]
+
+
 def friction(draw):
     law = microslip.FrictionLaw
     term = lambda: (draw.number(0, 0.3), draw.scale(1e-3, 10))
     arguments = {"coulomb": lambda: (draw.number(0.05, 0.6),),
-                 "polach": lambda: (draw.number(0.1, 0.5), draw.number(0, 1), draw.scale(0.01, 1))}
+                 "polach": lambda: (draw.number(0.1, 0.5), draw.number(0, 1), draw.scale(0.01, 1)),
+                 "table": lambda: friction_table(draw, draw.count(2, 8))}
     name = draw.choice((None, *LAWS))
     if name is None:
         return draw.number(0.05, 0.6)

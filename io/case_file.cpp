@@ -1,6 +1,8 @@
 #include "io/case_file.hpp"
 
 #include "io/body_layers.hpp"
+#include "io/file_beside.hpp"
+#include "io/friction_table_file.hpp"
 #include "io/input_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/option_words.hpp"
@@ -83,6 +85,13 @@ NormalLoad read_load(const TomlSection& load) {
 
 namespace {
 
+/// Refuses a key that asks for what a case does not have. `what` is the rest of the message.
+void refuse_at(const TomlSection& section, std::string_view name, std::string_view key, bool is_there,
+               const std::string& what) {
+  if (!is_there) return;
+  section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
+}
+
 constexpr std::string_view memory_keys[] = {"memory_distance", "memory_speed"};
 constexpr std::string_view effect_keys[] = {"thermal_change", "thermal_begin", "thermal_range"};
 
@@ -123,6 +132,34 @@ FrictionLaw read_polach(const TomlSection& friction) {
   return law;
 }
 
+/// Coefficients at slip velocities: two lists, or a file beside the case.
+FrictionLaw read_friction_table(const TomlSection& friction) {
+  std::optional<FrictionTable> table;
+  if (friction.one_of("slip_velocities", "table") == "table") {
+    refuse_at(friction, "friction", "coefficients", friction.has("coefficients"),
+              "must be left out with friction.table");
+    const std::string name = friction.required_text("table");
+    friction.at("table", [&] {
+      const auto folder = std::filesystem::path(friction.file()).parent_path();
+      try {
+        table = io::read_friction_table(file_beside(folder, name));
+      } catch (const Error& error) {
+        throw Error(std::string("friction.table: ") + error.what());
+      }
+    });
+    return FrictionLaw::table(*table);
+  }
+  const auto velocities = friction.numbers("slip_velocities"), coefficients = friction.numbers("coefficients");
+  try {
+    table.emplace(velocities, coefficients);
+  } catch (const Error& error) {
+    const std::string_view text = error.what();
+    friction.at(text.starts_with("coefficients") ? "coefficients" : "slip_velocities",
+                [&] { throw Error("friction." + std::string(text)); });
+  }
+  return FrictionLaw::table(*table);
+}
+
 FrictionModel read_friction(const TomlSection& friction) {
   friction.allow_described();
   FrictionModel model;
@@ -130,10 +167,11 @@ FrictionModel read_friction(const TomlSection& friction) {
   const auto kind = std::find(FrictionLaw::names.begin(), FrictionLaw::names.end(), law) - FrictionLaw::names.begin();
   model.law = law == "coulomb"  ? FrictionLaw::coulomb(friction.number("coefficient"))
               : law == "polach" ? read_polach(friction)
+              : law == "table"  ? read_friction_table(friction)
                                 : read_falling_friction(friction, static_cast<FrictionLaw::Kind>(kind));
   require_change(friction, model.law);
   if (has_effect(friction)) {
-    const double cold = model.law.static_coefficient(), least = model.law.kinetic_coefficient();
+    const double cold = model.law.peak_coefficient(), least = model.law.least_coefficient();
     model.temperature_effect = {.change = friction.number("thermal_change"),
                                 .begin = friction.number("thermal_begin"),
                                 .range = friction.number("thermal_range")};
@@ -175,13 +213,6 @@ Motion read_motion(const TomlSection& given) {
 }
 
 namespace {
-
-/// Refuses a key that asks for what a case does not have. `what` is the rest of the message.
-void refuse_at(const TomlSection& section, std::string_view name, std::string_view key, bool is_there,
-               const std::string& what) {
-  if (!is_there) return;
-  section.at(key, [&] { throw Error(std::string(name) + "." + std::string(key) + ": " + what); });
-}
 
 /// The ellipse, if it is given, or else the radii of both bodies.
 std::optional<Ellipse> read_geometry(const TomlSection& root, RollingCase& input) {

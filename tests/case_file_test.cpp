@@ -156,8 +156,8 @@ TEST(CaseFile, NamesTheNearestKnownWord) {
             "w.toml:13: load.normal_forse: unknown key; did you mean normal_force?");
   EXPECT_EQ(message_of(with("[friction]", "[frction]")), "w.toml:14: frction: unknown key; did you mean friction?");
   EXPECT_EQ(message_of(with("coefficient = 0.3", "law = \"colomb\"")),
-            "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential or polach; did you "
-            "mean coulomb?");
+            "w.toml:15: friction.law = \"colomb\": must be coulomb, linear, rational, exponential, table or "
+            "polach; did you mean coulomb?");
   EXPECT_EQ(message_of(good + "[solution]\ntheory = \"fastsim3\""),
             "w.toml:19: solution.theory = \"fastsim3\": must be fastsim, fastsim_half_step, fastsim2, exact, fastrip "
             "or table; did "

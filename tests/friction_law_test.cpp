@@ -45,7 +45,7 @@ TEST(FrictionLaw, CoulombDoesNotDependOnTheVelocity) {
 
 TEST(FrictionLaw, IsMadeByItsKindAsByItsName) {
   const FrictionTerm first{.drop = 0.12, .half_velocity = 0.4}, second{.drop = 0.05, .half_velocity = 3};
-  ASSERT_EQ(FrictionLaw::names.size(), 1 + falling.size());
+  ASSERT_EQ(std::size_t{FrictionLaw::falling}, falling.size());
   EXPECT_EQ(FrictionLaw::make(FrictionLaw::Kind::coulomb, 0.2, first, second).coefficient(1.0), 0.2);
   auto kind = static_cast<int>(FrictionLaw::Kind::coulomb);
   for (const auto make : falling) {
@@ -137,6 +137,19 @@ TEST(FrictionLaw, DerivativeIsTheSlope) {
       EXPECT_NEAR(result.partial[0], slope, 1e-9);
     }
   }
+}
+
+TEST(FrictionLaw, ATableHasItsCoefficientsAndIsNoOtherKind) {
+  const FrictionLaw law = FrictionLaw::table({{0.1, 1, 3}, {0.2, 0.4, 0.3}});
+  EXPECT_EQ(law.kind(), FrictionLaw::Kind::table);
+  for (const double v : {0.0, 0.5, 2.0, 3.0, infinity}) EXPECT_EQ(law.coefficient(v), law.table()->coefficient(v));
+  EXPECT_EQ(law.static_coefficient(), 0.2);
+  EXPECT_EQ(law.kinetic_coefficient(), 0.3);
+  EXPECT_EQ(law.peak_coefficient(), 0.4);
+  EXPECT_EQ(law.least_coefficient(), 0.2);
+  EXPECT_EQ(FrictionLaw::linear(0.2, {.drop = 0.1, .half_velocity = 1}).table(), nullptr);
+  EXPECT_EQ(FrictionLaw::linear(0.2, {.drop = 0.1, .half_velocity = 1}).peak_coefficient(), 0.2 + 0.1);
+  EXPECT_NE(error_of([] { FrictionLaw::make(FrictionLaw::Kind::table, 0.2, {}); }).find("kind"), std::string::npos);
 }
 
 TEST(FrictionLaw, AcceptsTheEndsOfItsRanges) {

@@ -20,7 +20,7 @@ NOT_THERE = 77
 PROFILES = ("{examples}/profiles/60e1.prr", "{examples}/profiles/s1002.prw")
 
 # What is no example by itself: parts of the programs beside them.
-PARTS = ("*/tests/*", "*/CMakeLists.txt", "*.hpp", "*/__pycache__/*")
+PARTS = ("measured_friction.csv", "*/tests/*", "*/CMakeLists.txt", "*.hpp", "*/__pycache__/*")
 
 # What scripts and programs are given. {build}, {examples}: folders.
 ARGUMENTS = {

@@ -344,6 +344,11 @@ TEST(SweepSpec, ItsIdentityIsThatOfAllItsFiles) {
   EXPECT_NE(second, first);
   save(folder / "c.toml", "[rail]\nprofile = \"p.prr\"\n#\n");
   EXPECT_NE(identity(text), second);
+  save(folder / "mu.csv", "1");
+  save(folder / "c.toml", "[friction]\ntable = \"mu.csv\"\n");
+  const auto third = identity(text);
+  save(folder / "mu.csv", "2");
+  EXPECT_NE(identity(text), third);
 }
 
 } // namespace

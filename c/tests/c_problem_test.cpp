@@ -128,6 +128,10 @@ TEST(CProblem, FrictionHeatForcesAndShiftsReachTheSolver) {
                          {"friction.memory_speed", 0.01},
                          {"solution.slip_start", "above"}});
   ASSERT_EQ(falling.unset("friction.coefficient"), MICROSLIP_OK);
+  Steel own(Settings{{"friction.law", "table"},
+                     {"friction.slip_velocities", std::vector{0.0, 0.02, 0.1}},
+                     {"friction.coefficients", std::vector{0.3, 0.4, 0.2}}});
+  ASSERT_EQ(own.unset("friction.coefficient"), MICROSLIP_OK);
   Steel warm;
   for (const char* body : {"body1.", "body2."})
     set_all(warm, {{body + std::string("bulk_temperature"), 20.0},
@@ -141,8 +145,9 @@ TEST(CProblem, FrictionHeatForcesAndShiftsReachTheSolver) {
   Steel shift(Settings{{"motion.kind", "shift"}, {"motion.shift_longitudinal", 4e-6}});
   for (const char* path : {"creepage_longitudinal", "creepage_lateral", "spin", "rolling_speed"})
     shift.unset(std::string("motion.") + path);
-  for (CProblem* problem : {static_cast<CProblem*>(&falling), static_cast<CProblem*>(&warm),
-                            static_cast<CProblem*>(&given), static_cast<CProblem*>(&shift)}) {
+  for (CProblem* problem :
+       {static_cast<CProblem*>(&falling), static_cast<CProblem*>(&own), static_cast<CProblem*>(&warm),
+        static_cast<CProblem*>(&given), static_cast<CProblem*>(&shift)}) {
     ASSERT_EQ(problem->solve(), MICROSLIP_OK) << problem->error.text;
     expect_same(*problem, solved_by_the_library(*problem));
   }

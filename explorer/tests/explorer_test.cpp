@@ -488,7 +488,7 @@ TEST_F(ExplorerTest, DescribesEveryInputAsTheTablesDo) {
     }
   }
   EXPECT_EQ(all["bodies"]["friction.law"]["default"], "coulomb");
-  EXPECT_EQ(all["bodies"]["friction.law"]["words"].size(), 5);
+  EXPECT_EQ(all["bodies"]["friction.law"]["words"].size(), 6);
   EXPECT_EQ(all["bodies"]["body2.poisson_ratio"]["largest"], 0.5);
   EXPECT_FALSE(all["bodies"]["body2.rolling_radius"].contains("least"));
   EXPECT_EQ(all["wheel"]["rail.scale"]["default"], 1);

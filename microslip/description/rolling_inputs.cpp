@@ -9,7 +9,7 @@
 namespace microslip::description {
 namespace {
 
-constexpr Bounds coefficient = between(0, FrictionLaw::largest_coefficient);
+constexpr Bounds coefficient = between(0, FrictionLaw::largest_coefficient), slip_velocity = between(0, 1e6);
 /// The library's laws, and the one that is a case of them.
 constexpr auto friction_laws = [] {
   std::array<Word, FrictionLaw::names.size() + 1> words{};
@@ -18,8 +18,9 @@ constexpr auto friction_laws = [] {
   return words;
 }();
 constexpr std::span laws(friction_laws);
-constexpr Condition coulomb{"law", laws.first(1)}, falling{"law", laws.subspan(1, laws.size() - 2)},
-    polach{"law", laws.last(1)};
+constexpr Condition coulomb{"law", laws.first(1)},
+    falling{"law", laws.subspan(FrictionLaw::first_falling, FrictionLaw::falling)},
+    table{"law", laws.subspan(static_cast<std::size_t>(FrictionLaw::Kind::table), 1)}, polach{"law", laws.last(1)};
 constexpr std::span kinds(contact_motions);
 constexpr Condition shift{"kind", kinds.first(1)}, rolling{"kind", kinds.last(2)},
     transient{"kind", kinds.subspan(1, 1)};
@@ -84,6 +85,11 @@ std::vector<Input> all_inputs() {
            only(polach, number("static_coefficient", "-", coefficient, "polach: coefficient where nothing slips")),
            only(polach, number("ratio", "-", between(0, 1), "polach: coefficient at large slip velocities over that")),
            only(polach, number("decay", "s/m", positive, "polach: exponent of the decay with the slip velocity")),
+           only(table, numbers("slip_velocities", "m/s", slip_velocity, {},
+                               "table: slip velocities at which coefficients are given, ascending, at least two")),
+           only(table, numbers("coefficients", "-", coefficient, {},
+                               "table: coefficient at each of them; between them monotone cubics, beyond constant")),
+           only(table, text("table", "table: CSV file with columns slip_velocity and coefficient, in place of both")),
            number("thermal_change", "-", between(-FrictionLaw::largest_coefficient, FrictionLaw::largest_coefficient),
                   "what the temperature of the surfaces adds to the coefficient in the end"),
            number("thermal_begin", "deg C", any_number, "temperature below which it adds nothing"),

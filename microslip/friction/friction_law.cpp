@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -23,10 +24,11 @@ void require_terms(const FrictionTerm& first, const FrictionTerm& second) {
 } // namespace
 
 FrictionLaw::FrictionLaw(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second)
-    : kind_(kind), kinetic_(kinetic), terms_{first, second} {
+    : kind_(kind), kinetic_(kinetic), static_(kinetic + first.drop + second.drop),
+      peak_(static_), terms_{first, second} {
   require_coefficient("kinetic", kinetic);
   require_terms(first, second);
-  require_coefficient("kinetic + first.drop + second.drop", static_coefficient());
+  require_coefficient("kinetic + first.drop + second.drop", static_);
 }
 
 FrictionLaw FrictionLaw::coulomb(double coefficient) {
@@ -35,6 +37,7 @@ FrictionLaw FrictionLaw::coulomb(double coefficient) {
 
 FrictionLaw FrictionLaw::make(Kind kind, double kinetic, FrictionTerm first, FrictionTerm second) {
   if (kind == Kind::coulomb) return coulomb(kinetic);
+  if (kind == Kind::table) throw Error("kind: must not be table, which is made of a FrictionTable");
   return {kind, kinetic, first, second};
 }
 
@@ -46,6 +49,16 @@ FrictionLaw FrictionLaw::polach(double static_coefficient, double ratio, double 
   const double half_velocity = require_positive("ln(2)/decay", std::numbers::ln2 / decay, "m/s");
   const double kinetic = ratio * static_coefficient;
   return {Kind::exponential, kinetic, {static_coefficient - kinetic, half_velocity}, {}};
+}
+
+FrictionLaw FrictionLaw::table(FrictionTable table) {
+  FrictionLaw law;
+  law.kind_ = Kind::table;
+  law.kinetic_ = table.coefficients().back();
+  law.static_ = table.coefficient(0.0);
+  law.peak_ = table.largest();
+  law.table_ = std::make_shared<const FrictionTable>(std::move(table));
+  return law;
 }
 
 } // namespace microslip

@@ -86,7 +86,7 @@ struct Units {
 Units units_of(const EllipticContact& contact) {
   const auto c = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
   const double stiffness = contact.shear_modulus * contact.a * contact.b;
-  return {contact.friction.static_coefficient() * contact.normal_force,
+  return {contact.friction.peak_coefficient() * contact.normal_force,
           std::sqrt(contact.a * contact.b),
           {stiffness * c.c11, stiffness * c.c22}};
 }
@@ -97,7 +97,7 @@ Units units_of(const RollingProblem& problem, const ContactSolution& found) {
   const std::optional<LoadedPart> part = loaded_part(grid, found.fields.pressure);
   if (!part) return {};
   const double a = 0.5 * part->x.count() * grid.dx, b = 0.5 * part->y.count() * grid.dy;
-  return {problem.friction.law.static_coefficient() * normal_force(grid, found.fields.pressure),
+  return {problem.friction.law.peak_coefficient() * normal_force(grid, found.fields.pressure),
           grid.line ? a : std::sqrt(a * b)};
 }
 

@@ -30,7 +30,7 @@ NormalSolution unit_load(const EllipticContact& contact, const ElementGrid& grid
 }
 
 double capacity_of(const EllipticContact& contact) {
-  return contact.friction.static_coefficient() * contact.normal_force;
+  return contact.friction.peak_coefficient() * contact.normal_force;
 }
 
 double side_of(const Motion& motion) {

@@ -127,7 +127,7 @@ Nip NipAnalysis::find(const RollingProblem& problem, const ContactSolution& solu
   nip.peak_pressure = totals.peak_pressure;
   nip.indentation = solution.approach;
   nip.traction = std::hypot(totals.fx, totals.fy);
-  nip.traction_capacity = problem.friction.law.static_coefficient() * normal_force(grid, pressure);
+  nip.traction_capacity = problem.friction.law.peak_coefficient() * normal_force(grid, pressure);
   if (nip.traction_capacity > 0) nip.utilisation = nip.traction / nip.traction_capacity;
   const auto& [body1, body2, velocity] = *problem.layered;
   const LayeredBody rigid = {{}, {{std::numeric_limits<double>::infinity(), 0}}};

@@ -14,14 +14,14 @@ struct GivenForces {
   std::optional<double> x, y;
 
   Vec2 misfit(const ContactForces& f) const {
-    const double limit = contact.friction.static_coefficient() * contact.normal_force;
+    const double limit = contact.friction.peak_coefficient() * contact.normal_force;
     return {x ? (f.fx - *x) / limit : 0, y ? (f.fy - *y) / limit : 0};
   }
 };
 
 /// Newton's step for the creepages: the misfit divided by the derivatives; those of what is not given are set to one.
 Vec2 newton_step(const GivenForces& given, const ContactDerivatives& d) {
-  const double limit = given.contact.friction.static_coefficient() * given.contact.normal_force;
+  const double limit = given.contact.friction.peak_coefficient() * given.contact.normal_force;
   const auto& j = d.jacobian;
   const double xx = given.x ? j[0][0] / limit : 1, xy = given.x && given.y ? j[0][1] / limit : 0;
   const double yy = given.y ? j[1][1] / limit : 1, yx = given.x && given.y ? j[1][0] / limit : 0;

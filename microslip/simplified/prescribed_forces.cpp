@@ -26,7 +26,7 @@ FoundCreepage find_creepage(const std::function<ContactForces(const Creepage&)>&
 
 FoundCreepage find_creepage(RowSolver& solver, const EllipticContact& contact, const PrescribedForces& prescribed,
                             double tolerance) {
-  const double capacity = contact.friction.static_coefficient() * contact.normal_force;
+  const double capacity = contact.friction.peak_coefficient() * contact.normal_force;
   const double scale = capacity / (contact.shear_modulus * std::numbers::pi * contact.a * contact.b);
   const auto forces = [&](const Creepage& creepage) {
     EllipticContact at = contact;

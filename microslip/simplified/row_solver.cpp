@@ -161,7 +161,7 @@ struct RowSolver::Workspace {
   }
 
   double peak_of(const EllipticContact& contact) const {
-    return contact.normal_force * contact.friction.static_coefficient() *
+    return contact.normal_force * contact.friction.peak_coefficient() *
            peak_factor(options.bound, contact.a, contact.b);
   }
 
@@ -177,17 +177,17 @@ struct RowSolver::Workspace {
   template <class Real> void fill_tables(const EllipticContact& contact, int first_row) {
     const auto drive = drive_of<Real>(contact.creepage, contact.normal_force);
     const Real load = drive.normal_force * (1 / contact.normal_force); // 1, with its derivative
-    const double still = contact.friction.static_coefficient();
+    const double peak = contact.friction.peak_coefficient();
     const int width = kernels.width, point = numbers_of<Real> * width;
     for (int lane = 0; lane < width; ++lane) {
       const int j = std::min(first_row + lane, options.my - 1); // lanes beyond the last row repeat it
       const RowGeometry at = row(contact, j);
       const auto bound = [&](double profile, double position) -> Real {
-        const double static_bound = rows.bound_scale[j] * profile;
-        if (is_coulomb(contact.friction) || !(still > 0)) return load * static_bound;
+        const double largest_bound = rows.bound_scale[j] * profile;
+        if (is_coulomb(contact.friction) || !(peak > 0)) return load * largest_bound;
         const double x = at.leading + travel * position * at.cell;
         return load * friction_coefficient(contact.friction, drive, contact.rolling_speed, x, at.y) *
-               (static_bound / still);
+               (largest_bound / peak);
       };
       put(bound(grid.profile_slope, 0), &rows.table_slope[lane], width);
       for (int i = 0; i <= options.mx; ++i)

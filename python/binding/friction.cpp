@@ -7,9 +7,14 @@
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/thermal/surface_temperature.hpp"
 
+#include <pybind11/functional.h>
+
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace microslip::python {
 namespace {
@@ -24,14 +29,47 @@ FrictionTerm term(const Term& given) {
 
 /// Binds every kind that falls with the slip velocity.
 void bind_falling_laws(py::class_<FrictionLaw>& law) {
-  for (std::size_t k = 1; k < FrictionLaw::names.size(); ++k)
+  constexpr int begin = FrictionLaw::first_falling, end = begin + FrictionLaw::falling;
+  for (int k = begin; k < end; ++k)
     law.def_static(
-        std::string(FrictionLaw::names[k]).c_str(),
+        std::string(FrictionLaw::names[static_cast<std::size_t>(k)]).c_str(),
         [kind = static_cast<FrictionLaw::Kind>(k)](double kinetic, const Term& first, const Term& second) {
           return FrictionLaw::make(kind, kinetic, term(first), term(second));
         },
         "kinetic"_a, "first"_a, "second"_a = Term{0, 1},
         "Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s]).");
+}
+
+std::vector<double> list_of(const char* field, const py::object& numbers) {
+  const RealArray array = real_array(field, numbers);
+  return {array.data(), array.data() + array.size()};
+}
+
+/// Binds tables, given or sampled.
+void bind_tables(py::class_<FrictionLaw>& law) {
+  law.def_static(
+         "table",
+         [](const py::object& velocities, const py::object& coefficients) {
+           return FrictionLaw::table({list_of("slip_velocities", velocities), list_of("coefficients", coefficients)});
+         },
+         "slip_velocities"_a, "coefficients"_a,
+         "Coefficients [-] at slip velocities [m/s], at least two, ascending from 0 or more on; between them by\n"
+         "monotone cubics (scipy's PchipInterpolator), beyond them constant.")
+      .def_static(
+          "sampled",
+          [](const std::function<double(double)>& coefficient, double fastest, double accuracy) {
+            return FrictionLaw::table(FrictionTable::sampled(coefficient, fastest, accuracy));
+          },
+          "coefficient"_a, "fastest"_a, "accuracy"_a = 1e-6,
+          "A table of any mu(v) [-], a function of the slip velocity [m/s] that is called here and never again, so\n"
+          "that threads and pickles do with the law as with any other. Samples from 0 to `fastest` [m/s], beyond\n"
+          "which mu is constant, lie so close that the table is within `accuracy` [-] of the function. Its\n"
+          "exceptions are passed on. Error for coefficients out of range and where the function jumps.");
+}
+
+/// A table's numbers, None of another law.
+template <class Numbers> py::object numbers_of(const FrictionLaw& law, Numbers numbers) {
+  return law.table() == nullptr ? py::none() : py::object(py::cast((law.table()->*numbers)()));
 }
 
 double coefficient_at(const FrictionLaw& law, double velocity) {
@@ -52,6 +90,7 @@ void bind_friction(py::module_& module) {
   law.def(py::init<>(), "Frictionless, mu = 0 [-].")
       .def_static("coulomb", &FrictionLaw::coulomb, "coefficient"_a, "Coulomb friction, coefficient [-] in [0, 10].");
   bind_falling_laws(law);
+  bind_tables(law);
   law.def_static("polach", &FrictionLaw::polach, "static_coefficient"_a, "ratio"_a, "decay"_a,
                  "Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law.")
       .def_property_readonly(
@@ -59,6 +98,8 @@ void bind_friction(py::module_& module) {
           "The name of its maker; Polach's law is an exponential one.")
       .def_property_readonly("kinetic_coefficient", &FrictionLaw::kinetic_coefficient, "mu_k [-].")
       .def_property_readonly("static_coefficient", &FrictionLaw::static_coefficient, "mu(0) [-].")
+      .def_property_readonly("peak_coefficient", &FrictionLaw::peak_coefficient,
+                             "The largest mu(v) [-]: mu(0), unless a table rises.")
       .def_property_readonly(
           "terms",
           [](const FrictionLaw& self) {
@@ -66,6 +107,12 @@ void bind_friction(py::module_& module) {
             return std::pair(Term{first.drop, first.half_velocity}, Term{second.drop, second.half_velocity});
           },
           "Both terms as (drop [-], half_velocity [m/s]).")
+      .def_property_readonly(
+          "slip_velocities", [](const FrictionLaw& self) { return numbers_of(self, &FrictionTable::slip_velocities); },
+          "Those of a table [m/s], else None.")
+      .def_property_readonly(
+          "coefficients", [](const FrictionLaw& self) { return numbers_of(self, &FrictionTable::coefficients); },
+          "Those of a table [-], else None.")
       .def(
           "coefficient",
           [](const FrictionLaw& self, const py::object& velocity) {

@@ -14,7 +14,7 @@ HEADER = '''"""Types of the compiled part of microslip; written by python/bindin
 
 import enum
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from typing import Any, Literal, overload
 
@@ -38,6 +38,7 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
     "BodyLayer.material": "Material | ViscoelasticMaterial",
     "LayeredBody.substrate": "Material | ViscoelasticMaterial",
     "friction": "FrictionLaw | float",
+    "FrictionLaw.coefficients": "ArrayLike",
     "WheelRail.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
     "WheelsetOnTrack.friction": "FrictionLaw | float | tuple[ArrayLike, ArrayLike]",
     "creepage": "Creepage | tuple[float, float, float]",
@@ -50,6 +51,8 @@ TYPES_OF_ARGUMENTS = {key: f"Literal[{', '.join(map(json.dumps, words))}]" for k
 # Properties whose arrays hold codes or counts, and those that have another type than their C++ one says.
 TYPES_OF_PROPERTIES = {
     "results": "tuple[str, ...]",
+    "FrictionLaw.slip_velocities": "list[float] | None",
+    "FrictionLaw.coefficients": "list[float] | None",
     "variables": "tuple[str, ...]",
     "state": "NDArray[numpy.uint8]",
     "ForceArrays.inputs": "dict[str, Any]",

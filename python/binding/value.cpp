@@ -29,6 +29,9 @@ py::object state_of(const FrictionLaw& law) {
   state["kind"] = static_cast<int>(law.kind());
   state["kinetic"] = law.kinetic_coefficient();
   state["terms"] = terms;
+  if (law.table() == nullptr) return state;
+  state["slip_velocities"] = law.table()->slip_velocities();
+  state["coefficients"] = law.table()->coefficients();
   return state;
 }
 
@@ -41,6 +44,11 @@ void read_state(const py::handle& state, const std::string& name, FrictionLaw& l
   const auto kind = given["kind"].cast<int>();
   if (kind < 0 || kind >= static_cast<int>(FrictionLaw::names.size()))
     throw Error(name + ": the pickled law is of an unknown kind");
+  if (static_cast<FrictionLaw::Kind>(kind) == FrictionLaw::Kind::table) {
+    const auto numbers = [&](const char* key) { return given[key].cast<std::vector<double>>(); };
+    law = FrictionLaw::table({numbers("slip_velocities"), numbers("coefficients")});
+    return;
+  }
   law = FrictionLaw::make(static_cast<FrictionLaw::Kind>(kind), kinetic, first, second);
 }
 

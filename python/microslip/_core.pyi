@@ -2,7 +2,7 @@
 
 import enum
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from typing import Any, Literal, overload
 
@@ -809,6 +809,7 @@ class FrictionLaw:
     linear: mu_k + sum d_i max(0, 1 - v/(2 v_i));
     rational: mu_k + d_1/(1 + v/v_1) + d_2/(1 + (v/v_2)^2);
     exponential: mu_k + sum d_i 2^(-v/v_i);
+    table: monotone cubics between coefficients at slip velocities;
     polach: mu_s ((1 - A) exp(-B v) + A). A term is a pair (drop d [-], half_velocity v_i [m/s]).
     Makers raise Error for a coefficient outside [0, 10] or a velocity that is not positive.
     FrictionLaw() is frictionless."""
@@ -827,6 +828,16 @@ class FrictionLaw:
     def exponential(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
         """Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
+    def table(slip_velocities: ArrayLike, coefficients: ArrayLike) -> FrictionLaw:
+        """Coefficients [-] at slip velocities [m/s], at least two, ascending from 0 or more on; between them by
+        monotone cubics (scipy's PchipInterpolator), beyond them constant."""
+    @staticmethod
+    def sampled(coefficient: Callable[[float], float], fastest: float, accuracy: float = 1e-06) -> FrictionLaw:
+        """A table of any mu(v) [-], a function of the slip velocity [m/s] that is called here and never again, so
+        that threads and pickles do with the law as with any other. Samples from 0 to `fastest` [m/s], beyond
+        which mu is constant, lie so close that the table is within `accuracy` [-] of the function. Its
+        exceptions are passed on. Error for coefficients out of range and where the function jumps."""
+    @staticmethod
     def polach(static_coefficient: float, ratio: float, decay: float) -> FrictionLaw:
         """Polach's law from mu_s [-], A [-] in [0, 1] and B [s/m] > 0. Kept as an exponential law."""
     @property
@@ -839,8 +850,17 @@ class FrictionLaw:
     def static_coefficient(self) -> float:
         """mu(0) [-]."""
     @property
+    def peak_coefficient(self) -> float:
+        """The largest mu(v) [-]: mu(0), unless a table rises."""
+    @property
     def terms(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Both terms as (drop [-], half_velocity [m/s])."""
+    @property
+    def slip_velocities(self) -> list[float] | None:
+        """Those of a table [m/s], else None."""
+    @property
+    def coefficients(self) -> list[float] | None:
+        """Those of a table [-], else None."""
     def coefficient(self, slip_velocity: ArrayLike) -> Any:
         """mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...)."""
     def to_dict(self) -> dict[str, Any]:

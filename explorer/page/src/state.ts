@@ -46,9 +46,9 @@ export type View = (typeof views)[number];
 export interface State { view: View; contact: ContactState; rail: RailState; start: StartState; nip: NipState }
 
 const lawNames: Record<string, string> = { coulomb: "Coulomb", linear: "falls linearly", rational: "falls as 1/(1 + v)", exponential: "falls exponentially", polach: "Polach" };
-/** The library's laws of friction with their names on the page. */
+/** The library's laws of friction with their names on the page, which has no fields for the lists of a table. */
 export function laws(): Record<string, string> {
-  return Object.fromEntries(input("contact", "friction.law").words!.map((law) => [law, lawNames[law] ?? law]));
+  return Object.fromEntries(input("contact", "friction.law").words!.filter((law) => law !== "table").map((law) => [law, lawNames[law] ?? law]));
 }
 /** The numbers of a law. */
 export function keysOf(law: string): string[] {

@@ -347,6 +347,9 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
   };
   ContactStepSolution out;
   Field slip = first_slip(step, start), pressure = start.pressure;
+  // Where a table begins with 0 nothing resists at rest, and no round would begin.
+  if (std::all_of(at_rest.begin(), at_rest.end(), [](double mu) { return mu == 0; }))
+    slip.assign(slip.size(), speed_of(step.motion));
   if (pressure.empty()) pressure = solve_normal_part(step).pressure;
   if (!law.falls() || is_beyond(step, law, pressure)) {
     out = solve(step, {at_rest, &law});

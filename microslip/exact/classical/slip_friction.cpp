@@ -11,6 +11,23 @@
 namespace microslip {
 namespace {
 
+/// Calls at(v) with slip velocities [m/s] between which no law falls much steeper than at them.
+template <class At> void for_velocities(const FrictionLaw& law, At at) {
+  constexpr double lowest = 1e-4, highest = 1e4, ratio = 1.6; // over those of the laws
+  const auto around = [&](double velocity) {
+    for (double v = lowest; v < highest; v *= ratio) at(v * velocity);
+  };
+  if (law.table() == nullptr) {
+    for (const FrictionTerm& term : law.terms()) around(term.half_velocity);
+    return;
+  }
+  const std::vector<double>& v = law.table()->slip_velocities();
+  around(v.back());
+  constexpr int parts = 8;
+  for (std::size_t i = 0; i + 1 < v.size(); ++i)
+    for (int k = 0; k < parts; ++k) at(v[i] + (v[i + 1] - v[i]) * k / parts);
+}
+
 void require_for_rows(const char* field, std::size_t count, int rows) {
   if (count != 1 && count != static_cast<std::size_t>(rows))
     throw Error(std::string(field) + ": must have one law or one for each of the " + std::to_string(rows) + " rows");
@@ -33,8 +50,8 @@ SlipFriction::SlipFriction(const ElementGrid& grid, std::span<const FrictionLaw>
   check(heating_->bodies);
   for (int j = 0; j < grid.my; ++j) {
     check(effect(j));
-    require_between("temperature_effect.change", effect(j).change, "-", -law(j).kinetic_coefficient(),
-                    FrictionLaw::largest_coefficient - law(j).static_coefficient());
+    require_between("temperature_effect.change", effect(j).change, "-", -law(j).least_coefficient(),
+                    FrictionLaw::largest_coefficient - law(j).peak_coefficient());
   }
   flash_.emplace(grid.mx, grid.dx, heating_->rolling_speed, heating_->bodies);
 }
@@ -169,7 +186,7 @@ SlipFriction::State SlipFriction::state(std::span<const double> slip_velocity, s
 
 void SlipFriction::largest(std::span<const double> pressure, std::span<double> bound) const {
   for_particles([&](int row, std::size_t k, bool) {
-    double mu = law(row).static_coefficient();
+    double mu = law(row).peak_coefficient();
     if (heating_) mu += std::max(0.0, effect(row).change);
     bound[k] = mu * pressure[k];
     if (!(layer_.hardening > 0)) bound[k] = std::min(bound[k], layer_.yield_stress);
@@ -178,19 +195,18 @@ void SlipFriction::largest(std::span<const double> pressure, std::span<double> b
 
 /// The steepest fall of mu p_n and tau_c with the slip, and a little more.
 double SlipFriction::least_rho(std::span<const double> pressure) const {
-  constexpr double more = 1.2, lowest = 1e-4, highest = 1e4, ratio = 1.6; // slip velocities over those of the laws
+  constexpr double more = 1.2;
   using Dual1 = Dual<double, 1>;
   const double peak = pressure.empty() ? 0 : *std::max_element(pressure.begin(), pressure.end());
   double steepest = std::max(0.0, -hardening_);
   const int rows = laws_.size() == 1 && (!heating_ || heating_->effects.size() == 1) ? 1 : grid_.my;
   for (int row = 0; row < rows && falls(); ++row)
-    for (const FrictionTerm& term : law(row).terms())
-      for (double v = lowest; v < highest; v *= ratio) {
-        const Dual1 slip = Dual1::variable(v * term.half_velocity / passage_.speed, 0);
-        const double temperature = heating_ ? effect(row).begin + effect(row).range / 4 : 0;
-        const Dual1 mu = coefficient<Dual1>(row, slip, law(row).static_coefficient(), temperature, peak);
-        steepest = std::max(steepest, -peak * mu.partial[0]);
-      }
+    for_velocities(law(row), [&](double v) {
+      const Dual1 slip = Dual1::variable(v / passage_.speed, 0);
+      const double temperature = heating_ ? effect(row).begin + effect(row).range / 4 : 0;
+      const Dual1 mu = coefficient<Dual1>(row, slip, law(row).static_coefficient(), temperature, peak);
+      steepest = std::max(steepest, -peak * mu.partial[0]);
+    });
   return more * steepest;
 }
 
