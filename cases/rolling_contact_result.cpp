@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,22 @@ template <class Solver> SimplifiedResult solve_simplified(const EllipticContact&
   result.discretisation_error = difference(contact, result.solution, finer.fields(contact));
   result.curve = creep_curve(contact, simplified_curve_points, [&](const auto& moved) { return solver.solve(moved); });
   return result;
+}
+
+bool depends_on_more(const FrictionLaw& law) {
+  return law.depends_on_pressure() || law.depends_on_temperature();
+}
+
+/// A law of the slip velocity alone, as the simplified theory has it, in place of one that depends on more.
+void take_mean_friction(const RollingProblem& problem, EllipticContact& contact) {
+  if (!depends_on_more(contact.friction)) return;
+  const double pressure = contact.normal_force / (std::numbers::pi * contact.a * contact.b);
+  double temperature = 0;
+  if (const auto& bodies = problem.thermal) {
+    const double one = bodies->body1.effusivity(), two = bodies->body2.effusivity();
+    temperature = (one * bodies->body1.bulk_temperature + two * bodies->body2.bulk_temperature) / (one + two);
+  }
+  contact.friction = FrictionLaw::table(contact.friction.table()->at(pressure, temperature));
 }
 
 /// Result of similar bodies: beside the exact theory's for dissimilar ones it is a comparison that says so.
@@ -333,6 +350,7 @@ std::string simplified_assumption(const io::RollingCase& input) {
   add(!bodies.are_elastic() || bodies.are_coupled(), "elastic bodies of K = 0");
   add(bodies.layer.flexibility > 0, "no layer");
   add(input.problem.friction.temperature_effect.has_value(), "friction without heat");
+  add(depends_on_more(input.problem.friction.law), "friction at the mean pressure and the bulk temperature");
   add(input.problem.friction.memory.distance > 0, "friction without memory");
   return all;
 }
@@ -347,6 +365,7 @@ RollingContactResult solve_case(const io::RollingCase& input, const Progress& pr
   result.hertz = hertz_contact(input.problem);
   result.warnings = case_warnings(input, result.hertz).texts;
   result.contact = elliptic_contact(input.problem, result.hertz);
+  take_mean_friction(input.problem, result.contact);
   if (input.method.theory == Theory::exact) result.exact = solve_exact(input, result.contact, progress, extent);
   if (result.exact && result.exact->nip)
     for (const std::string& text : result.exact->nip->nip.warnings.texts) result.warnings.push_back(text);

@@ -49,6 +49,22 @@ TEST(FrictionTableFile, NamesLineAndColumnOfWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(FrictionTableFile, ReadsGridsOfPressuresAndTemperaturesInAnyOrder) {
+  const FrictionTable table = parse("temperature [degC], slip_velocity, pressure [MPa], coefficient\n"
+                                    "20, 1, 100, 0.3\n20, 0, 100, 0.4\n120, 0, 100, 0.2\n120, 1, 100, 0.1\n"
+                                    "20, 0, 900, 0.35\n20, 1, 900, 0.25\n120, 0, 900, 0.15\n120, 1, 900, 0.05\n");
+  EXPECT_EQ(table,
+            FrictionTable(FrictionGrid{{0, 1}, {1e8, 9e8}, {20, 120}, {0.4, 0.3, 0.35, 0.25, 0.2, 0.1, 0.15, 0.05}}));
+  EXPECT_EQ(parse("temperature [K], slip_velocity, coefficient\n293.15, 0, 0.4\n293.15, 1, 0.3\n").grid().temperatures,
+            std::vector<double>{20});
+  const std::string head = "slip_velocity, pressure, coefficient\n0, 1e8, 0.4\n1, 1e8, 0.3\n0, 2e8, 0.4\n";
+  EXPECT_NE(error_of([&] { parse(head); }).find("slip_velocity = 1 m/s, pressure = 2e+08 Pa"), std::string::npos);
+  EXPECT_NE(error_of([&] { parse(head + "1, 2e8, 0.3\n1, 2e8, 0.3\n"); }).find("mu.csv: has a line twice"),
+            std::string::npos);
+  EXPECT_EQ(error_of([] { parse("slip_velocity, presure, coefficient\n"); }),
+            "mu.csv:1: column \"presure\": unknown; did you mean pressure?");
+}
+
 /// The law of a case with other keys of friction.
 FrictionLaw law_with(const std::string& keys, const std::string& name = "c.toml") {
   return io::parse_case(with(two_bodies_text, "coefficient = 0.3", "law = \"table\"\n" + keys), name)

@@ -50,8 +50,8 @@ template <class Function> double largest_error(const FrictionTable& table, doubl
 
 TEST(FrictionTable, HasItsCoefficientsAndIsConstantBeyond) {
   const FrictionTable table = uneven();
-  for (std::size_t i = 0; i < table.coefficients().size(); ++i)
-    EXPECT_DOUBLE_EQ(table.coefficient(table.slip_velocities()[i]), table.coefficients()[i]);
+  for (std::size_t i = 0; i < table.grid().coefficients.size(); ++i)
+    EXPECT_DOUBLE_EQ(table.coefficient(table.grid().slip_velocities[i]), table.grid().coefficients[i]);
   for (const double v : {0.0, 0.005}) EXPECT_EQ(table.coefficient(v), 0.2);
   for (const double v : {7.0, 7.1, 1e300, infinity}) EXPECT_EQ(table.coefficient(v), 0.12);
   EXPECT_EQ(table.coefficient(Number::variable(8, 0)).partial[0], 0);
@@ -83,7 +83,7 @@ TEST(FrictionTable, IsMonotoneBetweenItsCoefficients) {
 
 TEST(FrictionTable, SlopeIsContinuousInside) {
   const FrictionTable table = uneven();
-  const std::vector<double>& v = table.slip_velocities();
+  const std::vector<double>& v = table.grid().slip_velocities;
   for (std::size_t i = 1; i + 1 < v.size(); ++i) {
     const Number before = table.coefficient(Number::variable(v[i] * (1 - 1e-12), 0)),
                  behind = table.coefficient(Number::variable(v[i] * (1 + 1e-12), 0));
@@ -111,9 +111,9 @@ TEST(FrictionTable, TwoCoefficientsMakeAStraightLineAndEqualOnesAConstant) {
 
 TEST(FrictionTable, UnitsOfVelocityDoNotMatter) {
   const FrictionTable table = uneven();
-  std::vector<double> v = table.slip_velocities();
+  std::vector<double> v = table.grid().slip_velocities;
   for (double& one : v) one *= 1024;
-  const FrictionTable other(v, table.coefficients());
+  const FrictionTable other(v, table.grid().coefficients);
   for (const double at : {0.015, 0.4, 2.07}) EXPECT_EQ(table.coefficient(at), other.coefficient(1024 * at));
 }
 
@@ -137,7 +137,7 @@ TEST(FrictionTable, SamplesAreAsAccurateAsWanted) {
     EXPECT_LT(largest_error(FrictionTable::sampled(stribeck, 6, accuracy), 6, stribeck), 1.5 * accuracy);
     EXPECT_LT(largest_error(FrictionTable::sampled(linear, 6, accuracy), 6, linear), 1.5 * accuracy);
   }
-  EXPECT_LT(FrictionTable::sampled(stribeck, 6).coefficients().size(), 2000);
+  EXPECT_LT(FrictionTable::sampled(stribeck, 6).grid().coefficients.size(), 2000);
   EXPECT_EQ(FrictionTable::sampled([](double) { return 0.3; }, 6).coefficient(1.0), 0.3);
 }
 
@@ -166,6 +166,59 @@ TEST(FrictionTable, RefusesNumbersOutOfRangeByTheirPlace) {
   expect_error([&] { FrictionTable({0, 1e-200, 1}, mu); }, "slip_velocities.2", "farther from the one before");
   expect_words([&] { FrictionTable(v, {0.4, 0.3}); }, "coefficients: must be 3 numbers");
   expect_words([&] { FrictionTable({1}, {0.4}); }, "slip_velocities: must be at least 2 numbers");
+}
+
+/// mu at two pressures and three temperatures.
+FrictionGrid some_grid() {
+  return {{0, 0.1, 2},
+          {1e8, 1e9},
+          {0, 100, 300},
+          {0.40, 0.35, 0.20, 0.36, 0.33, 0.19, 0.35, 0.30, 0.18, 0.33, 0.28, 0.17, 0.25, 0.22, 0.12, 0.21, 0.20, 0.11}};
+}
+
+TEST(FrictionTable, HasTheCoefficientsOfAGridAndIsLinearBetweenPressuresAndTemperatures) {
+  const FrictionGrid grid = some_grid();
+  const FrictionTable table(grid);
+  std::size_t node = 0;
+  for (const double t : grid.temperatures)
+    for (const double p : grid.pressures)
+      for (const double v : grid.slip_velocities)
+        EXPECT_DOUBLE_EQ(table.coefficient(v, p, t), grid.coefficients[node++]);
+  for (const double v : {0.0, 0.04, 1.0, 5.0}) {
+    const double corners[] = {table.coefficient(v, 1e8, 100.0), table.coefficient(v, 1e9, 100.0),
+                              table.coefficient(v, 1e8, 300.0), table.coefficient(v, 1e9, 300.0)};
+    EXPECT_NEAR(table.coefficient(v, 3.25e8, 150.0),
+                0.75 * (0.75 * corners[0] + 0.25 * corners[1]) + 0.25 * (0.75 * corners[2] + 0.25 * corners[3]), 1e-15);
+    EXPECT_EQ(table.coefficient(v, 1e7, 400.0), corners[2]);
+    EXPECT_EQ(table.coefficient(v, 5e9, 300.0), corners[3]);
+    EXPECT_EQ(table.coefficient(v), table.coefficient(v, 0.0, -50.0));
+    EXPECT_NEAR(table.at(3.25e8, 150).coefficient(0.1), table.coefficient(0.1, 3.25e8, 150.0), 1e-15);
+  }
+  EXPECT_DOUBLE_EQ(table.largest(5.5e8), 0.38);
+}
+
+TEST(FrictionTable, DerivativesToPressureAndTemperatureAreTheSlopes) {
+  using Three = Dual<double, 3>;
+  const FrictionTable table(some_grid());
+  const double v = 0.3, p = 4e8, t = 170;
+  const Three found = table.coefficient(Three::variable(v, 0), Three::variable(p, 1), Three::variable(t, 2));
+  EXPECT_EQ(found.value, table.coefficient(v, p, t));
+  EXPECT_NEAR(found.partial[0], (table.coefficient(v + 1e-6, p, t) - table.coefficient(v - 1e-6, p, t)) / 2e-6, 1e-8);
+  EXPECT_NEAR(found.partial[1], (table.coefficient(v, p + 1e3, t) - table.coefficient(v, p - 1e3, t)) / 2e3, 1e-16);
+  EXPECT_NEAR(found.partial[2], (table.coefficient(v, p, t + 1) - table.coefficient(v, p, t - 1)) / 2, 1e-14);
+}
+
+TEST(FrictionTable, RefusesGridsByThePlaceOfTheirNumbers) {
+  FrictionGrid grid = some_grid();
+  grid.coefficients.pop_back();
+  expect_words([&] { FrictionTable{grid}; },
+               "coefficients: must be 18 numbers, one for each of the grid's nodes, not 17");
+  grid = some_grid();
+  grid.pressures[1] = 1e8;
+  expect_error([&] { FrictionTable{grid}; }, "pressures.2", "must be above the one before, 1e+08");
+  grid = some_grid();
+  grid.temperatures[0] = nan;
+  expect_error([&] { FrictionTable{grid}; }, "temperatures.1", "[deg C]: must be in [-274, 1e+06]");
 }
 
 } // namespace

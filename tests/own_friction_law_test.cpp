@@ -141,5 +141,60 @@ TEST(OwnFrictionLaw, ThreadsShareATable) {
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].fx, two[k].fx);
 }
 
+TEST(OwnFrictionLaw, TheBoundIsTheCoefficientAtTheElementsPressure) {
+  const FrictionLaw law = FrictionLaw::table(FrictionTable(
+      FrictionGrid{{0, 0.05, 0.5}, {2e8, 8e8, 2e9}, {}, {0.5, 0.45, 0.4, 0.4, 0.35, 0.3, 0.25, 0.22, 0.2}}));
+  const ContactSolution found = solve_exactly(contact_with(law));
+  ASSERT_EQ(found.report.status, Status::ok);
+  int slipping = 0;
+  for (std::size_t k = 0; k < found.elements.size(); ++k) {
+    const double p = found.fields.pressure[k];
+    if (!(p > 0)) continue;
+    const bool slips = found.fields.state[k] == CellState::slip;
+    const double v = slips ? speed * std::hypot(found.fields.slip.x[k], found.fields.slip.y[k]) : 0;
+    EXPECT_NEAR(found.fields.bound[k], law.coefficient(v, p, 0.0) * p, 1e-9 * p);
+    const double traction = std::hypot(found.fields.traction.x[k], found.fields.traction.y[k]);
+    if (slips)
+      EXPECT_NEAR(traction, found.fields.bound[k], 1e-6 * p);
+    else
+      EXPECT_LE(traction, found.fields.bound[k] * (1 + 1e-6));
+    slipping += slips;
+  }
+  EXPECT_GT(slipping, 20);
+}
+
+TEST(OwnFrictionLaw, ATableOfTemperaturesIsTheTemperaturesEffect) {
+  const TemperatureEffect effect = {.change = -0.2, .begin = 50, .range = 300};
+  const ThermalBody body = {20, 50, 7850, 450};
+  RollingProblem wanted = rolling_problem(contact_with(FrictionLaw::coulomb(0.35), {0.01, 0.004, 0.2}));
+  wanted.thermal = {body, body};
+  RollingProblem own = wanted;
+  wanted.friction.temperature_effect = effect;
+  own.friction.law = FrictionLaw::table(
+      FrictionTable(FrictionGrid{{0, 1}, {}, {-100, 50, 350, 900}, {0.35, 0.35, 0.35, 0.35, 0.15, 0.15, 0.15, 0.15}}));
+  for (const double distance : {0.0, 1e-5}) {
+    wanted.friction.memory.distance = own.friction.memory.distance = distance;
+    const ContactSolution one = Solver(exact()).solve(wanted), other = Solver(exact()).solve(own);
+    EXPECT_EQ(other.report.status, Status::ok);
+    EXPECT_LT(std::abs(one.totals.fx), 0.33 * 80e3); // heat has an effect
+    expect_forces(other.totals, one.totals, 1e-6 * 80e3, 1e-6 * 80e3 * 6e-3);
+  }
+}
+
+TEST(OwnFrictionLaw, WhatKnowsNoPressureRefusesATableOfPressures) {
+  const FrictionLaw law = FrictionLaw::table(FrictionTable(FrictionGrid{{0, 1}, {0, 1e9}, {}, {0.4, 0.3, 0.3, 0.2}}));
+  const FrictionLaw hot = FrictionLaw::table(FrictionTable(FrictionGrid{{0, 1}, {}, {20, 300}, {0.4, 0.3, 0.3, 0.2}}));
+  EXPECT_EQ(Fastsim2(SimplifiedOptions{}).solve(contact_with(law)).status, Status::invalid_input);
+  const auto refusal = [](const FrictionLaw& one, const Method& method) {
+    const auto found = incompatibilities(rolling_problem(contact_with(one)), method);
+    return found.empty() ? "" : found.front().message();
+  };
+  EXPECT_EQ(refusal(law, exact()), "");
+  EXPECT_NE(refusal(law, {.theory = Theory::fastsim2}).find("friction.table: of pressures or temperatures needs"),
+            std::string::npos);
+  EXPECT_NE(refusal(hot, exact()).find("friction.table: of temperatures needs the thermal data of both bodies"),
+            std::string::npos);
+}
+
 } // namespace
 } // namespace microslip

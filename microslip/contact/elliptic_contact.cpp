@@ -43,6 +43,10 @@ struct Refusal {
   }
 };
 
+bool depends_on_more(const FrictionLaw& law) {
+  return law.depends_on_pressure() || law.depends_on_temperature();
+}
+
 /// Only tells whether all are in range, at the cost of the comparisons: for calls that must not throw.
 struct Verdict {
   bool valid = true;
@@ -70,13 +74,15 @@ bool is_valid_simplified(const EllipticContact& c) noexcept {
   Verdict verdict;
   check_ranges(c, verdict);
   check_sizes(c, verdict);
-  return verdict.valid && c.dissimilarity == 0;
+  return verdict.valid && c.dissimilarity == 0 && !depends_on_more(c.friction);
 }
 
 void check_simplified(const EllipticContact& c) {
   check(c);
   check_sizes(c, Refusal());
   if (c.dissimilarity != 0) throw Error("dissimilarity", c.dissimilarity, "-", "0 in the simplified theory");
+  if (depends_on_more(c.friction))
+    throw Error("friction: must depend on the slip velocity alone in the simplified theory");
 }
 
 } // namespace microslip

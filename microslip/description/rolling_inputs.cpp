@@ -89,7 +89,9 @@ std::vector<Input> all_inputs() {
                                "table: slip velocities at which coefficients are given, ascending, at least two")),
            only(table, numbers("coefficients", "-", coefficient, {},
                                "table: coefficient at each of them; between them monotone cubics, beyond constant")),
-           only(table, text("table", "table: CSV file with columns slip_velocity and coefficient, in place of both")),
+           only(table, text("table",
+                            "table: CSV file with columns slip_velocity and coefficient, and pressure and temperature "
+                            "if wanted, in place of both")),
            number("thermal_change", "-", between(-FrictionLaw::largest_coefficient, FrictionLaw::largest_coefficient),
                   "what the temperature of the surfaces adds to the coefficient in the end"),
            number("thermal_begin", "deg C", any_number, "temperature below which it adds nothing"),

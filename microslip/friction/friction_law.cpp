@@ -2,6 +2,7 @@
 
 #include "microslip/error.hpp"
 
+#include <limits>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,7 @@ FrictionLaw FrictionLaw::polach(double static_coefficient, double ratio, double 
 FrictionLaw FrictionLaw::table(FrictionTable table) {
   FrictionLaw law;
   law.kind_ = Kind::table;
-  law.kinetic_ = table.coefficients().back();
+  law.kinetic_ = table.coefficient(std::numeric_limits<double>::infinity());
   law.static_ = table.coefficient(0.0);
   law.peak_ = table.largest();
   law.table_ = std::make_shared<const FrictionTable>(std::move(table));

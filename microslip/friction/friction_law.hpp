@@ -65,13 +65,25 @@ public:
   /// The numbers of a table; none of another law.
   const FrictionTable* table() const { return table_.get(); }
 
-  /// mu(v), v >= 0 [m/s]; infinite gives the limit. Nothing is checked here. `Real` is double, or Dual for the
-  /// derivative.
+  /// mu(v), v >= 0 [m/s]; infinite gives the limit; of a table at its lowest pressure and temperature. Nothing is
+  /// checked here. `Real` is double, or Dual for the derivative.
   template <class Real> Real coefficient(const Real& slip_velocity) const;
+  /// mu(v, p, T) with the pressure p [Pa] and the temperature T of the surfaces [deg C] where it acts: only tables may
+  /// depend on these.
+  template <class Real>
+  Real coefficient(const Real& slip_velocity, const Real& pressure, const Real& temperature) const {
+    if (depends_on_pressure() || depends_on_temperature())
+      return table_->coefficient(slip_velocity, pressure, temperature);
+    return coefficient(slip_velocity);
+  }
+  bool depends_on_pressure() const { return table_ && table_->depends_on_pressure(); }
+  bool depends_on_temperature() const { return table_ && table_->depends_on_temperature(); }
   /// mu(0).
   double static_coefficient() const { return static_; }
   /// The largest mu(v), which is mu(0) unless a table rises, and the least one.
   double peak_coefficient() const { return peak_; }
+  /// Not less than mu(v, p, T) at any v and T, p [Pa].
+  double peak_coefficient(double pressure) const { return depends_on_pressure() ? table_->largest(pressure) : peak_; }
   double least_coefficient() const { return table_ ? table_->least() : kinetic_; }
 
 private:

@@ -10,23 +10,31 @@
 namespace microslip {
 namespace {
 
-std::string place(const char* field, std::size_t i) {
+std::string numbered(const char* field, std::size_t i) {
   return field + ("." + std::to_string(i + 1));
 }
 
-void check(const std::vector<double>& v, const std::vector<double>& mu) {
-  constexpr double largest = 1e6;
-  if (v.size() < 2) throw Error("slip_velocities: must be at least 2 numbers");
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    require_between(place("slip_velocities", i), v[i], "m/s", 0, largest);
-    if (i > 0 && !(v[i] > v[i - 1]))
-      throw Error(place("slip_velocities", i), v[i], "m/s", "above the one before, " + shortest_text(v[i - 1]));
+/// An axis with finite numbers in [least, largest] that ascend.
+void check(const char* field, const std::vector<double>& axis, const char* unit, double least, double largest) {
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    require_between(numbered(field, i), axis[i], unit, least, largest);
+    if (i > 0 && !(axis[i] > axis[i - 1]))
+      throw Error(numbered(field, i), axis[i], unit, "above the one before, " + shortest_text(axis[i - 1]));
   }
-  if (mu.size() != v.size())
-    throw Error("coefficients: must be " + std::to_string(v.size()) +
-                " numbers, one for each of slip_velocities, not " + std::to_string(mu.size()));
+}
+
+void check(const FrictionGrid& grid) {
+  const auto& [velocities, pressures, temperatures, mu] = grid;
+  if (velocities.size() < 2) throw Error("slip_velocities: must be at least 2 numbers");
+  check("slip_velocities", velocities, "m/s", 0, 1e6);
+  check("pressures", pressures, "Pa", 0, 1e15);
+  check("temperatures", temperatures, "deg C", -274, 1e6);
+  const std::size_t curves = std::max(std::size_t{1}, pressures.size()) * std::max(std::size_t{1}, temperatures.size());
+  if (mu.size() != curves * velocities.size())
+    throw Error("coefficients: must be " + std::to_string(curves * velocities.size()) + " numbers, one for each of " +
+                (curves == 1 ? "slip_velocities" : "the grid's nodes") + ", not " + std::to_string(mu.size()));
   for (std::size_t i = 0; i < mu.size(); ++i)
-    require_between(place("coefficients", i), mu[i], "-", 0, FrictionLaw::largest_coefficient);
+    require_between(numbered("coefficients", i), mu[i], "-", 0, FrictionLaw::largest_coefficient);
 }
 
 struct Chord {
@@ -104,24 +112,48 @@ Samples refined(const Samples& coarse, double accuracy) {
 
 } // namespace
 
-FrictionTable::FrictionTable(std::vector<double> slip_velocity, std::vector<double> coefficient)
-    : slip_velocities_(std::move(slip_velocity)), coefficients_(std::move(coefficient)) {
-  check(slip_velocities_, coefficients_);
-  std::vector<Chord> chords;
-  for (std::size_t i = 0; i + 1 < slip_velocities_.size(); ++i) {
-    const double length = slip_velocities_[i + 1] - slip_velocities_[i];
-    chords.push_back({length, (coefficients_[i + 1] - coefficients_[i]) / length});
+FrictionTable::FrictionTable(std::vector<double> slip_velocities, std::vector<double> coefficients)
+    : FrictionTable(
+          FrictionGrid{.slip_velocities = std::move(slip_velocities), .coefficients = std::move(coefficients)}) {}
+
+FrictionTable::FrictionTable(FrictionGrid grid) : grid_(std::move(grid)) {
+  check(grid_);
+  const std::vector<double>& v = grid_.slip_velocities;
+  for (std::size_t first = 0; first < grid_.coefficients.size(); first += v.size()) {
+    const double* mu = grid_.coefficients.data() + first;
+    std::vector<Chord> chords;
+    for (std::size_t i = 0; i + 1 < v.size(); ++i)
+      chords.push_back({v[i + 1] - v[i], (mu[i + 1] - mu[i]) / (v[i + 1] - v[i])});
+    const std::vector<double> slopes = slopes_of(chords);
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+      const auto& [length, slope] = chords[i];
+      const double begin = slopes[i], end = slopes[i + 1];
+      cubics_.push_back({.slope = begin,
+                         .square = (3 * slope - 2 * begin - end) / length,
+                         .cube = (begin + end - 2 * slope) / (length * length)});
+      if (!std::isfinite(cubics_.back().cube))
+        throw Error(numbered("slip_velocities", i + 1), v[i + 1], "m/s", "farther from the one before");
+    }
   }
-  const std::vector<double> slopes = slopes_of(chords);
-  for (std::size_t i = 0; i < chords.size(); ++i) {
-    const auto& [length, slope] = chords[i];
-    const double begin = slopes[i], end = slopes[i + 1];
-    cubics_.push_back({.slope = begin,
-                       .square = (3 * slope - 2 * begin - end) / length,
-                       .cube = (begin + end - 2 * slope) / (length * length)});
-    if (!std::isfinite(cubics_.back().cube))
-      throw Error(place("slip_velocities", i + 1), slip_velocities_[i + 1], "m/s", "farther from the one before");
-  }
+}
+
+double FrictionTable::largest(double pressure) const {
+  const std::size_t n = grid_.slip_velocities.size(), curves = grid_.coefficients.size() / n;
+  const auto largest_of = [&](std::size_t curve) {
+    const double* mu = grid_.coefficients.data() + curve * n;
+    return *std::max_element(mu, mu + n);
+  };
+  const Place<double> at = place(grid_.pressures, pressure);
+  double all = 0;
+  for (std::size_t k = at.node; k < curves; k += std::max(std::size_t{1}, grid_.pressures.size()))
+    all = std::max(all, at.share > 0 ? (1 - at.share) * largest_of(k) + at.share * largest_of(k + 1) : largest_of(k));
+  return all;
+}
+
+FrictionTable FrictionTable::at(double pressure, double temperature) const {
+  std::vector<double> mu;
+  for (const double v : grid_.slip_velocities) mu.push_back(coefficient(v, pressure, temperature));
+  return {grid_.slip_velocities, std::move(mu)};
 }
 
 FrictionTable FrictionTable::sampled(const std::function<double(double)>& coefficient, double fastest,

@@ -23,6 +23,9 @@ bool is_steady(const RollingProblem& p) {
 bool is_coulomb(const RollingProblem& p) {
   return p.friction.law.kind() == FrictionLaw::Kind::coulomb;
 }
+bool depends_on_more(const FrictionLaw& law) {
+  return law.depends_on_pressure() || law.depends_on_temperature();
+}
 bool has_memory(const RollingProblem& p) {
   return p.friction.memory.distance > 0 || p.friction.memory.slowest > 0;
 }
@@ -49,6 +52,13 @@ constexpr Rule rules[] = {
      [](Problem p, How m) { return is_exact(m) && p.friction.temperature_effect && !p.thermal; }},
     {"friction.thermal_change", "cannot be combined with a layer that yields",
      [](Problem p, How m) { return is_exact(m) && p.friction.temperature_effect && p.bodies.layer.yields(); }},
+    {"friction.table",
+     "of temperatures needs the thermal data of both bodies: bulk_temperature, conductivity, density, heat_capacity",
+     [](Problem p, How m) { return is_exact(m) && p.friction.law.depends_on_temperature() && !p.thermal; }},
+    {"friction.table", "of temperatures cannot be combined with a layer that yields",
+     [](Problem p, How) { return p.friction.law.depends_on_temperature() && p.bodies.layer.yields(); }},
+    {"friction.table", "of temperatures cannot be combined with friction.thermal_change",
+     [](Problem p, How) { return p.friction.law.depends_on_temperature() && p.friction.temperature_effect; }},
     {"motion.kind", "must be steady with thermal data of the bodies",
      [](Problem p, How m) { return is_exact(m) && p.thermal && !is_steady(p); }},
     // Layers
@@ -130,6 +140,8 @@ constexpr Rule rules[] = {
     {"motion.step", needs_exact, [](Problem p, How m) { return !is_exact(m) && p.motion.step != 0; }},
     {"friction.memory_distance, friction.memory_speed", needs_exact,
      [](Problem p, How m) { return !is_exact(m) && has_memory(p); }},
+    {"friction.table", "of pressures or temperatures needs {solution.theory=exact}",
+     [](Problem p, How m) { return !is_exact(m) && depends_on_more(p.friction.law); }},
     {"friction.thermal_change", needs_exact,
      [](Problem p, How m) { return !is_exact(m) && p.friction.temperature_effect.has_value(); }},
     {"case.layer", needs_exact, [](Problem p, How m) { return !is_exact(m) && p.bodies.layer.flexibility > 0; }},

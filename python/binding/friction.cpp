@@ -49,12 +49,27 @@ std::vector<double> list_of(const char* field, const py::object& numbers) {
 void bind_tables(py::class_<FrictionLaw>& law) {
   law.def_static(
          "table",
-         [](const py::object& velocities, const py::object& coefficients) {
-           return FrictionLaw::table({list_of("slip_velocities", velocities), list_of("coefficients", coefficients)});
+         [](const py::object& velocities, const py::object& coefficients, const py::object& pressures,
+            const py::object& temperatures) {
+           FrictionGrid grid{.slip_velocities = list_of("slip_velocities", velocities)};
+           Shape shape = {static_cast<py::ssize_t>(grid.slip_velocities.size())};
+           const auto add_axis = [&](const char* field, const py::object& given, std::vector<double>& axis) {
+             if (given.is_none()) return;
+             axis = list_of(field, given);
+             shape.insert(shape.begin(), static_cast<py::ssize_t>(axis.size()));
+           };
+           add_axis("pressures", pressures, grid.pressures);
+           add_axis("temperatures", temperatures, grid.temperatures);
+           const RealArray mu = real_array("coefficients", coefficients, shape);
+           grid.coefficients.assign(mu.data(), mu.data() + mu.size());
+           return FrictionLaw::table(FrictionTable(std::move(grid)));
          },
-         "slip_velocities"_a, "coefficients"_a,
+         "slip_velocities"_a, "coefficients"_a, "pressures"_a = py::none(), "temperatures"_a = py::none(),
          "Coefficients [-] at slip velocities [m/s], at least two, ascending from 0 or more on; between them by\n"
-         "monotone cubics (scipy's PchipInterpolator), beyond them constant.")
+         "monotone cubics (scipy's PchipInterpolator), beyond them constant. With pressures [Pa] or temperatures [deg "
+         "C] of\n"
+         "the surfaces, between which mu is linear, coefficients have the shape (temperatures, pressures, velocities)\n"
+         "without the axes that are left out; such laws need the exact theory.")
       .def_static(
           "sampled",
           [](const std::function<double(double)>& coefficient, double fastest, double accuracy) {
@@ -68,8 +83,8 @@ void bind_tables(py::class_<FrictionLaw>& law) {
 }
 
 /// A table's numbers, None of another law.
-template <class Numbers> py::object numbers_of(const FrictionLaw& law, Numbers numbers) {
-  return law.table() == nullptr ? py::none() : py::object(py::cast((law.table()->*numbers)()));
+py::object numbers_of(const FrictionLaw& law, std::vector<double> FrictionGrid::*numbers) {
+  return law.table() == nullptr ? py::none() : py::object(py::cast(law.table()->grid().*numbers));
 }
 
 double coefficient_at(const FrictionLaw& law, double velocity) {
@@ -98,8 +113,9 @@ void bind_friction(py::module_& module) {
           "The name of its maker; Polach's law is an exponential one.")
       .def_property_readonly("kinetic_coefficient", &FrictionLaw::kinetic_coefficient, "mu_k [-].")
       .def_property_readonly("static_coefficient", &FrictionLaw::static_coefficient, "mu(0) [-].")
-      .def_property_readonly("peak_coefficient", &FrictionLaw::peak_coefficient,
-                             "The largest mu(v) [-]: mu(0), unless a table rises.")
+      .def_property_readonly(
+          "peak_coefficient", [](const FrictionLaw& self) { return self.peak_coefficient(); },
+          "The largest mu(v) [-]: mu(0), unless a table rises.")
       .def_property_readonly(
           "terms",
           [](const FrictionLaw& self) {
@@ -108,11 +124,18 @@ void bind_friction(py::module_& module) {
           },
           "Both terms as (drop [-], half_velocity [m/s]).")
       .def_property_readonly(
-          "slip_velocities", [](const FrictionLaw& self) { return numbers_of(self, &FrictionTable::slip_velocities); },
+          "slip_velocities", [](const FrictionLaw& self) { return numbers_of(self, &FrictionGrid::slip_velocities); },
           "Those of a table [m/s], else None.")
       .def_property_readonly(
-          "coefficients", [](const FrictionLaw& self) { return numbers_of(self, &FrictionTable::coefficients); },
-          "Those of a table [-], else None.")
+          "coefficients", [](const FrictionLaw& self) { return numbers_of(self, &FrictionGrid::coefficients); },
+          "Those of a table [-], else None: of all velocities at the first pressure and temperature, then at the next\n"
+          "pressure, and so on.")
+      .def_property_readonly(
+          "pressures", [](const FrictionLaw& self) { return numbers_of(self, &FrictionGrid::pressures); },
+          "Those of a table [Pa], else None.")
+      .def_property_readonly(
+          "temperatures", [](const FrictionLaw& self) { return numbers_of(self, &FrictionGrid::temperatures); },
+          "Those of a table [deg C], else None.")
       .def(
           "coefficient",
           [](const FrictionLaw& self, const py::object& velocity) {

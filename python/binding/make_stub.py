@@ -53,6 +53,8 @@ TYPES_OF_PROPERTIES = {
     "results": "tuple[str, ...]",
     "FrictionLaw.slip_velocities": "list[float] | None",
     "FrictionLaw.coefficients": "list[float] | None",
+    "FrictionLaw.pressures": "list[float] | None",
+    "FrictionLaw.temperatures": "list[float] | None",
     "variables": "tuple[str, ...]",
     "state": "NDArray[numpy.uint8]",
     "ForceArrays.inputs": "dict[str, Any]",

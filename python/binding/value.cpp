@@ -30,8 +30,11 @@ py::object state_of(const FrictionLaw& law) {
   state["kinetic"] = law.kinetic_coefficient();
   state["terms"] = terms;
   if (law.table() == nullptr) return state;
-  state["slip_velocities"] = law.table()->slip_velocities();
-  state["coefficients"] = law.table()->coefficients();
+  const FrictionGrid& grid = law.table()->grid();
+  state["slip_velocities"] = grid.slip_velocities;
+  state["pressures"] = grid.pressures;
+  state["temperatures"] = grid.temperatures;
+  state["coefficients"] = grid.coefficients;
   return state;
 }
 
@@ -46,7 +49,8 @@ void read_state(const py::handle& state, const std::string& name, FrictionLaw& l
     throw Error(name + ": the pickled law is of an unknown kind");
   if (static_cast<FrictionLaw::Kind>(kind) == FrictionLaw::Kind::table) {
     const auto numbers = [&](const char* key) { return given[key].cast<std::vector<double>>(); };
-    law = FrictionLaw::table({numbers("slip_velocities"), numbers("coefficients")});
+    law = FrictionLaw::table(FrictionTable(FrictionGrid{numbers("slip_velocities"), numbers("pressures"),
+                                                        numbers("temperatures"), numbers("coefficients")}));
     return;
   }
   law = FrictionLaw::make(static_cast<FrictionLaw::Kind>(kind), kinetic, first, second);

@@ -828,9 +828,11 @@ class FrictionLaw:
     def exponential(kinetic: float, first: tuple[float, float], second: tuple[float, float] = (0.0, 1.0)) -> FrictionLaw:
         """Made from the kinetic coefficient [-] and one or two terms (drop [-], half_velocity [m/s])."""
     @staticmethod
-    def table(slip_velocities: ArrayLike, coefficients: ArrayLike) -> FrictionLaw:
+    def table(slip_velocities: ArrayLike, coefficients: ArrayLike, pressures: ArrayLike | None = None, temperatures: ArrayLike | None = None) -> FrictionLaw:
         """Coefficients [-] at slip velocities [m/s], at least two, ascending from 0 or more on; between them by
-        monotone cubics (scipy's PchipInterpolator), beyond them constant."""
+        monotone cubics (scipy's PchipInterpolator), beyond them constant. With pressures [Pa] or temperatures [deg C] of
+        the surfaces, between which mu is linear, coefficients have the shape (temperatures, pressures, velocities)
+        without the axes that are left out; such laws need the exact theory."""
     @staticmethod
     def sampled(coefficient: Callable[[float], float], fastest: float, accuracy: float = 1e-06) -> FrictionLaw:
         """A table of any mu(v) [-], a function of the slip velocity [m/s] that is called here and never again, so
@@ -860,7 +862,14 @@ class FrictionLaw:
         """Those of a table [m/s], else None."""
     @property
     def coefficients(self) -> list[float] | None:
-        """Those of a table [-], else None."""
+        """Those of a table [-], else None: of all velocities at the first pressure and temperature, then at the next
+        pressure, and so on."""
+    @property
+    def pressures(self) -> list[float] | None:
+        """Those of a table [Pa], else None."""
+    @property
+    def temperatures(self) -> list[float] | None:
+        """Those of a table [deg C], else None."""
     def coefficient(self, slip_velocity: ArrayLike) -> Any:
         """mu(v) [-] for v >= 0 [m/s], a number or an array, shape (...)."""
     def to_dict(self) -> dict[str, Any]:

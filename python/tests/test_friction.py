@@ -60,6 +60,20 @@ class FrictionOfOnesOwnTest(unittest.TestCase):
         problem = microslip.RollingProblem(self.contact(law))
         self.assertEqual(pickle.loads(pickle.dumps(problem)).friction, law)
 
+    def test_a_table_of_pressures_and_temperatures_has_their_shape(self):
+        coefficients = np.linspace(0.4, 0.1, 24).reshape(3, 2, 4)
+        law = microslip.FrictionLaw.table(self.velocities, coefficients, pressures=[1e8, 1e9], temperatures=[20, 100, 400])
+        self.assertEqual((law.pressures, law.temperatures), ([1e8, 1e9], [20, 100, 400]))
+        self.assertEqual(law.coefficients, list(coefficients.ravel()))
+        self.assertEqual(pickle.loads(pickle.dumps(law)), law)
+        of_pressure = microslip.FrictionLaw.table(self.velocities, coefficients[0], pressures=[1e8, 1e9])
+        solution = microslip.Solver(theory="exact", grid=10).solve(self.contact(of_pressure))
+        self.assertLess(abs(solution.fx), 0.4 * 80e3)
+        with self.assertRaisesRegex(microslip.Error, "pressures or temperatures needs"):
+            microslip.Solver(theory="fastsim2").solve(self.contact(of_pressure))
+        with self.assertRaisesRegex(microslip.Error, "coefficients"):
+            microslip.FrictionLaw.table(self.velocities, coefficients, pressures=[1e8, 1e9])
+
     def test_a_function_gives_the_forces_of_the_law_that_it_is(self):
         wanted = microslip.FrictionLaw.exponential(0.2, (0.15, 0.03))
         law = microslip.FrictionLaw.sampled(lambda v: 0.2 + 0.15 * 2 ** (-v / 0.03), fastest=10)

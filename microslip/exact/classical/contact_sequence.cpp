@@ -77,6 +77,13 @@ Field moved(const ElementGrid& to, const Field& values, const ElementGrid& from)
   return result;
 }
 
+/// Returns whether friction depends on the temperature that it makes.
+bool heats(const ContactStep& step) {
+  return !step.temperature_effect.empty() ||
+         std::any_of(step.friction.begin(), step.friction.end(),
+                     [](const FrictionLaw& law) { return law.depends_on_temperature(); });
+}
+
 void check(const ContactStep& step) {
   const auto count = step.grid.count();
   const auto check_size = [&](const char* field, std::size_t size) {
@@ -98,10 +105,11 @@ void check(const ContactStep& step) {
   if (at_an_angle && brings_along && !step.frictionless)
     throw Error("heading", step.motion.heading, "rad",
                 "0 in steady rolling with friction that has a memory, a layer that yields, or temperatures");
-  if (step.temperature_effect.empty() || step.frictionless) return;
-  if (!step.thermal) throw Error("temperature_effect: needs thermal bodies");
-  if (step.motion.motion != ContactMotion::steady) throw Error("temperature_effect: needs steady rolling");
-  if (step.bodies.layer.yields()) throw Error("temperature_effect: not with a layer that yields");
+  if (!heats(step) || step.frictionless) return;
+  const std::string field = step.temperature_effect.empty() ? "friction" : "temperature_effect";
+  if (!step.thermal) throw Error(field + ": needs thermal bodies");
+  if (step.motion.motion != ContactMotion::steady) throw Error(field + ": needs steady rolling");
+  if (step.bodies.layer.yields()) throw Error(field + ": not with a layer that yields");
 }
 
 /// mu p_n, or the largest that slip can make of it.
@@ -158,7 +166,10 @@ SlipFriction slip_friction(const ContactStep& step, const TangentialState& previ
       passage.deformation_before = moved(origin_of_particles(step), previous.plastic_deformation, step.grid);
   }
   std::optional<FrictionHeating> heating;
-  if (!step.temperature_effect.empty()) heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
+  if (heats(step)) {
+    heating = {step.temperature_effect, *step.thermal, step.motion.rolling_speed};
+    if (heating->effects.empty()) heating->effects = {TemperatureEffect()}; // the law's alone
+  }
   return {step.grid, step.friction, step.friction_memory, step.bodies.layer, std::move(passage), std::move(heating)};
 }
 

@@ -21,11 +21,30 @@ template <class At> void for_velocities(const FrictionLaw& law, At at) {
     for (const FrictionTerm& term : law.terms()) around(term.half_velocity);
     return;
   }
-  const std::vector<double>& v = law.table()->slip_velocities();
+  const std::vector<double>& v = law.table()->grid().slip_velocities;
   around(v.back());
   constexpr int parts = 8;
   for (std::size_t i = 0; i + 1 < v.size(); ++i)
     for (int k = 0; k < parts; ++k) at(v[i] + (v[i + 1] - v[i]) * k / parts);
+}
+
+/// mu = base + share mu_table(v, p, T) of a table that depends on the temperature, where that friction heats the point
+/// at which it acts: T = ahead + own mu, own >= 0 [K]. Between the table's temperatures mu(T) is linear, so that the
+/// solution is closed; of several it is that of the least heat.
+template <class Real>
+Real heated_coefficient(const FrictionTable& table, const Real& v, const Real& pressure, const Real& base,
+                        const Real& share, const Real& ahead, const Real& own) {
+  const std::vector<double>& t = table.grid().temperatures;
+  const auto at = [&](double temperature) { return base + share * table.coefficient(v, pressure, Real(temperature)); };
+  for (auto k = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), value_of(ahead)) - t.begin());
+       k < t.size(); ++k) {
+    const Real hot = at(t[k]);
+    if (value_of(ahead + own * hot) > t[k]) continue;
+    if (k == 0) return hot;
+    const Real cold = at(t[k - 1]), slope = (hot - cold) / Real(t[k] - t[k - 1]), gain = own * slope;
+    return value_of(gain) < 1 ? (cold + slope * (ahead - Real(t[k - 1]))) / (Real(1.0) - gain) : hot;
+  }
+  return at(t.back());
 }
 
 void require_for_rows(const char* field, std::size_t count, int rows) {
@@ -89,7 +108,7 @@ template <class Find> void SlipFriction::pass(std::span<const double> pressure, 
   for_particles([&](int row, std::size_t k, bool first) {
     if (first || !passage_.along_rows) {
       particle = {.friction = law(row).static_coefficient()};
-      if (flash_) particle.friction += effect(row).at(flash_->mean());
+      if (flash_) particle.friction = law(row).coefficient(0.0, 0.0, flash_->mean()) + effect(row).at(flash_->mean());
       if (!passage_.before.empty()) particle.friction = passage_.before[k];
       if (!passage_.deformation_before.empty()) particle.deformation = passage_.deformation_before[k];
       heat.clear();
@@ -112,7 +131,11 @@ Real SlipFriction::coefficient(int row, const Real& slip, const Real& before, co
     const Real counts = value_of(velocity) > memory_.slowest ? velocity : Real(memory_.slowest);
     theta = Real(memory_.distance) / (Real(memory_.distance) + Real(passage_.time) * counts);
   }
-  const Real fresh = Real(1.0) - theta, mu = theta * before + fresh * law(row).coefficient(velocity);
+  const Real fresh = Real(1.0) - theta;
+  if (flash_ && law(row).depends_on_temperature())
+    return heated_coefficient(*law(row).table(), velocity, pressure, Real(theta * before), fresh, temperature,
+                              Real(Real(flash_->rise(0)) * pressure * velocity));
+  const Real mu = theta * before + fresh * law(row).coefficient(velocity, pressure, temperature);
   if (!flash_) return mu;
   return effect(row).coefficient(mu, fresh, temperature, Real(flash_->rise(0)) * pressure * velocity);
 }
@@ -186,11 +209,26 @@ SlipFriction::State SlipFriction::state(std::span<const double> slip_velocity, s
 
 void SlipFriction::largest(std::span<const double> pressure, std::span<double> bound) const {
   for_particles([&](int row, std::size_t k, bool) {
-    double mu = law(row).peak_coefficient();
+    double mu = law(row).peak_coefficient(pressure[k]);
     if (heating_) mu += std::max(0.0, effect(row).change);
     bound[k] = mu * pressure[k];
     if (!(layer_.hardening > 0)) bound[k] = std::min(bound[k], layer_.yield_stress);
   });
+}
+
+/// Pressures [Pa] up to a peak and temperatures [deg C] between which friction is linear.
+std::vector<SlipFriction::Condition> SlipFriction::conditions(int row, double peak) const {
+  std::vector<double> pressures = {peak};
+  std::vector<double> temperatures = {heating_ ? effect(row).begin + effect(row).range / 4 : 0};
+  if (const FrictionTable* table = law(row).table()) {
+    for (const double p : table->grid().pressures)
+      if (p > 0 && p < peak) pressures.push_back(p);
+    if (table->depends_on_temperature()) temperatures = table->grid().temperatures;
+  }
+  std::vector<Condition> all;
+  for (const double p : pressures)
+    for (const double t : temperatures) all.push_back({p, t});
+  return all;
 }
 
 /// The steepest fall of mu p_n and tau_c with the slip, and a little more.
@@ -201,12 +239,12 @@ double SlipFriction::least_rho(std::span<const double> pressure) const {
   double steepest = std::max(0.0, -hardening_);
   const int rows = laws_.size() == 1 && (!heating_ || heating_->effects.size() == 1) ? 1 : grid_.my;
   for (int row = 0; row < rows && falls(); ++row)
-    for_velocities(law(row), [&](double v) {
-      const Dual1 slip = Dual1::variable(v / passage_.speed, 0);
-      const double temperature = heating_ ? effect(row).begin + effect(row).range / 4 : 0;
-      const Dual1 mu = coefficient<Dual1>(row, slip, law(row).static_coefficient(), temperature, peak);
-      steepest = std::max(steepest, -peak * mu.partial[0]);
-    });
+    for (const Condition& at : conditions(row, peak))
+      for_velocities(law(row), [&](double v) {
+        const Dual1 slip = Dual1::variable(v / passage_.speed, 0);
+        const Dual1 mu = coefficient<Dual1>(row, slip, law(row).static_coefficient(), at.temperature, at.pressure);
+        steepest = std::max(steepest, -at.pressure * mu.partial[0]);
+      });
   return more * steepest;
 }
 

@@ -40,10 +40,10 @@ struct FrictionHeating {
 /// Friction and a layer's yield stress for the slip that the elements have: the traction bound
 /// q = min(mu(s) p_n, tau_c(u_pl)), (B7), as particles come through the elements one after the other. The friction is
 /// mu = theta mu' + (1 - theta) mu_law(s), theta = d/(d + t max(s, s0)), where mu' is the coefficient before, static
-/// for particles that come from outside; with heating mu_law has the temperature's effect on top, where the temperature
-/// is that of friction with these very coefficients, slip velocities and pressures. Where the layer's yield stress
-/// tau_c = tau_c0 + k u_pl is the smaller one the slip is plastic deformation, until friction is reached. Cost O(N),
-/// with heating O(mx^2 my).
+/// for particles that come from outside; a table's mu_law may depend on p_n. With heating it has the temperature's
+/// effect on top, or is a table's that depends on the temperature, where the temperature is that of friction with these
+/// very coefficients, slip velocities and pressures. Where the layer's yield stress tau_c = tau_c0 + k u_pl is the
+/// smaller one the slip is plastic deformation, until friction is reached. Cost O(N), with heating O(mx^2 my).
 class SlipFriction : public SlipDependentBound {
 public:
   /// Time of a particle from one element to the next, or from one step to the next.
@@ -108,6 +108,11 @@ private:
     enum class Regime { adhesion, friction, friction_after_yielding, yielding } regime = Regime::adhesion;
   };
 
+  /// Under which friction falls with the slip.
+  struct Condition {
+    double pressure, temperature; ///< [Pa], [deg C]
+  };
+
   const FrictionLaw& law(int row) const { return laws_.size() == 1 ? laws_[0] : laws_[static_cast<std::size_t>(row)]; }
   const TemperatureEffect& effect(int row) const {
     return heating_->effects.size() == 1 ? heating_->effects[0] : heating_->effects[static_cast<std::size_t>(row)];
@@ -116,6 +121,7 @@ private:
   template <class Find> void pass(std::span<const double> pressure, Find find) const;
   template <class Real>
   Real coefficient(int row, const Real& slip, const Real& before, const Real& temperature, const Real& pressure) const;
+  std::vector<Condition> conditions(int row, double peak) const;
   double slip_by_friction(int row, double size, double rho, const Particle& before, double pressure) const;
   double slip_by_yielding(double size, double rho, const Particle& before) const;
   Element with_slip(int row, double slip, const Particle& before, double pressure) const;
