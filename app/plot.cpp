@@ -56,7 +56,9 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
 
 /// The case of a result of two bodies beside measured points.
 int plot_points(const PlotArguments& arguments, const std::filesystem::path& folder) {
-  if (python_arguments(arguments).size() > (arguments.folder.empty() ? 1U : 2U))
+  PlotArguments alone;
+  alone.result = arguments.result, alone.folder = arguments.folder;
+  if (python_arguments(arguments) != python_arguments(alone))
     throw Error("--points: is drawn by itself, without other options for pictures");
   const auto attribute = [&](const char* name) { return io::result_attribute(arguments.result, name).value_or(""); };
   if (attribute("kind") != "rolling_contact")

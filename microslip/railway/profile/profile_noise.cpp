@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -127,12 +128,27 @@ double median_spacing(std::span<const ProfilePoint> points) {
   return median(std::move(steps));
 }
 
+/// Standard deviation of rounded heights, which are multiples of some length apart: the largest such length, found by
+/// Euclid's algorithm, over sqrt(12). Values of y may be multiples of their spacing.
+double rounding_deviation(std::span<const ProfilePoint> points) {
+  constexpr double least = 1e-10; // [m], of numbers that are not rounded
+  double length = 0;
+  for (const ProfilePoint& point : points)
+    for (double rest = std::abs(point.z - points.front().z); rest > least;) {
+      const double next = std::abs(std::remainder(length, rest));
+      length = std::exchange(rest, next);
+    }
+  return length / std::sqrt(12.0);
+}
+
 /// Deviations of errors at the stations along points: of single points, and of independent errors with the same waves
 /// of a few millimetres.
 struct LocalNoise {
   LocalNoise(std::span<const ProfilePoint> points, double spacing) : windows(points.size(), spacing) {
     constexpr double widest_mean = 0.8e-3, clearly = 1.5; // less may be chance
+    constexpr double most = 10;                           // more is shape
     constexpr std::size_t fewest_means = 40;
+    const double rounding = rounding_deviation(points);
     single = windows.scatter(residuals<5>(points, 1));
     long_waves = single;
     for (std::size_t m = 2; static_cast<double>(m) * spacing <= widest_mean && fewest_means * m <= points.size();
@@ -140,7 +156,8 @@ struct LocalNoise {
       const auto of_means = windows.scatter(residuals<7>(running_means(points, m), m));
       for (std::size_t i = 0; i < windows.size(); ++i) {
         const double alike = std::sqrt(static_cast<double>(m)) * of_means[i];
-        if (alike > clearly * single[i]) long_waves[i] = std::max(long_waves[i], alike);
+        const bool is_shape = alike > most * std::max(single[i], rounding);
+        if (alike > clearly * single[i] && !is_shape) long_waves[i] = std::max(long_waves[i], alike);
       }
     }
   }

@@ -19,7 +19,8 @@ namespace microslip {
 /// Errors that neighbours share, and those of rounded values, show in longer waves: means of m = 2, 4, ... points, up
 /// to 0.8 mm wide, have a distance from the polynomial through three of them on either side. Of independent errors it
 /// is that of single points over sqrt(m); where it is more by half, the largest one times sqrt(m) is the deviation of
-/// independent errors with the same long waves.
+/// independent errors with the same long waves. More than ten times that of single points, or of rounding by the
+/// largest length that heights are multiples of, is the shape of the profile.
 /// Cost O(points 20 mm/h).
 ProfileNoise estimate_noise(std::span<const ProfilePoint> points);
 
