@@ -3,6 +3,7 @@
 #include "io/nearest_word.hpp"
 #include "io/toml_path.hpp"
 #include "io/wheel_rail_case.hpp"
+#include "microslip/decimal.hpp"
 #include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,33 @@ constexpr std::string_view bodies = description::case_kinds[0], wheel = descript
                            wheelset = description::case_kinds[2];
 /// Tells one wheel from a wheelset, which a problem is from the beginning.
 constexpr std::string_view side = "wheel.side", both = "both";
+
+/// TOML in which numbers have seventeen digits, with as few as read back as the same. What is in quotes stays.
+std::string with_shortest_numbers(std::string_view text) {
+  constexpr std::size_t longest = 17; // of a number that nothing can be gained from
+  std::string result;
+  char quote = 0; // that is open
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.+-e", k), text.size());
+    const bool begins = k > 0 && (text[k - 1] == ' ' || text[k - 1] == '[');
+    double value = 0;
+    if (quote == 0 && begins && end - k > longest &&
+        read_number(text.data() + k, text.data() + end, value).ptr == text.data() + end) {
+      result += shortest_text(value);
+      k = end;
+      continue;
+    }
+    const char c = text[k++];
+    result += c;
+    if (c == '\\' && quote == '"' && k < text.size())
+      result += text[k++];
+    else if (c == quote)
+      quote = 0;
+    else if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
+  }
+  return result;
+}
 
 bool is_whole(const Input& input) {
   return input.kind == InputKind::whole || input.kind == InputKind::wholes;
@@ -172,7 +201,7 @@ std::optional<CaseInputs::Value> CaseInputs::get(std::string_view path) const {
 std::string CaseInputs::text() const {
   std::ostringstream text;
   text << given_ << '\n';
-  return text.str();
+  return with_shortest_numbers(text.str());
 }
 
 CaseInputs CaseInputs::without_states() const {

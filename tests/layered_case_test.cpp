@@ -5,6 +5,7 @@
 #include "io/case_inputs.hpp"
 #include "microslip/elasticity/shore_hardness.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "tests/support/case_text.hpp"
 #include "tests/support/expect_error.hpp"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,20 @@ std::string changed(const std::string& from, const std::string& to) {
 
 void expect_refused(const std::string& from, const std::string& to, const std::string& words) {
   expect_words([&] { io::parse_case(changed(from, to), "r.toml"); }, words);
+}
+
+/// As a person would write them, but for the title's.
+TEST(CaseInputs, NumbersAreWrittenAsShortAsTheyReadBack) {
+  const io::CaseInputs inputs =
+      io::CaseInputs::read("title = \"0.28000000000000003, \\\" 0.10000000000000001\"\n" + two_bodies_text +
+                               "[[body2.layers]]\nthickness = 0.01\nyoung_modulus = 5e6\npoisson_ratio = "
+                               "0.1\nrelaxation_shares = [0.1, 0.30000000000000004]\nrelaxation_times = [0.1, 1.0]\n",
+                           "short.toml");
+  const std::string text = inputs.text();
+  for (const char* const words : {"poisson_ratio = 0.28\n", "poisson_ratio = 0.1\n", "[ 0.1, 0.30000000000000004 ]",
+                                  "0.28000000000000003, ", "0.10000000000000001"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << text;
+  EXPECT_EQ(io::CaseInputs::read(text, "short.toml").text(), text);
 }
 
 TEST(LayeredCase, IsTheProblemOfLayeredBodies) {

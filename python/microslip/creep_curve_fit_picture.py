@@ -28,6 +28,7 @@ def creep_curve_fit_picture(result):
         conditions = [result.number(f"{group}/{name}") for name in CONDITIONS]
         draw_points(curves, deviations, result, conditions, colour)
         draw_curve(curves, result, group, colour, label_of(result, conditions), k == 0)
+    curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
     curves.legend(loc="best")
     return figure
 
@@ -42,6 +43,7 @@ def measured_points_picture(result):
         order = np.argsort(creepage)
         curves.plot(100 * creepage[order], computed[order], color=colour, linewidth=1.6, label=label_of(result, conditions))
     curves.set_title(f"rms {result.number('/rms'):.4f}, bias {result.number('/bias'):.4f}")
+    curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
     curves.legend(loc="best")
     return figure
 
@@ -55,7 +57,6 @@ def panels(what, result):
     curves.set_xscale("log")
     curves.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
     curves.set_ylabel("adhesion coefficient [-]")
-    curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
     deviations.set_ylabel("measured - computed [-]")
     deviations.set_xlabel("creepage [%]")
     for axes in (curves, deviations):
