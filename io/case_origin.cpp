@@ -29,7 +29,7 @@ template <class Use> void for_each_value(const toml::node& node, const std::stri
 class NamedFiles {
 public:
   void add(const fs::path& file) {
-    if (std::ranges::find(found, file) != found.end()) return;
+    if (std::find(found.begin(), found.end(), file) != found.end()) return;
     found.push_back(file);
     if (file.extension() == ".toml") add_those_of_toml(file);
     if (names_slices(file))

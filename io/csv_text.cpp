@@ -2,11 +2,11 @@
 
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace microslip::io {
 
@@ -48,7 +48,7 @@ double csv_number(std::string_view label, std::string_view field, bool decimal_c
   const auto digits = field.front() == '+' ? field.substr(1) : field;
   const char* const end = digits.data() + digits.size();
   double value = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  const auto [stop, error] = read_number(digits.data(), end, value);
   if (error == std::errc::result_out_of_range && stop == end) fail(printable(field) + " is too large or too small");
   if (error != std::errc() || stop != end || digits.front() == '+') fail(printable(field) + " is not a number");
   return value;

@@ -117,10 +117,11 @@ ContactGeometry geometry_from(const GivenKeywords& given) {
 
 RollingProblem problem_from(const py::dict& keywords) {
   const GivenKeywords given("RollingProblem", keywords, known_of(problem_keywords));
-  RollingProblem problem{.geometry = geometry_from(given),
-                         .load = io::read_load(given.section("load")),
-                         .friction = {.law = friction_from(given.object("friction"))},
-                         .motion = io::read_motion(given.section("motion"))};
+  RollingProblem problem;
+  problem.geometry = geometry_from(given);
+  problem.load = io::read_load(given.section("load"));
+  problem.friction.law = friction_from(given.object("friction"));
+  problem.motion = io::read_motion(given.section("motion"));
   if (given.has("bodies") && py::isinstance<LayeredBodies>(given.object("bodies")))
     problem.layered = given.as<LayeredBodies>("bodies");
   else
