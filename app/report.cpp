@@ -56,6 +56,7 @@ public:
   std::pair<std::string, std::string> operator()(const std::vector<double>& values) const {
     const auto [name, factor] = readable_unit(unit_, values);
     std::vector<std::string> texts;
+    texts.reserve(values.size());
     for (const double value : values) texts.push_back(fmt::format("{:.6g}", factor * value));
     return {fmt::format("{}", fmt::join(texts, ", ")), std::string(name)};
   }
