@@ -24,9 +24,10 @@ struct Column {
   double least, largest;
 };
 constexpr std::array<Column, 4> columns = {
-    {{"slip_velocity", "column slip_velocity", "m/s", 0, 1e6},
-     {"pressure", "column pressure", "Pa", 0, 1e15},
-     {"temperature", "column temperature", "deg C", -274, 1e6},
+    {{"slip_velocity", "column slip_velocity", "m/s", 0, FrictionTable::largest_velocity},
+     {"pressure", "column pressure", "Pa", 0, FrictionTable::largest_pressure},
+     {"temperature", "column temperature", "deg C", FrictionTable::lowest_temperature,
+      FrictionTable::highest_temperature},
      {"coefficient", "column coefficient", "-", 0, FrictionLaw::largest_coefficient}}};
 enum { of_velocity, of_pressure, of_temperature, of_coefficient };
 

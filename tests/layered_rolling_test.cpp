@@ -87,6 +87,30 @@ TEST(LayeredRolling, BilinearElementsOnEqualLayersAreThoseOfHalfSpaces) {
   EXPECT_GT(std::abs(Solver(constant).solve(p).totals.fx / a.totals.fx - 1), 1e-4);
 }
 
+/// Elastic and relaxing covers with friction as a table: one that is constant is Coulomb's law, samples of a falling
+/// law have its forces to their accuracy.
+TEST(LayeredRolling, TablesOfFrictionAreTheLawsTheyAreMadeOf) {
+  const Method classical{
+      .theory = Theory::exact, .mx = 8, .my = 8, .discretisation = Discretisation::classical, .tolerance = 1e-10};
+  const auto force = [&](RollingProblem p, const FrictionLaw& law) {
+    p.friction.law = law;
+    const ContactSolution s = Solver(classical).solve(p);
+    EXPECT_EQ(s.report.status, Status::ok) << s.report.reason;
+    return s.totals.fx;
+  };
+  const FrictionLaw falling = FrictionLaw::exponential(0.2, {0.1, 0.05});
+  const auto samples = FrictionTable::sampled([&](double v) { return falling.coefficient(v); }, 10, 1e-6);
+  for (const LayeredBodies& bodies : {covered(0.01), covered(0.01, PronySeries{{{0.3, 1e-3}}}, 10)}) {
+    RollingProblem p = rolling_of(bodies, 20);
+    p.motion.creepage = {0.02, -0.01, 0.2};
+    const double limit = 0.3 * 20;
+    EXPECT_NEAR(force(p, FrictionLaw::table({{0, 5}, {0.3, 0.3}})), force(p, FrictionLaw::coulomb(0.3)), 1e-8 * limit);
+    const double by_law = force(p, falling);
+    EXPECT_NEAR(force(p, FrictionLaw::table(samples)), by_law, 1e-5 * limit);
+    EXPECT_GT(std::abs(by_law - force(p, FrictionLaw::coulomb(0.3))), 1e-2 * limit);
+  }
+}
+
 /// On elements that follow the contact of a cover of rubber.
 TEST(LayeredRolling, ConstantAndBilinearElementsTendToOneLimit) {
   for (const PronySeries& relaxation : {PronySeries{}, PronySeries{{0.5, 1e-3}}}) {

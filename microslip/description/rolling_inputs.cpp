@@ -9,7 +9,8 @@
 namespace microslip::description {
 namespace {
 
-constexpr Bounds coefficient = between(0, FrictionLaw::largest_coefficient), slip_velocity = between(0, 1e6);
+constexpr Bounds coefficient = between(0, FrictionLaw::largest_coefficient),
+                 slip_velocity = between(0, FrictionTable::largest_velocity);
 /// The library's laws, and the one that is a case of them.
 constexpr auto friction_laws = [] {
   std::array<Word, FrictionLaw::names.size() + 1> words{};

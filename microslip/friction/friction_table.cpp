@@ -26,9 +26,9 @@ void check(const char* field, const std::vector<double>& axis, const char* unit,
 void check(const FrictionGrid& grid) {
   const auto& [velocities, pressures, temperatures, mu] = grid;
   if (velocities.size() < 2) throw Error("slip_velocities: must be at least 2 numbers");
-  check("slip_velocities", velocities, "m/s", 0, 1e6);
-  check("pressures", pressures, "Pa", 0, 1e15);
-  check("temperatures", temperatures, "deg C", -274, 1e6);
+  check("slip_velocities", velocities, "m/s", 0, FrictionTable::largest_velocity);
+  check("pressures", pressures, "Pa", 0, FrictionTable::largest_pressure);
+  check("temperatures", temperatures, "deg C", FrictionTable::lowest_temperature, FrictionTable::highest_temperature);
   const std::size_t curves = std::max(std::size_t{1}, pressures.size()) * std::max(std::size_t{1}, temperatures.size());
   if (mu.size() != curves * velocities.size())
     throw Error("coefficients: must be " + std::to_string(curves * velocities.size()) + " numbers, one for each of " +
@@ -158,7 +158,7 @@ FrictionTable FrictionTable::at(double pressure, double temperature) const {
 
 FrictionTable FrictionTable::sampled(const std::function<double(double)>& coefficient, double fastest,
                                      double accuracy) {
-  require_between("fastest", fastest, "m/s", 1e-6, 1e6);
+  require_between("fastest", fastest, "m/s", 1e-6, largest_velocity);
   require_positive("accuracy", accuracy, "-");
   constexpr int octaves = 20; // from a millionth of the fastest on
   Samples samples{coefficient};

@@ -12,7 +12,7 @@ namespace microslip {
 
 /// Coefficients of friction at the nodes of a grid.
 struct FrictionGrid {
-  std::vector<double> slip_velocities;   ///< [m/s], at least two, in [0, 1e6], ascending
+  std::vector<double> slip_velocities;   ///< [m/s], at least two, in [0, largest_velocity], ascending
   std::vector<double> pressures = {};    ///< [Pa], >= 0, ascending; none: friction does not depend on the pressure
   std::vector<double> temperatures = {}; ///< [deg C], ascending; none: nor on the surfaces' temperature
   /// [-], one for each node, in [0, FrictionLaw::largest_coefficient]: those of all velocities at the first pressure
@@ -28,6 +28,11 @@ struct FrictionGrid {
 /// O(h^2) at extrema. Between pressures and temperatures mu is linear, beyond them constant.
 class FrictionTable {
 public:
+  // Beyond these numbers of the axes are taken for mistakes; none but a temperature is negative.
+  static constexpr double largest_velocity = 1e6;                               ///< [m/s]
+  static constexpr double largest_pressure = 1e15;                              ///< [Pa]
+  static constexpr double lowest_temperature = -274, highest_temperature = 1e6; ///< [deg C]
+
   /// Throws Error with the place of a number that is out of range, "slip_velocities.3".
   explicit FrictionTable(FrictionGrid grid);
   /// mu(v) alone.
