@@ -110,8 +110,8 @@ std::vector<std::string_view> example_names() {
 constexpr const char* footer =
     R"(There are hertzian_contact, a case of two bodies by their radii, and wheel_on_rail, of a wheel on a rail by
 their profiles, both with every key, its unit, range and default in a comment; further two_rollers,
-rubber_roller, coated_roller, starting_to_roll, friction_of_ones_own, lateral_sweep, wheelset_in_curve; and creep_sweep
-and wheel_rail_sample for `microslip sweep`.
+rubber_roller, coated_roller, twin_disc, starting_to_roll, friction_of_ones_own, lateral_sweep, wheelset_in_curve; and
+creep_sweep and wheel_rail_sample for `microslip sweep`.
 Profiles, tables and case files that an example names are written beside it.
 
 Example:

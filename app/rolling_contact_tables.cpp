@@ -2,8 +2,10 @@
 
 #include "app/hertz.hpp"
 #include "app/interior_table.hpp"
+#include "cases/contact_damage.hpp"
 #include "io/option_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -230,6 +232,40 @@ QuantityTable nip_table(const cases::NipResult& nip) {
   return table;
 }
 
+/// A quantity of damage as it is printed.
+struct PrintedDamage {
+  std::string_view name, label, unit;
+  double factor = 1;
+};
+
+constexpr PrintedDamage printed_damage[] = {
+    {"t_gamma", "T-gamma", "N"},
+    {"t_gamma_with_spin", "T-gamma with spin", "N"},
+    {"t_gamma_per_area", "T-gamma per area", "N/mm^2", 1e-6},
+    {"worn_mass_r8t", "wear rate, T-gamma, R8T", "ug/m", 1e9},
+    {"worn_area", "wear rate, Archard's law", "mm^3/m", 1e9},
+    {"wear_depth", "largest wear depth of a passage", "nm", 1e9},
+    {"traction_coefficient", "traction coefficient", "-"},
+    {"fatigue_index", "surface fatigue index", "-"},
+    {"shakedown_load", "shakedown map: load", "-"},
+    {"shakedown_limit", "shakedown map: limit", "-"},
+};
+
+/// Wear and fatigue by each theory; what none has is left out.
+QuantityTable damage_table(const io::RollingCase& input, const cases::RollingContactResult& result) {
+  const auto columns = theory_columns(input, result);
+  std::vector<cases::CaseDamage> damages;
+  for (const TheoryColumn& column : columns) damages.emplace_back(input, result.hertz, *column.solution);
+  QuantityTable table("wear and fatigue", names_of(columns));
+  for (const auto& [name, label, unit, factor] : printed_damage) {
+    std::vector<double> values;
+    for (const cases::CaseDamage& damage : damages) values.push_back(factor * damage(*find_damage_quantity(name)));
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
+      table.add(std::string(label), values, std::string(unit));
+  }
+  return table;
+}
+
 QuantityTable forces_of_table(const io::RollingCase& input, const cases::RollingContactResult& result) {
   const auto columns = theory_columns(input, result);
   QuantityTable table("creep-force table, steady rolling", names_of(columns));
@@ -248,6 +284,7 @@ std::vector<ResultTable> result_tables(const io::RollingCase& input, const cases
   tables.push_back(result.exact   ? exact_table(input, result)
                    : result.table ? forces_of_table(input, result)
                                   : simplified_table(input, result));
+  if (input.strength) tables.push_back(damage_table(input, result));
   if (!result.exact) return tables;
   if (result.exact->nip) tables.push_back(nip_table(*result.exact->nip));
   if (result.exact->peaks) tables.push_back(peaks_table("inside", *result.exact->peaks));

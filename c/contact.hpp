@@ -22,6 +22,8 @@ microslip_forces forces_of(const ContactForces& forces) noexcept;
 /// The solution, or Refusal if there is none as `call` was not called yet.
 const ContactSolution& require_solution(const std::optional<ContactSolution>& solution, const char* call);
 
+/// Throws Refusal for a number or field that the solution does not have.
+[[noreturn]] void refuse(const char* kind, std::string_view name);
 /// Throws Error for a name that no field of contacts has.
 void require_field_name(std::string_view name);
 /// Copies a field of a solution. Throws Error for a name that no field has, and Refusal if the solution does not have

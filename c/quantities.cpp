@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::string_view state = "state"; ///< of cells, no number
 
-[[noreturn]] void refuse(const char* kind, std::string_view name) {
+} // namespace
+
+void refuse(const char* kind, std::string_view name) {
   throw Refusal(MICROSLIP_NO_RESULT, std::string(kind) + " = " + std::string(name) + ": is none of these results");
 }
-
-} // namespace
 
 const ContactSolution& require_solution(const std::optional<ContactSolution>& solution, const char* call) {
   if (!solution) throw Refusal(MICROSLIP_NO_RESULT, std::string(call) + " was not called yet");

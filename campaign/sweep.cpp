@@ -1,5 +1,6 @@
 #include "campaign/sweep.hpp"
 
+#include "cases/contact_damage.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "cases/wheel_rail_result.hpp"
 #include "io/nearest_word.hpp"
@@ -47,7 +48,8 @@ public:
     HertzContact hertz;
     ContactSolution contact;
     Warnings warnings;
-    std::optional<Nip> nip = {}; ///< of bodies with layers
+    std::optional<Nip> nip = {};                  ///< of bodies with layers
+    std::optional<cases::CaseDamage> damage = {}; ///< of a surface whose strength the case has
   };
 
   static Columns<Solved> columns(const SweepSpec& spec) {
@@ -65,6 +67,10 @@ public:
       all.push_back({{"contact/" + std::string(q.name), std::string(is_shift ? q.shift_unit : q.unit),
                       std::string(q.description)},
                      [&q](const Solved& s) { return q.applies(s.contact) ? q.value(s.contact) : nan; }});
+    if (spec.base().at_path("material").is_table())
+      for (const DamageQuantity& q : damage_quantities())
+        all.push_back({{"contact/" + std::string(q.name), std::string(q.unit), std::string(q.description)},
+                       [&q](const Solved& s) { return s.damage ? (*s.damage)(q) : nan; }});
     if (spec.base().at_path("body1.layers").is_array() || spec.base().at_path("body2.layers").is_array()) add_nip(all);
     return all;
   }
@@ -78,6 +84,7 @@ public:
     if (is_new || !solver_ || !input.problem.layered) solver_.emplace(input.method);
     const HertzContact hertz = hertz_contact(input.problem);
     Solved solved{hertz, solver_->solve(input.problem, progress), cases::case_warnings(input, hertz).all};
+    if (input.strength) solved.damage.emplace(input, hertz, solved.contact);
     if (!cases::has_nip(input, solved.contact)) return solved;
     solved.nip = nips_.find(input.problem, solved.contact, cases::roller_radii(input), progress);
     solved.warnings = solved.nip->warnings.all;

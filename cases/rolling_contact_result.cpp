@@ -1,5 +1,6 @@
 #include "cases/rolling_contact_result.hpp"
 
+#include "cases/contact_damage.hpp"
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
 #include "microslip/contact/loaded_part.hpp"
@@ -222,8 +223,21 @@ io::ResultWriter::Shape shape_of(const Elements& elements) {
   return {static_cast<std::size_t>(elements.my()), static_cast<std::size_t>(elements.mx())};
 }
 
-/// All that a solution has, by the names of the table of quantities.
-void write_theory(io::ResultWriter& file, const std::string& theory, const ContactSolution& solution) {
+/// What a solution does to the surface whose strength the case has.
+void write_damage(io::ResultWriter& file, const std::string& theory, const CaseDamage& damage,
+                  const io::ResultWriter::Shape& shape) {
+  for (const DamageQuantity& q : damage_quantities())
+    if (const double value = damage(q); !std::isnan(value))
+      file.scalar(theory + "/" + std::string(q.name), value, std::string(q.unit), std::string(q.description));
+  for (const DamageField& f : damage_fields())
+    if (const auto values = damage(f); !values.empty())
+      file.array(theory + "/fields/" + std::string(f.name), values, std::string(f.unit), std::string(f.description),
+                 shape);
+}
+
+/// All that a solution has, by the names of the table of quantities, and its damage where that is asked for.
+void write_theory(io::ResultWriter& file, const std::string& theory, const ContactSolution& solution,
+                  const io::RollingCase& input, const HertzContact& hertz) {
   for (const Quantity& q : quantities())
     if (q.applies(solution))
       file.scalar(theory + "/" + std::string(q.name), q.value(solution), std::string(q.unit_of(solution)),
@@ -231,8 +245,9 @@ void write_theory(io::ResultWriter& file, const std::string& theory, const Conta
   file.text(theory + "/status", std::string(to_string(solution.report.status)), "how the calculation ended");
   if (!solution.report.reason.empty()) file.text(theory + "/reason", solution.report.reason, "why it is not ok");
 
-  if (solution.elements.size() == 0) return;
   const io::ResultWriter::Shape shape = shape_of(solution.elements);
+  if (input.strength) write_damage(file, theory, CaseDamage(input, hertz, solution), shape);
+  if (solution.elements.size() == 0) return;
   const std::string fields = theory + "/fields/";
   for (const FieldQuantity& f : field_quantities())
     if (!f.values(solution).empty())
@@ -395,7 +410,7 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
   for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);
   if (const auto& exact = result.exact) {
-    write_theory(file, "exact", exact->contact);
+    write_theory(file, "exact", exact->contact, input, result.hertz);
     write_history(file, exact->contact.history,
                   input.problem.layered ? exact->contact.elements.grid.dx : step_of(input, result.contact));
     write_tolerances(file, "exact", exact->discretisation_error, exact->contact, "half the elements");
@@ -407,13 +422,13 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     if (exact->curve && !result.simplified) write_curve_point(file, *exact->curve, result.contact);
   }
   if (const auto& table = result.table) {
-    write_theory(file, "table", table->solution);
+    write_theory(file, "table", table->solution, input, result.hertz);
     write_assumption(file, "table", simplified_assumption(input));
     write_curve(file, "table", table->curve);
   }
   if (const auto& simplified = result.simplified) {
     const auto name = simplified_name(input);
-    write_theory(file, name, simplified->solution);
+    write_theory(file, name, simplified->solution, input, result.hertz);
     write_assumption(file, name, simplified_assumption(input));
     write_tolerances(file, name, simplified->discretisation_error, simplified->solution, "twice the cells");
     write_curve(file, name, simplified->curve);

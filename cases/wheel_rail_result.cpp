@@ -3,6 +3,7 @@
 #include "cases/inputs.hpp"
 #include "cases/interior_result.hpp"
 #include "microslip/contact/quantities.hpp"
+#include "microslip/damage/contact_damage.hpp"
 #include "microslip/railway/geometry/surface_hits.hpp"
 #include "microslip/railway/geometry/wheel_locus.hpp"
 #include "microslip/railway/vehicle/wheelset_quantities.hpp"
@@ -218,7 +219,7 @@ void write_fields(io::ResultWriter& file, const std::string& group, const Contac
       file.array(group + std::string(f.name), f.values(solution), std::string(f.unit_of(solution)),
                  std::string(f.description), shape);
   for (const DamageField& f : damage_fields())
-    if (const auto values = f.values(solution, patch, strength); !values.empty())
+    if (const auto values = f.values(solution, strength, patch.rolling_speed); !values.empty())
       file.array(group + std::string(f.name), values, std::string(f.unit), std::string(f.description), shape);
   std::vector<std::uint8_t> states;
   for (const CellState state : solution.fields.state) states.push_back(static_cast<std::uint8_t>(state));

@@ -58,6 +58,11 @@ Ellipse read_ellipse(const TomlSection& ellipse) {
   return {ellipse.number("a"), ellipse.number("b")};
 }
 
+SurfaceStrength read_strength(const TomlSection& material) {
+  return {.hardness = material.optional_number("hardness"),
+          .shear_yield_strength = material.optional_number("shear_yield_strength")};
+}
+
 namespace {
 
 /// A body whose contact with a flat one of the same materials is an ellipse: h = x^2/(2 R) + ...
@@ -331,6 +336,16 @@ Method read_method(const TomlSection& solution) {
 
 namespace {
 
+/// What the surfaces withstand, if their damage is asked for.
+std::optional<SurfaceStrength> read_strength(const TomlSection& root, const Motion& motion) {
+  if (!root.has("material")) return std::nullopt;
+  if (motion.kind != ContactMotion::steady)
+    root.at("material", [] { throw Error("[material]: wear and fatigue need motion.kind = \"steady\""); });
+  const auto material = root.required_section("material");
+  material.allow_described();
+  return read_strength(material);
+}
+
 /// The method with its creep-force table, if it needs one.
 Method read_method(const TomlSection& solution, const CreepTables& tables, RollingDirection direction) {
   Method method = read_method(solution);
@@ -362,7 +377,8 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
         throw Error(std::string(of_rails) +
                     ": this is a case of a wheel on a rail; one of two bodies has body1 and body2");
       });
-  root.allow_described({"body1", "body2", "ellipse", "layer", "load", "friction", "motion", "solution", "interior"});
+  root.allow_described(
+      {"body1", "body2", "ellipse", "layer", "material", "load", "friction", "motion", "solution", "interior"});
   input.title = root.text("title", "");
   input.body1 = read_body(root.required_section("body1"));
   input.body2 = read_body(root.required_section("body2"));
@@ -374,6 +390,7 @@ RollingCase read_case(const TomlSection& file, const CreepTables& tables) {
   problem.load = read_load(root.required_section("load"));
   problem.friction = read_friction(root.required_section("friction"));
   problem.motion = read_motion(root.required_section("motion"));
+  input.strength = read_strength(root, problem.motion);
   input.method = read_method(root.optional_section("solution"), tables, problem.motion.direction);
   if (root.has("interior")) {
     const auto interior = root.required_section("interior");

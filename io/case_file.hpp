@@ -2,6 +2,7 @@
 
 #include "io/creep_tables.hpp"
 #include "io/read_inputs.hpp"
+#include "microslip/damage/surface_strength.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/elasticity/material.hpp"
 #include "microslip/interior/interior_grid.hpp"
@@ -37,8 +38,10 @@ struct RollingCase {
   BodyInput body2 = {};
   RollingProblem problem = {}; ///< of these bodies, by the curvatures of their gap or the ellipse
   Method method = {};          ///< with what the file gives, and the theory and grid
-  InteriorGrid interior = {};  ///< points inside the bodies, with the exact theory; none: no interior field
-  ReadInputs inputs = {};      ///< the same by the keys of the file
+  /// Of the surface whose wear and fatigue are asked for, in steady rolling; none: of neither.
+  std::optional<SurfaceStrength> strength = {};
+  InteriorGrid interior = {}; ///< points inside the bodies, with the exact theory; none: no interior field
+  ReadInputs inputs = {};     ///< the same by the keys of the file
 };
 
 /// Reads a case from TOML text; `name` is the file's name for messages. Unknown keys, missing keys, wrong types and
@@ -48,9 +51,10 @@ RollingCase parse_case(std::string_view text, const std::string& name);
 /// Reads a file that is parsed as TOML already. Where many are read, `tables` are shared by all of them.
 RollingCase read_case(const TomlSection& root, const CreepTables& tables = {});
 
-/// Parts of a case from the sections that describe them: [ellipse], [load], [motion] and, except for its creep-force
-/// table, [solution]. Throw Error as above.
+/// Parts of a case from the sections that describe them: [ellipse], [material], of cases of wheels too, [load],
+/// [motion] and, except for its creep-force table, [solution]. Throw Error as above.
 Ellipse read_ellipse(const TomlSection& ellipse);
+SurfaceStrength read_strength(const TomlSection& material);
 NormalLoad read_load(const TomlSection& load);
 Motion read_motion(const TomlSection& motion);
 Method read_method(const TomlSection& solution);

@@ -1,6 +1,7 @@
 #include "io/wheel_rail_case.hpp"
 
 #include "io/body_layers.hpp"
+#include "io/case_file.hpp"
 #include "io/interior_section.hpp"
 #include "io/length_unit.hpp"
 #include "io/profile_file.hpp"
@@ -118,14 +119,6 @@ Material read_material(const TomlSection& section) {
   const auto key = section.one_of("young_modulus", "shear_modulus");
   const double modulus = section.number(key), poisson_ratio = section.number("poisson_ratio");
   return key == "young_modulus" ? Material::from_young(modulus, poisson_ratio) : Material{modulus, poisson_ratio};
-}
-
-/// The strength of the surfaces, where it is given.
-SurfaceStrength read_strength(const TomlSection& material) {
-  SurfaceStrength strength;
-  strength.hardness = material.optional_number("hardness");
-  strength.shear_yield_strength = material.optional_number("shear_yield_strength");
-  return strength;
 }
 
 std::vector<InclinedFriction> read_friction(const TomlSection& section) {

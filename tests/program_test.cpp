@@ -308,8 +308,8 @@ TEST(Program, WarnsWithoutPythonAndKeepsTheResult) {
 TEST(Program, InitWritesEveryExampleWithWhatItNeeds) {
   const std::filesystem::path originals = MICROSLIP_SOURCE_DIR "/examples";
   for (const std::string name :
-       {"hertzian_contact", "two_rollers", "rubber_roller", "coated_roller", "starting_to_roll", "friction_of_ones_own",
-        "wheel_on_rail", "lateral_sweep", "wheelset_in_curve"}) {
+       {"hertzian_contact", "two_rollers", "rubber_roller", "coated_roller", "twin_disc", "starting_to_roll",
+        "friction_of_ones_own", "wheel_on_rail", "lateral_sweep", "wheelset_in_curve"}) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_program(folder, "init --example " + name + " a.toml").exit_code, 0) << name;
     EXPECT_EQ(contents(folder / "a.toml"), contents(originals / (name + ".toml")));

@@ -1,5 +1,6 @@
 // Wear, fatigue and guidance of a wheel on a rail.
 
+#include "microslip/damage/contact_damage.hpp"
 #include "microslip/damage/fatigue.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/railway/derailment.hpp"
@@ -99,7 +100,7 @@ TEST(WheelRailDamage, WearIsTheWorkOfFriction) {
         double sum = 0;
         for (const DamageField& field : damage_fields())
           if (field.name == "wear_depth")
-            for (const double depth : field.values(s.fields[i], patch, strength)) sum += depth;
+            for (const double depth : field.values(s.fields[i], strength, patch.rolling_speed)) sum += depth;
         EXPECT_NEAR(sum * s.fields[i].elements.grid.dy, *patch.damage.worn_area, 1e-12 * expected);
       }
     }

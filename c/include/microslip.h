@@ -395,8 +395,10 @@ MICROSLIP_API microslip_code microslip_differentiate(microslip_problem* problem,
                                                      microslip_error* error);
 /* A number of the result by its name: of two bodies one of MICROSLIP_CONTACT_QUANTITY, with solution.accuracy the
  * extrapolated ones; of a wheel of MICROSLIP_WHEEL_RESULT; of a wheelset of MICROSLIP_WHEELSET_RESULT, or of one of its
- * wheels, "left.force_y". MICROSLIP_NO_RESULT for one that two bodies do not have, such as temperatures without heat
- * data; NaN for what a wheel does not have, as Y/Q without a vertical force. */
+ * wheels, "left.force_y". Of two bodies with inputs of "material" wear and fatigue, too: "t_gamma", "worn_area", and
+ * so on, and as fields "friction_work", "wear_depth", "shear_excess". MICROSLIP_NO_RESULT for one that two bodies do
+ * not have, such as temperatures without heat data; NaN for what a wheel does not have, as Y/Q without a vertical
+ * force. */
 MICROSLIP_API microslip_code microslip_number(const microslip_problem* problem, const char* name, double* value,
                                               microslip_error* error);
 /* A field of the result by its name, and its size. Of two bodies one of MICROSLIP_CONTACT_FIELD, or "state": 0

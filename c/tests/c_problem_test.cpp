@@ -71,6 +71,28 @@ void expect_same(CProblem& problem, const ContactSolution& wanted) {
   }
 }
 
+TEST(CProblem, HasTheDamageOfItsCaseFile) {
+  Steel problem({{"material.hardness", 3e9}});
+  double value = 0;
+  EXPECT_EQ(microslip_number(problem.pointer, "t_gamma", &value, &problem.error), MICROSLIP_NO_RESULT);
+  ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;
+  const io::Json found = document(problem)["exact"];
+  for (const char* name : {"t_gamma", "worn_area", "wear_depth", "worn_mass_r8t", "shakedown_limit"})
+    EXPECT_NEAR(problem.number(name) / found[name].get<double>(), 1, 1e-9) << name;
+  EXPECT_EQ(microslip_number(problem.pointer, "fatigue_index", &value, &problem.error), MICROSLIP_NO_RESULT);
+  double sum = 0;
+  std::size_t columns = 0, rows = 0;
+  ASSERT_EQ(microslip_field_size(problem.pointer, "wear_depth", &columns, &rows, &problem.error), MICROSLIP_OK);
+  const auto y = problem.field("y");
+  for (const double depth : problem.field("wear_depth")) sum += depth;
+  EXPECT_NEAR(sum * (y[columns] - y[0]), problem.number("worn_area"), 1e-9 * problem.number("worn_area"));
+
+  Steel without;
+  ASSERT_EQ(without.solve(), MICROSLIP_OK);
+  EXPECT_EQ(microslip_number(without.pointer, "t_gamma", &value, &without.error), MICROSLIP_NO_RESULT);
+  EXPECT_NE(std::string(without.error.text).find("material"), std::string::npos) << without.error.text;
+}
+
 ContactSolution solved_by_the_library(CProblem& problem) {
   const auto input = io::parse_case(problem.text(), "problem");
   return Solver(input.method).solve(input.problem);

@@ -191,6 +191,7 @@ TEST_F(ExplorerTest, TellsAllThatAnExampleSays) {
   std::size_t count = 0;
   for (const auto& [example, kind] : {std::pair{"hertzian_contact.toml", "rolling_contact"},
                                       {"two_rollers.toml", "rolling_contact"},
+                                      {"twin_disc.toml", "rolling_contact"},
                                       {"rubber_roller.toml", "rolling_contact"},
                                       {"starting_to_roll.toml", "rolling_contact"},
                                       {"wheel_on_rail.toml", "wheel_rail"},

@@ -1,6 +1,7 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input_lines.hpp"
 #include "microslip/description/layer_inputs.hpp"
+#include "microslip/description/strength_inputs.hpp"
 #include "microslip/friction/friction_law.hpp"
 
 #include <algorithm>
@@ -63,6 +64,11 @@ std::vector<Input> all_inputs() {
            needed(number("thickness", "m", positive, "thickness of the layer")),
            number("yield_stress", "Pa", positive, "shear stress at which the layer begins to deform plastically"),
            number("hardening", "Pa/m", any_number, 0, "what plastic deformation adds to the yield stress"),
+       }},
+      {"material",
+       {
+           hardness_input(),
+           shear_yield_strength_input(),
        }},
       {"load",
        {

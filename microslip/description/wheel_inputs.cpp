@@ -1,6 +1,7 @@
 #include "microslip/contact/limits.hpp"
 #include "microslip/description/input_lines.hpp"
 #include "microslip/description/layer_inputs.hpp"
+#include "microslip/description/strength_inputs.hpp"
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/railway/geometry/track.hpp"
 #include "microslip/railway/geometry/wheelset.hpp"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr Word inclined_friction_laws[] = {"coulomb"};
 constexpr Word sides[] = {"left", "right", "both"};
-constexpr Bounds strength = between(1e5, 1e12);
 
 std::vector<Input> all_inputs() {
   return lines_of({
@@ -68,9 +68,8 @@ std::vector<Input> all_inputs() {
                number("young_modulus", "Pa", between(1, 1e15), "Young's modulus of wheel and rail; or shear_modulus")),
            number("shear_modulus", "Pa", between(1, 1e15), "shear modulus, in place of young_modulus"),
            needed(number("poisson_ratio", "-", between(0, 0.5), "Poisson's ratio")),
-           number("hardness", "Pa", strength, "hardness of the surface that wears by Archard's law"),
-           number("shear_yield_strength", "Pa", strength,
-                  "yield strength in shear of the work-hardened surface, for the fatigue index and the shakedown map"),
+           hardness_input(),
+           shear_yield_strength_input(),
        }},
       {"friction",
        {

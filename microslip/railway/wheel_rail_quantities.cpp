@@ -214,23 +214,6 @@ constexpr auto all_wheel_inputs = [] {
   return all;
 }();
 
-using Strength = const SurfaceStrength&;
-using Values = std::vector<double>;
-
-constexpr DamageField all_damage_fields[] = {
-    {"friction_work", "N/m^2", "T-gamma per area: work of friction per metre rolled",
-     [](const ContactSolution& s, Patch, Strength) { return friction_work(s); }},
-    {"wear_depth", "m", "Archard's wear: depth that a passage of the element wears off",
-     [](const ContactSolution& s, Patch p, Strength strength) {
-       if (!strength.hardness) return Values();
-       return wear_depth(s, {*strength.hardness, strength.wear_map}, p.rolling_speed);
-     }},
-    {"shear_excess", "Pa", "traction less the yield strength in shear",
-     [](const ContactSolution& s, Patch, Strength strength) {
-       return strength.shear_yield_strength ? shear_excess(s, *strength.shear_yield_strength) : Values();
-     }},
-};
-
 } // namespace
 
 std::span<const StateQuantity> state_quantities() {
@@ -256,9 +239,6 @@ std::span<const PatchQuantity> patch_results() {
 }
 std::span<const WheelQuantity> wheel_derivatives() {
   return wheel_results().first(differentiated_results);
-}
-std::span<const DamageField> damage_fields() {
-  return all_damage_fields;
 }
 
 template <> WheelState<double> WheelState<double>::mirrored() const {

@@ -76,20 +76,12 @@ using PatchQuantity = RailwayQuantity<WheelRailPatch>;
 
 inline constexpr const char* profile_end_codes = "1: a patch ends where a profile ends";
 
-/// A field of damage on a patch: a value for each element, none where a strength is not given.
-struct DamageField {
-  std::string_view name, unit, description;
-  std::vector<double> (*values)(const ContactSolution& fields, const WheelRailPatch& patch,
-                                const SurfaceStrength& strength);
-};
-
 /// All of them in the order in which they are shown, without codes.
 std::span<const StateQuantity> state_quantities();
 /// Returns whether all numbers of a state are within their ranges.
 bool is_in_range(WheelState<double> state) noexcept;
 std::span<const WheelQuantity> wheel_quantities();
 std::span<const PatchQuantity> patch_quantities();
-std::span<const DamageField> damage_fields();
 
 /// The rows of arrays, whose indices and lengths programs keep: a new number stands at the end. What a wheel is
 /// given; numbers and codes of a wheel and of a patch; what has derivatives.

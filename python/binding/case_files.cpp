@@ -1,14 +1,18 @@
+#include "binding/arrays.hpp"
 #include "binding/bindings.hpp"
 #include "binding/codes.hpp"
+#include "binding/damage.hpp"
 #include "binding/interior.hpp"
 #include "binding/long_work.hpp"
 #include "binding/nip.hpp"
 #include "binding/paths.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
+#include "cases/contact_damage.hpp"
 #include "cases/rolling_contact_result.hpp"
 #include "microslip/error.hpp"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -109,6 +113,51 @@ std::optional<States> states_inside(const SolvedCase& self) {
   return States{{extent(points.z), extent(points.y), extent(points.x)}, self.result.exact->interior};
 }
 
+/// The solution of the theory that the case asks for.
+const ContactSolution& solution_of(const cases::RollingContactResult& result) {
+  return result.exact ? result.exact->contact : result.table ? result.table->solution : result.simplified->solution;
+}
+
+/// What a case's solution does to a surface, with the shape of its fields.
+struct Damage {
+  cases::CaseDamage of;
+  py::ssize_t my, mx;
+};
+
+std::optional<Damage> damage_of(const SolvedCase& self) {
+  if (!self.of->input.strength) return std::nullopt;
+  const ContactSolution& solution = solution_of(self.result);
+  return Damage{{self.of->input, self.result.hertz, solution}, solution.elements.my(), solution.elements.mx()};
+}
+
+void bind_damage_of_cases(py::module_& module) {
+  py::class_<Damage> damage(
+      module, "ContactDamage",
+      "What a contact does to the surface whose strength its case has, in [material]; None where\n"
+      "a number needs a strength that is not given, or fields that the theory does not have.");
+  for (const DamageQuantity& q : damage_quantities()) {
+    const std::string text = std::string(q.description) + " [" + std::string(q.unit) + "]; or None.";
+    const auto get = [&q](const Damage& self) -> py::object {
+      const double value = self.of(q);
+      return std::isnan(value) ? py::object(py::none()) : py::object(py::float_(value));
+    };
+    damage.def_property_readonly(std::string(q.name).c_str(), get, text.c_str());
+  }
+  damage.def_property_readonly(
+      "fields",
+      [](const Damage& self) {
+        py::dict fields;
+        for (const DamageField& f : damage_fields()) {
+          const std::vector<double> values = self.of(f);
+          if (!values.empty())
+            fields[py::str(f.name)] = array_of<double>({self.my, self.mx}, values, [](double v) { return v; });
+        }
+        return fields;
+      },
+      "The fields friction_work [N/m^2], wear_depth [m] and shear_excess [Pa] as a dict, each of shape (my, mx), as\n"
+      "far as the strength that they need is given.");
+}
+
 template <class T> auto of_input(T io::RollingCase::*member) {
   return [member](const Case& self) { return self.input.*member; };
 }
@@ -150,6 +199,8 @@ void bind_case(py::module_& module) {
       .def_property_readonly("body2", of_input(&io::RollingCase::body2), "The other body, e.g. the rail.")
       .def_property_readonly("problem", of_input(&io::RollingCase::problem), "The RollingProblem of its bodies.")
       .def_property_readonly("method", of_input(&io::RollingCase::method), "The Method that it asks for.")
+      .def_property_readonly("strength", of_input(&io::RollingCase::strength),
+                             "SurfaceStrength of the surface whose wear and fatigue are asked for, or None.")
       .def_property_readonly(
           "hertz", [](const Case& self) { return hertz_contact(self.input.problem); }, "The HertzContact.")
       .def_property_readonly(
@@ -253,6 +304,7 @@ void bind_case_files(py::module_& module) {
   bind_case(module);
   bind_curve(module);
   bind_theories(module);
+  bind_damage_of_cases(module);
   const auto result = [](auto member) {
     return [member](const SolvedCase& self) -> const auto& {
       return self.result.*member;
@@ -271,6 +323,8 @@ void bind_case_files(py::module_& module) {
                              "TableResult, None if the case does not ask for it.")
       .def_property_readonly("simplified", result(&cases::RollingContactResult::simplified),
                              "SimplifiedResult, also beside the exact theory in steady rolling and a table; else None.")
+      .def_property_readonly("damage", &damage_of,
+                             "ContactDamage by the theory that the case asks for; None without [material].")
       .def_property_readonly("interior", &states_inside,
                              "InteriorStates at the case's points, shape (z, y, x) as their lists; None without any.")
       .def_property_readonly("status", result(&cases::RollingContactResult::status),

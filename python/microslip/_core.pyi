@@ -169,6 +169,44 @@ class ContactCase:
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
+class ContactDamage:
+    """What a contact does to the surface whose strength its case has, in [material]; None where
+    a number needs a strength that is not given, or fields that the theory does not have."""
+    @property
+    def t_gamma(self) -> object:
+        """|Fx xi| + |Fy eta| [N]; or None."""
+    @property
+    def t_gamma_with_spin(self) -> object:
+        """|Fx xi| + |Fy eta| + |Mz phi| [N]; or None."""
+    @property
+    def t_gamma_per_area(self) -> object:
+        """T-gamma over the area of the contact [N/m^2]; or None."""
+    @property
+    def worn_mass_r8t(self) -> object:
+        """wear of wheel steel R8T by T-gamma per area, per metre rolled [kg/m]; or None."""
+    @property
+    def worn_area(self) -> object:
+        """Archard's wear: cross-section that a passage wears off, or volume per metre [m^2]; or None."""
+    @property
+    def wear_depth(self) -> object:
+        """Archard's wear: largest depth of a passage [m]; or None."""
+    @property
+    def traction_coefficient(self) -> object:
+        """sqrt(Fx^2 + Fy^2)/Fn [-]; or None."""
+    @property
+    def fatigue_index(self) -> object:
+        """surface fatigue index: traction coefficient less k over the largest pressure [-]; or None."""
+    @property
+    def shakedown_load(self) -> object:
+        """largest pressure over the yield strength in shear: ordinate of the shakedown map [-]; or None."""
+    @property
+    def shakedown_limit(self) -> object:
+        """limit of that load at the traction coefficient, of a point or line contact [-]; or None."""
+    @property
+    def fields(self) -> dict[str, str]:
+        """The fields friction_work [N/m^2], wear_depth [m] and shear_excess [Pa] as a dict, each of shape (my, mx), as
+        far as the strength that they need is given."""
+
 class ContactDerivatives:
     """Totals and their derivatives."""
     @property
@@ -1531,6 +1569,9 @@ class RollingCase:
     def method(self) -> Method:
         """The Method that it asks for."""
     @property
+    def strength(self) -> SurfaceStrength | None:
+        """SurfaceStrength of the surface whose wear and fatigue are asked for, or None."""
+    @property
     def hertz(self) -> HertzContact:
         """The HertzContact."""
     @property
@@ -1563,6 +1604,9 @@ class RollingContactResult:
     @property
     def simplified(self) -> SimplifiedResult | None:
         """SimplifiedResult, also beside the exact theory in steady rolling and a table; else None."""
+    @property
+    def damage(self) -> ContactDamage | None:
+        """ContactDamage by the theory that the case asks for; None without [material]."""
     @property
     def interior(self) -> InteriorStates | None:
         """InteriorStates at the case's points, shape (z, y, x) as their lists; None without any."""

@@ -70,6 +70,20 @@ class CaseFilesTest(unittest.TestCase):
         np.testing.assert_allclose(result.interior.zz, inside.zz, rtol=1e-9)
         self.assertEqual(pickle.loads(pickle.dumps(result)).interior, result.interior)
 
+    def test_damage_is_that_of_the_functions(self):
+        self.assertIsNone(microslip.solve_case(microslip.parse_case(CASE)).damage)
+        case = microslip.parse_case(CASE + "[material]\nhardness = 2.7e9\n")
+        self.assertEqual(case.strength, microslip.SurfaceStrength(hardness=2.7e9))
+        result = microslip.solve_case(case)
+        damage, solution = result.damage, result.exact.solution
+        self.assertEqual(damage.t_gamma, -solution.fx * 0.001)
+        self.assertIsNone(damage.fatigue_index)
+        self.assertEqual(sorted(damage.fields), ["friction_work", "wear_depth"])
+        np.testing.assert_array_equal(damage.fields["friction_work"], microslip.friction_work(solution))
+        depth = microslip.wear_depth(solution, hardness=2.7e9, rolling_speed=2.0)
+        np.testing.assert_array_equal(damage.fields["wear_depth"], depth)
+        self.assertAlmostEqual(damage.wear_depth, depth.sum(axis=1).max(), delta=1e-12 * damage.wear_depth)
+
     def test_solvers_refuse_what_the_case_cannot_have(self):
         text = CASE.replace("young_modulus = 210e9", "young_modulus = 70e9", 1)
         case = microslip.parse_case(text)
