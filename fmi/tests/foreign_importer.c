@@ -128,7 +128,8 @@ static function find(const unit* u, const char* name) {
   return found;
 }
 
-static void log_by_2(void* environment, const char* instance, int status, const char* category, const char* message, ...) {
+static void log_by_2(void* environment, const char* instance, int status, const char* category, const char* message,
+                     ...) {
   (void)environment, (void)instance, (void)status, (void)category, (void)message;
 }
 static void log_by_3(void* environment, int status, const char* category, const char* message) {
@@ -158,19 +159,19 @@ static void instantiate(unit* u, const char* folder) {
     u->instance = ((void* (*)(const char*, int, const char*, const char*, const void*, int, int))find(
         u, "fmi2Instantiate"))("wheels", 1, u->key, path, &callbacks, 0, 0);
   } else {
-    u->instance = ((void* (*)(const char*, const char*, const char*, bool, bool, bool, bool, const unsigned*, size_t,
-                              void*, void (*)(void*, int, const char*, const char*), void*))
-                       find(u, "fmi3InstantiateCoSimulation"))("wheels", u->key, path, false, false, false, false, NULL,
-                                                               0, NULL, log_by_3, NULL);
+    u->instance =
+        ((void* (*)(const char*, const char*, const char*, bool, bool, bool, bool, const unsigned*, size_t, void*,
+                    void (*)(void*, int, const char*, const char*), void*))find(u, "fmi3InstantiateCoSimulation"))(
+            "wheels", u->key, path, false, false, false, false, NULL, 0, NULL, log_by_3, NULL);
   }
   if (!u->instance) fail("is not instantiated");
 }
 
 static void initialize(unit* u) {
   if (u->version == 2) {
-    require(((int (*)(void*, int, double, double, int, double))find(u, "fmi2SetupExperiment"))(u->instance, 0, 0, 0, 0,
-                                                                                               0),
-            "set-up");
+    require(
+        ((int (*)(void*, int, double, double, int, double))find(u, "fmi2SetupExperiment"))(u->instance, 0, 0, 0, 0, 0),
+        "set-up");
     require(((int (*)(void*))find(u, "fmi2EnterInitializationMode"))(u->instance), "initialization");
     require(((int (*)(void*))find(u, "fmi2ExitInitializationMode"))(u->instance), "initialization");
   } else {
