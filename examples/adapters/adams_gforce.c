@@ -4,11 +4,11 @@
  *
  *   GFORCE/11, I = 101, JFLOAT = 901, RM = 501, FUNCTION = USER(1, 1.0), ROUTINE = microslip_adams:Gfosub
  *
- *   I       on the wheelset: its origin in the middle of the axle, y along it to the left; it may roll with the wheelset
- *   RM      the track: its origin midway between the rails at their tops, x along the track, y to the left, z up
+ *   I       on the wheelset: its origin in the middle of the axle, y along it to the left; it may roll with the
+ * wheelset RM      the track: its origin midway between the rails at their tops, x along the track, y to the left, z up
  *   JFLOAT  of the ground
- *   USER    number n of the wheel: its case file is wheel_n.toml in the working folder; the model's length in m (1.0, or
- *           0.001 for mm; forces in N). Left and right wheel have a GFORCE each, on the same markers.
+ *   USER    number n of the wheel: its case file is wheel_n.toml in the working folder; the model's length in m (1.0,
+ * or 0.001 for mm; forces in N). Left and right wheel have a GFORCE each, on the same markers.
  *
  *   cc -shared -fPIC adams_gforce.c $(pkg-config --cflags --libs microslip_c) -lm -o microslip_adams.so
  *
@@ -21,7 +21,8 @@
 adams_c_Gfosub Gfosub;
 
 /* Pose and motion of marker I against RM, in its axes, in SI units. These calls also tell Adams what the force depends
- * on, and so are made in every pass. Velocities are differentiated in RM, which stands still or runs along the track. */
+ * on, and so are made in every pass. Velocities are differentiated in RM, which stands still or runs along the track.
+ */
 static int motion_of(const struct sAdamsGforce* force, double length, wheel_motion* motion) {
   const int from_track[4] = {force->I, force->RM, force->RM, force->RM};
   double velocity[6];

@@ -6,8 +6,8 @@
  *   auto loads = chrono_types::make_shared<ChLoadContainer>();
  *   loads->Add(chrono_types::make_shared<MicroslipWheel>(track, wheelset, middle_of_track, "wheel_1.toml"));
  *
- * `middle_of_track` is the frame, in absolute axes, midway between the rails at their tops below the wheelset: x along the
- * track, y to the left, z up. The wheelset's own y is along the axle, to the left, and its origin in the axle's
+ * `middle_of_track` is the frame, in absolute axes, midway between the rails at their tops below the wheelset: x along
+ * the track, y to the left, z up. The wheelset's own y is along the axle, to the left, and its origin in the axle's
  * middle. Left and right wheel have a load each. Contact by shapes (ChContactForceTorqueSMC) knows one radius and no
  * profiles: switch it off between wheel and rail. */
 #pragma once

@@ -6,10 +6,10 @@
  *   usrsub_param_string = "USER(1, 101, 501, 1.0)"  usrsub_dll_name = "microslip_motionsolve"
  *   usrsub_fnc_name = "GFOSUB"
  *
- *   USER    number n of the wheel: its case file is wheel_n.toml in the working folder; marker of the wheelset, which is
- *           also i_marker_id: its origin in the middle of the axle, y along it to the left; marker of the track, which
- *           is also ref_marker_id: its origin midway between the rails at their tops, x along the track, y to the
- *           left, z up; the model's length in m (1.0, or 0.001 for mm; forces in N)
+ *   USER    number n of the wheel: its case file is wheel_n.toml in the working folder; marker of the wheelset, which
+ * is also i_marker_id: its origin in the middle of the axle, y along it to the left; marker of the track, which is also
+ * ref_marker_id: its origin midway between the rails at their tops, x along the track, y to the left, z up; the model's
+ * length in m (1.0, or 0.001 for mm; forces in N)
  *
  *   cc -shared -fPIC motionsolve_gforce.c $(pkg-config --cflags --libs microslip_c) -lm -o microslip_motionsolve.so
  *

@@ -2,8 +2,8 @@
  * and moment on it out, with derivatives. Copy this file with the one for your program.
  *
  * All vectors are in track axes, whose origin is midway between the rails at their tops: x along the track, y to the
- * left, z up. Units are SI. The load depends on the motion alone, to the last bit: not on what was solved before, nor on
- * the order of calls, so that programs may repeat, reject and difference steps as they like. It takes no memory. */
+ * left, z up. Units are SI. The load depends on the motion alone, to the last bit: not on what was solved before, nor
+ * on the order of calls, so that programs may repeat, reject and difference steps as they like. It takes no memory. */
 #ifndef MICROSLIP_WHEEL_H
 #define MICROSLIP_WHEEL_H
 
@@ -59,7 +59,8 @@ static inline int wheel_create(rail_wheel* made, const char* case_file, microsli
   long size;
   FILE* const file = fopen(case_file, "rb");
   memset(made, 0, sizeof *made);
-  if (!file || fseek(file, 0, SEEK_END) != 0 || (size = ftell(file)) < 0 || !(text = (char*)calloc(1, (size_t)size + 1))) {
+  if (!file || fseek(file, 0, SEEK_END) != 0 || (size = ftell(file)) < 0 ||
+      !(text = (char*)calloc(1, (size_t)size + 1))) {
     if (file) fclose(file);
     error->code = MICROSLIP_INVALID_OPTION;
     snprintf(error->text, sizeof error->text, "%.200s: cannot be read", case_file);
@@ -180,13 +181,13 @@ static inline void wheel_state_change(const wheel_motion* motion, int k, double*
 
 /* The load and its derivatives: force and moment by position, rotation about the track's axes, velocity and angular
  * velocity; of an unsolved state zeros. Some three solves. */
-static inline void wheel_differentiate(const rail_wheel* w, const wheel_motion* motion, wheel_load* load, double jacobian[6][12]) {
+static inline void wheel_differentiate(const rail_wheel* w, const wheel_motion* motion, wheel_load* load,
+                                       double jacobian[6][12]) {
   double state[wheel_state_width], result[6], by_state[6][wheel_state_width], change[wheel_state_width];
   int k, n, row;
   wheel_state(w, motion, state);
-  const int code =
-      microslip_wheel_rail_differentiate(w->contact, 1, wheel_state_width, state, 6, result, &load->status, 6,
-                                         wheel_state_width, by_state[0]);
+  const int code = microslip_wheel_rail_differentiate(w->contact, 1, wheel_state_width, state, 6, result, &load->status,
+                                                      6, wheel_state_width, by_state[0]);
   memset(jacobian, 0, 6 * sizeof *jacobian);
   if (code >= MICROSLIP_NULL_POINTER) load->status = code;
   wheel_take(w, motion, result, load);

@@ -1,5 +1,5 @@
-// The adapters as their programs call them: every wheel's load is that of the library, whatever was called before, in any
-// order and from any thread; derivatives are those of differences; nothing is thrown.
+// The adapters as their programs call them: every wheel's load is that of the library, whatever was called before, in
+// any order and from any thread; derivatives are those of differences; nothing is thrown.
 
 #include "../wheel.h"
 #include "io/profile_file.hpp"
@@ -73,7 +73,8 @@ WheelRail library(int wheel) {
 WheelState<double> running(int k) {
   WheelState<double> s;
   s.longitudinal = 3 * k;
-  s.lateral = 1.3e-3 * (k % 9 - 4), s.vertical = -1.5e-4 - 2e-5 * (k % 5), s.roll = 1e-4 * (k % 3), s.yaw = 1e-3 * (k % 4);
+  s.lateral = 1.3e-3 * (k % 9 - 4), s.vertical = -1.5e-4 - 2e-5 * (k % 5), s.roll = 1e-4 * (k % 3),
+  s.yaw = 1e-3 * (k % 4);
   s.forward_velocity = 20, s.lateral_velocity = 0.01 * (k % 5), s.vertical_velocity = 0.02;
   s.roll_velocity = 0.01, s.pitch_velocity = 20 / radius * (1 + 1e-3 * (k % 3)), s.yaw_velocity = 0.02 * (k % 2);
   return s;
