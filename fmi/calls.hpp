@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fmi/unit.hpp"
+#include "microslip/error.hpp"
 
 #include <cstddef>
 #include <exception>
@@ -21,19 +22,29 @@ inline void require(bool condition, const char* text) {
   if (!condition) throw std::invalid_argument(text);
 }
 
-/// Runs a call that is allowed in some stages and may throw; false if the unit has failed.
-template <class Body> bool run(Unit& unit, const char* call, Stages stages, const Body& body) noexcept {
+/// How a call ended: `discarded` leaves the unit as it was, for the importer to step back and try other inputs.
+enum class Outcome { done, discarded, failed };
+
+/// Runs a call that is allowed in some stages and may throw. While stepping, when no parameter can change, an Error is
+/// that of an input out of its range.
+template <class Body> Outcome run(Unit& unit, const char* call, Stages stages, const Body& body) noexcept {
   try {
     for (const Stage stage : stages)
       if (unit.stage == stage) {
         body(unit);
-        return true;
+        return Outcome::done;
       }
     unit.fail((std::string(call) + " is not allowed at this stage").c_str());
+  } catch (const Error& error) {
+    if (unit.stage == Stage::stepping) {
+      unit.discard(error.what());
+      return Outcome::discarded;
+    }
+    unit.fail(error.what());
   } catch (const std::exception& error) {
     unit.fail(error.what());
   }
-  return false;
+  return Outcome::failed;
 }
 
 /// Values of variables of a kind; `store(values, reference, k)` puts one into the caller's k-th element. In

@@ -139,12 +139,12 @@ std::string variable_text(const Variable& v, std::size_t reference, Version vers
   return start + number_attributes(v) + "/>\n";
 }
 
-/// Inputs, or inputs and parameters: by their indices from 1 on, with FMI 3.0 by their value references.
-std::string dependencies(const ModelInfo& info, bool with_parameters, Version version) {
+/// Inputs of a part, or these and parameters: by their indices from 1 on, with FMI 3.0 by their value references.
+std::string dependencies(const ModelInfo& info, std::size_t part, bool with_parameters, Version version) {
   std::string text;
   for (std::size_t k = 0; k < info.variables.size(); ++k) {
-    const Causality c = info.variables[k].causality;
-    if (c == Causality::input || (with_parameters && c == Causality::parameter))
+    const Variable& v = info.variables[k];
+    if ((v.causality == Causality::input && v.part == part) || (with_parameters && v.causality == Causality::parameter))
       text += (text.empty() ? "" : " ") + std::to_string(version == Version::fmi2 ? k + 1 : k);
   }
   return text;
@@ -152,12 +152,12 @@ std::string dependencies(const ModelInfo& info, bool with_parameters, Version ve
 
 /// Elements of all outputs, with what these depend on.
 std::string unknowns(const ModelInfo& info, const std::string& element, bool with_parameters, Version version) {
-  const std::string all = dependencies(info, with_parameters, version);
   std::string text;
   for (std::size_t k = 0; k < info.variables.size(); ++k)
     if (info.variables[k].causality == Causality::output)
       text += "    <" + element + (version == Version::fmi2 ? " index=\"" : " valueReference=\"") +
-              std::to_string(version == Version::fmi2 ? k + 1 : k) + "\" dependencies=\"" + all + "\"/>\n";
+              std::to_string(version == Version::fmi2 ? k + 1 : k) + "\" dependencies=\"" +
+              dependencies(info, info.variables[k].part, with_parameters, version) + "\"/>\n";
   return text;
 }
 

@@ -10,10 +10,14 @@ using namespace microslip::fmi;
 
 namespace {
 
+constexpr fmi2Status status_of(Outcome outcome) {
+  return outcome == Outcome::done ? fmi2OK : outcome == Outcome::discarded ? fmi2Discard : fmi2Error;
+}
+
 /// Runs a call that is allowed in some stages: `body` may throw.
 template <class Body>
 fmi2Status in_stage(fmi2Component instance, const char* call, Stages stages, const Body& body) noexcept {
-  return instance && run(*static_cast<Unit*>(instance), call, stages, body) ? fmi2OK : fmi2Error;
+  return instance ? status_of(run(*static_cast<Unit*>(instance), call, stages, body)) : fmi2Error;
 }
 
 /// Values of variables of a kind.

@@ -10,10 +10,14 @@ using namespace microslip::fmi;
 
 namespace {
 
+constexpr fmi3Status status_of(Outcome outcome) {
+  return outcome == Outcome::done ? fmi3OK : outcome == Outcome::discarded ? fmi3Discard : fmi3Error;
+}
+
 /// Runs a call that is allowed in some stages: `body` may throw.
 template <class Body>
 fmi3Status in_stage(fmi3Instance instance, const char* call, Stages stages, const Body& body) noexcept {
-  return instance && run(*static_cast<Unit*>(instance), call, stages, body) ? fmi3OK : fmi3Error;
+  return instance ? status_of(run(*static_cast<Unit*>(instance), call, stages, body)) : fmi3Error;
 }
 
 fmi3Status refuse(fmi3Instance instance, const char* why) {
@@ -268,10 +272,10 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
                       fmi3Boolean* terminate, fmi3Boolean* early_return, fmi3Float64* last_time) {
   return in_stage(instance, __func__, {Stage::stepping}, [&](Unit& unit) {
     require(std::isfinite(time) && step > 0 && std::isfinite(step), "the step is not a positive number");
-    unit.evaluate();
-    unit.time = time + step;
     *event_needed = *terminate = *early_return = false; // a contact law does not end a simulation
     *last_time = unit.time;
+    unit.evaluate();
+    *last_time = unit.time = time + step;
   });
 }
 REFUSED(fmi3EnterStepMode, "the unit has no event mode")

@@ -21,6 +21,7 @@ struct Variable {
   double start = 0;      ///< of inputs and parameters that are numbers
   std::string start_text = {};
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+  std::size_t part = 0; ///< of the unit: an output depends on the inputs of its own part only
 };
 
 /// The values of all variables by their value references; of each kind only those entries count that are of it.
@@ -33,7 +34,7 @@ struct Values {
   explicit Values(std::span<const Variable> variables);
 };
 
-/// Description of a unit.
+/// Description of a unit. All parts have as many real inputs, and as many real outputs.
 struct ModelInfo {
   std::string name, identifier, description;
   std::vector<Variable> variables;
@@ -49,8 +50,8 @@ public:
   /// Finds outputs and local variables. Throws Error for an input out of range. Takes no memory if the inputs are
   /// valid.
   virtual void evaluate(Values& values) = 0;
-  /// Derivatives of the real outputs (rows) by the real inputs (columns), both in the order of the table, row by row;
-  /// they last until the next call. Throws and takes no memory as evaluate.
+  /// Derivatives of the real outputs (rows) by the real inputs (columns) of the same part, both in the order of the
+  /// table, row by row, one part after another; they last until the next call. Throws and takes no memory as evaluate.
   virtual std::span<const double> differentiate(const Values& values) = 0;
 };
 

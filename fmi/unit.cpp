@@ -1,5 +1,7 @@
 #include "fmi/unit.hpp"
 
+#include "microslip/error.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
@@ -43,11 +45,18 @@ std::filesystem::path folder_of(const char* uri) {
 Unit::Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging)
     : values(info.variables), info_(std::move(info)), resources_(std::move(resources)), log_(std::move(log)),
       logging_(logging), model_(make_model(resources_)), place_(info_.variables.size()) {
-  std::size_t outputs = 0;
   for (std::size_t k = 0; k < place_.size(); ++k) {
     const Variable& v = info_.variables[k];
-    if (v.kind == Kind::real && v.causality == Causality::input) place_[k] = inputs_++;
-    if (v.kind == Kind::real && v.causality == Causality::output) place_[k] = outputs++;
+    if (v.part > 0 || v.kind != Kind::real) continue;
+    if (v.causality == Causality::input) ++inputs_;
+    if (v.causality == Causality::output) ++outputs_;
+  }
+  std::size_t inputs = 0, outputs = 0;
+  for (std::size_t k = 0; k < place_.size(); ++k) {
+    const Variable& v = info_.variables[k];
+    if (v.kind != Kind::real) continue;
+    if (v.causality == Causality::input) place_[k] = inputs++ % inputs_;
+    if (v.causality == Causality::output) place_[k] = outputs++ % outputs_;
   }
 }
 
@@ -67,6 +76,10 @@ void Unit::fail(const char* text) {
   log(Severity::error, text);
 }
 
+void Unit::discard(const char* text) {
+  log(Severity::warning, text);
+}
+
 void Unit::changed(Causality causality) {
   evaluated_ = false;
   if (causality == Causality::parameter) parameters_changed_ = true;
@@ -80,11 +93,17 @@ bool Unit::has_parameters_of(const Values& other) const {
   return true;
 }
 
+void Unit::apply_parameters() try {
+  for (const std::string& warning : model_->set_parameters(values)) log(Severity::warning, warning.c_str());
+} catch (const Error& error) {
+  throw std::runtime_error(error.what());
+}
+
 Model& Unit::model() {
   if (!parameters_changed_) return *model_;
   if (!applied_ || !has_parameters_of(*applied_)) {
     applied_.reset();
-    for (const std::string& warning : model_->set_parameters(values)) log(Severity::warning, warning.c_str());
+    apply_parameters();
     applied_ = values;
   }
   parameters_changed_ = false;
@@ -102,7 +121,9 @@ void Unit::differentiate() {
 }
 
 double Unit::derivative(ValueReference of, ValueReference by) const {
-  return derivatives_[place_[of] * inputs_ + place_[by]];
+  const std::size_t part = info_.variables[of].part;
+  if (info_.variables[by].part != part) return 0;
+  return derivatives_[(part * outputs_ + place_[of]) * inputs_ + place_[by]];
 }
 
 void Unit::reset() {

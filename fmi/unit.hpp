@@ -47,6 +47,8 @@ public:
   void set_logging(bool on) { logging_ = on; }
   /// Tells the importer and leaves the instance unusable until it is reset.
   void fail(const char* text);
+  /// Tells the importer that inputs are out of range: as before once they are others.
+  void discard(const char* text);
 
   /// A variable has been set: results are found when they are next asked for.
   void changed(Causality causality);
@@ -62,6 +64,8 @@ public:
 
 private:
   void log(Severity severity, const char* text) const;
+  /// Throws another exception than Error, which is for inputs.
+  void apply_parameters();
   /// The model with the parameters as they are now.
   Model& model();
   bool has_parameters_of(const Values& other) const;
@@ -71,9 +75,9 @@ private:
   Log log_;
   bool logging_;
   std::unique_ptr<Model> model_;
-  std::optional<Values> applied_;  ///< of which the model has the parameters
-  std::vector<std::size_t> place_; ///< of a real output or input among those
-  std::size_t inputs_ = 0;         ///< real ones
+  std::optional<Values> applied_;        ///< of which the model has the parameters
+  std::vector<std::size_t> place_;       ///< of a real output or input among those of its part
+  std::size_t inputs_ = 0, outputs_ = 0; ///< real ones of a part
   std::span<const double> derivatives_;
   bool parameters_changed_ = true, evaluated_ = false;
 };

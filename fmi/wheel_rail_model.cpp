@@ -1,13 +1,15 @@
-// A wheel on a rail as a unit. Parameters are the inputs of case files by their paths, inputs and results those of the
-// tables of quantities.
+// A wheel on a rail, or MICROSLIP_FMU_WHEELS of a vehicle, as a unit. Parameters are the inputs of case files by their
+// paths, inputs and results those of the tables of quantities.
 
 #include "fmi/model.hpp"
 #include "io/case_inputs.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/description/words.hpp"
 #include "microslip/error.hpp"
+#include "microslip/railway/rows/row_contact.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -23,6 +25,9 @@ using description::NamedInput;
 
 constexpr std::string_view kind_of_case = description::case_kinds[1];
 constexpr std::size_t patches_shown = MICROSLIP_FMU_PATCHES;
+/// Of a vehicle the wheels are left and right ones by turns.
+constexpr std::size_t wheels = MICROSLIP_FMU_WHEELS;
+constexpr bool is_vehicle = wheels > 1;
 /// Number of outputs of wheel_results(): forces, moments and height are outputs, since they have derivatives.
 constexpr std::size_t outputs = differentiated_results;
 
@@ -56,7 +61,7 @@ std::optional<double> start_number(const NamedInput& named) {
 bool is_parameter(const NamedInput& named) {
   const std::string_view section = named.input->section, path = named.path;
   if (named.input->is_state || named.input->is_in_list || section.empty() || section == "interior" ||
-      path.starts_with("right_"))
+      path.starts_with("right_") || (is_vehicle && path == "wheel.side"))
     return false;
   return is_text(named) || (named.input->kind != InputKind::numbers && start_number(named));
 }
@@ -95,8 +100,15 @@ void set(io::CaseInputs& inputs, const NamedInput& named, const Values& v, std::
     inputs.set(named.path, v.text[index]);
 }
 
-std::string numbered(std::size_t patch) {
-  return "patch[" + std::to_string(patch + 1) + "].";
+std::string numbered(const char* what, std::size_t k) {
+  return what + ("[" + std::to_string(k + 1) + "].");
+}
+/// Beginnings of names of a wheel's inputs and of its results: "state.", "wheel.", of a vehicle's "wheel[3].".
+std::string state_group(std::size_t wheel) {
+  return is_vehicle ? numbered("wheel", wheel) + "state." : "state.";
+}
+std::string result_group(std::size_t wheel) {
+  return is_vehicle ? numbered("wheel", wheel) : "wheel.";
 }
 
 /// A variable of a number of results, of a whole one if it is a code.
@@ -116,9 +128,26 @@ template <class Of> void store(Values& v, std::size_t index, const RailwayQuanti
     v.real[index] = value;
 }
 
+/// Number of variables of a wheel.
+std::size_t wheel_variables() {
+  return state_numbers + 1 + wheel_results().size() + 1 + patches_shown * patch_results().size();
+}
+
+/// The real inputs of a wheel: its state, and the vertical force.
+using Inputs = std::array<double, state_numbers + 1>;
+
+/// What was found last for a wheel, and for which inputs: only wheels whose inputs have changed are solved.
+struct Wheel {
+  std::optional<Inputs> solved, differentiated;
+  WheelRailSolution found;
+};
+
 class WheelRailModel final : public Model {
 public:
-  explicit WheelRailModel(const std::filesystem::path& resources) : folder_((resources / "parameters").string()) {}
+  explicit WheelRailModel(const std::filesystem::path& resources) : folder_((resources / "parameters").string()) {
+    for (Wheel& wheel : wheels_) wheel.found.patches.reserve(most_patches);
+    differentiated_.patches.reserve(most_patches);
+  }
 
   /// Reads the profiles, each of them once unless the parameters of its file change.
   std::vector<std::string> set_parameters(const Values& v) override {
@@ -126,90 +155,142 @@ public:
     for (std::size_t index = 0; index < parameters().size(); ++index) set(inputs, parameters()[index], v, index);
     inputs.set("wheel.forward_velocity", 0.0); // of some state
     inputs.set("wheel.vertical", 0.0);
-    solver_.reset();
-    const io::WheelRailCase input = io::read_wheel_rail_case(inputs.root(), tables_, &profiles_);
-    solver_.emplace(io::solver_of(input, input.method));
+    solvers_.clear();
+    for (Wheel& wheel : wheels_) wheel.solved.reset(), wheel.differentiated.reset();
+    std::vector<std::string> warnings;
+    for (const std::string_view side : {"left", "right"}) {
+      if (is_vehicle) inputs.set("wheel.side", std::string(side));
+      const io::WheelRailCase input = io::read_wheel_rail_case(inputs.root(), tables_, &profiles_);
+      solvers_.push_back(io::solver_of(input, input.method));
+      if (solvers_.size() == 1) warnings = warnings_of(input);
+      if (!is_vehicle) break;
+    }
+    return warnings;
+  }
+
+  void evaluate(Values& v) override {
+    for (std::size_t k = 0; k < wheels; ++k)
+      solve_if_new(v, k, wheels_[k].solved, [&](WheelRail& solver, const WheelState<double>& state, auto force) {
+        solver.solve(state, force, wheels_[k].found);
+      });
+    for (std::size_t k = 0; k < wheels; ++k) store_results(v, first_input(k) + state_numbers + 1, wheels_[k].found);
+  }
+
+  std::span<const double> differentiate(const Values& v) override {
+    for (std::size_t k = 0; k < wheels; ++k)
+      solve_if_new(v, k, wheels_[k].differentiated,
+                   [&](WheelRail& solver, const WheelState<double>& state, auto force) {
+                     solver.differentiate(state, force, differentiated_, by_inputs_);
+                     std::ranges::copy(by_inputs_.values, derivatives_.begin() + k * by_inputs_.values.size());
+                   });
+    return derivatives_;
+  }
+
+private:
+  static std::vector<std::string> warnings_of(const io::WheelRailCase& input) {
     std::vector<std::string> warnings;
     for (const auto& [path, profile] : {std::pair("rail.profile: ", &input.rail), {"wheelset.profile: ", &input.wheel}})
       for (const std::string& warning : profile->report.warnings) warnings.push_back(path + warning);
     return warnings;
   }
 
-  void evaluate(Values& v) override {
-    solver_->reset(); // as a function of the inputs alone
-    solver_->solve(state(v), vertical_force(v), found_);
-    std::size_t index = first_input_ + state_numbers + 1;
-    for (const WheelQuantity& q : wheel_results()) store(v, index++, q, q.value(found_));
-    v.integer[index++] = static_cast<int>(found_.status);
+  std::size_t first_input(std::size_t wheel) const { return parameters().size() + wheel * wheel_variables(); }
+
+  /// Solves a wheel as a function of its inputs alone, unless these are as they were.
+  template <class Solve>
+  void solve_if_new(const Values& v, std::size_t k, std::optional<Inputs>& solved, const Solve& solve) {
+    Inputs now;
+    std::copy_n(v.real.begin() + static_cast<std::ptrdiff_t>(first_input(k)), now.size(), now.begin());
+    if (solved == now) return;
+    solved.reset();
+    const WheelState<double> of_wheel = state(now, k);
+    const std::optional<double> force = vertical_force(now, k);
+    WheelRail& solver = solvers_[k % solvers_.size()];
+    solver.reset();
+    solve(solver, of_wheel, force);
+    solved = now;
+  }
+
+  static void store_results(Values& v, std::size_t index, const WheelRailSolution& found) {
+    for (const WheelQuantity& q : wheel_results()) store(v, index++, q, q.value(found));
+    v.integer[index++] = static_cast<int>(found.status);
     for (std::size_t k = 0; k < patches_shown; ++k)
       for (const PatchQuantity& q : patch_results())
-        store(v, index++, q, k < found_.patches.size() ? q.value(found_.patches[k]) : 0);
+        store(v, index++, q, k < found.patches.size() ? q.value(found.patches[k]) : 0);
   }
 
-  std::span<const double> differentiate(const Values& v) override {
-    solver_->reset();
-    solver_->differentiate(state(v), vertical_force(v), found_, derivatives_);
-    return derivatives_.values;
-  }
-
-private:
-  WheelState<double> state(const Values& v) const {
+  static WheelState<double> state(const Inputs& inputs, std::size_t wheel) {
     WheelState<double> state;
     for (std::size_t k = 0; k < state_numbers; ++k) {
       const StateQuantity& q = state_quantities()[k];
-      const double value = v.real[first_input_ + k];
-      if (!(std::abs(value) <= q.limit)) // makes the texts of errors only then
-        require_between("state." + std::string(q.name), value, std::string(q.unit), -q.limit, q.limit);
-      q.of(state) = value;
+      if (!(std::abs(inputs[k]) <= q.limit)) // makes the texts of errors only then
+        require_between(state_group(wheel) + std::string(q.name), inputs[k], std::string(q.unit), -q.limit, q.limit);
+      q.of(state) = inputs[k];
     }
     return state;
   }
 
-  std::optional<double> vertical_force(const Values& v) const {
-    const double force = v.real[first_input_ + state_numbers];
+  static std::optional<double> vertical_force(const Inputs& inputs, std::size_t wheel) {
+    const double force = inputs.back();
     if (force != 0 && !is_vertical_force(force))
-      require_between("state.vertical_force", force, "N", least_vertical_force, largest_vertical_force);
+      require_between(state_group(wheel) + "vertical_force", force, "N", least_vertical_force, largest_vertical_force);
     return force > 0 ? std::optional(force) : std::nullopt;
   }
 
   std::string folder_; ///< the file that the parameters would be in, beside the unit's ones
   io::CreepTables tables_;
   io::ProfileFiles profiles_;
-  std::optional<WheelRail> solver_;
-  std::size_t first_input_ = parameters().size();
-  WheelRailSolution found_;
-  WheelRailDerivatives derivatives_;
+  std::vector<WheelRail> solvers_; ///< of a vehicle for left and for right wheels
+  std::array<Wheel, wheels> wheels_;
+  WheelRailSolution differentiated_;
+  WheelRailDerivatives by_inputs_;
+  std::vector<double> derivatives_ = std::vector<double>(wheels * by_inputs_.values.size());
 };
 
 } // namespace
 
-ModelInfo model_info() {
-  ModelInfo info{.name = "microslip wheel on rail",
-                 .identifier = "microslip_wheel_rail",
-                 .description =
-                     "Forces of a rail on a wheel by their profiles: in track axes, x forward, y to the left, z "
-                     "up, moments about the wheel's centre",
-                 .variables = {}};
-  std::vector<Variable>& all = info.variables;
-  for (const NamedInput& named : parameters()) all.push_back(parameter(named));
+namespace {
+
+/// Adds the inputs and results of a wheel, a part of the unit.
+void add_wheel(std::size_t wheel, std::vector<Variable>& all) {
+  const std::size_t first = all.size();
   for (const StateQuantity& q : state_quantities())
-    all.push_back({.name = "state." + std::string(q.name),
+    all.push_back({.name = state_group(wheel) + std::string(q.name),
                    .description = std::string(q.description),
                    .unit = std::string(q.unit),
                    .min = -q.limit,
                    .max = q.limit});
   const WheelInput& force = vertical_force_input();
-  all.push_back({.name = "state." + std::string(force.name),
-                 .description = std::string(force.description) + "; 0: state.vertical counts",
+  all.push_back({.name = state_group(wheel) + std::string(force.name),
+                 .description = std::string(force.description) + "; 0: the height counts, state.vertical",
                  .unit = std::string(force.unit),
                  .start = 80e3,
                  .min = 0,
                  .max = largest_vertical_force});
   for (std::size_t k = 0; k < wheel_results().size(); ++k)
-    all.push_back(result("wheel.", wheel_results()[k], k < outputs ? Causality::output : Causality::local));
-  all.push_back({.name = "status", .description = status_codes, .kind = Kind::integer, .causality = Causality::output});
+    all.push_back(result(result_group(wheel), wheel_results()[k], k < outputs ? Causality::output : Causality::local));
+  all.push_back({.name = is_vehicle ? result_group(wheel) + "status" : "status",
+                 .description = status_codes,
+                 .kind = Kind::integer,
+                 .causality = Causality::output});
   for (std::size_t k = 0; k < patches_shown; ++k)
-    for (const PatchQuantity& q : patch_results()) all.push_back(result(numbered(k), q));
+    for (const PatchQuantity& q : patch_results())
+      all.push_back(result((is_vehicle ? result_group(wheel) : "") + numbered("patch", k), q));
+  for (std::size_t k = first; k < all.size(); ++k) all[k].part = wheel;
+}
+
+} // namespace
+
+ModelInfo model_info() {
+  ModelInfo info{.name = is_vehicle ? "microslip wheels of a vehicle" : "microslip wheel on rail",
+                 .identifier = is_vehicle ? "microslip_vehicle_wheels" : "microslip_wheel_rail",
+                 .description =
+                     std::string("Forces of a rail on a wheel by their profiles: in track axes, x forward, y to the "
+                                 "left, z up, moments about the wheel's centre") +
+                     (is_vehicle ? "; wheels 1, 3, 5 ... are left ones, 2, 4, 6 ... right ones" : ""),
+                 .variables = {}};
+  for (const NamedInput& named : parameters()) info.variables.push_back(parameter(named));
+  for (std::size_t wheel = 0; wheel < wheels; ++wheel) add_wheel(wheel, info.variables);
   return info;
 }
 

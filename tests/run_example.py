@@ -19,8 +19,8 @@ EXAMPLES = ROOT / "examples"
 NOT_THERE = 77
 PROFILES = ("{examples}/profiles/60e1.prr", "{examples}/profiles/s1002.prw")
 
-# What is no example by itself: parts of the programs beside them.
-PARTS = ("measured_friction.csv", "*/tests/*", "*/CMakeLists.txt", "*.hpp", "*/__pycache__/*")
+# What is no example by itself: parts of the programs beside them, and of other makers' programs.
+PARTS = ("measured_friction.csv", "*/tests/*", "*/CMakeLists.txt", "*.hpp", "*/__pycache__/*", "adapters/*")
 
 # What scripts and programs are given. {build}, {examples}: folders.
 ARGUMENTS = {

@@ -223,18 +223,35 @@ TEST(Fmu, TwoInstancesAtOnceAreIndependent) {
     two.expect_forces(law_two.evaluate(input_two));
   }
   EXPECT_EQ(two.set("spin", std::numeric_limits<double>::quiet_NaN()), fmi2OK);
-  EXPECT_EQ(two.step(0.05), fmi2Error);
+  EXPECT_EQ(two.step(0.05), fmi2Discard);
   EXPECT_EQ(two.messages.instance, "two");
   EXPECT_EQ(one.step(0.05), fmi2OK);
   EXPECT_EQ(one.messages.count, 0);
 }
 
-TEST(Fmu, AnErrorNamesTheVariableAndLastsUntilReset) {
+TEST(Fmu, AStepWithInputsOutOfRangeIsDiscarded) {
   Instance instance;
   instance.initialize();
+  ASSERT_EQ(instance.step(0), fmi2OK);
+  const double before = instance.get("fx");
   EXPECT_EQ(instance.set("friction", -1), fmi2OK);
-  EXPECT_EQ(instance.step(0), fmi2Error);
+  EXPECT_EQ(instance.step(1e-3), fmi2Discard);
   EXPECT_EQ(instance.messages.last, "friction = -1 [-]: must be in [0, 10]");
+  EXPECT_EQ(instance.messages.status, fmi2Warning);
+  EXPECT_EQ(instance.get("fx"), before);
+  double time = 0;
+  EXPECT_EQ(FMI(fmi2GetRealStatus)(instance.unit, fmi2LastSuccessfulTime, &time), fmi2OK);
+  EXPECT_EQ(time, 1e-3);
+  EXPECT_EQ(instance.set("friction", 0.3), fmi2OK);
+  EXPECT_EQ(instance.step(1e-3), fmi2OK);
+  EXPECT_EQ(instance.get("fx"), before);
+}
+
+TEST(Fmu, AnErrorLastsUntilReset) {
+  Instance instance;
+  instance.initialize();
+  EXPECT_EQ(instance.set("fx", 0), fmi2Error);
+  EXPECT_EQ(instance.messages.last, "an output cannot be set");
   EXPECT_EQ(instance.set("friction", 0.3), fmi2Error);
   EXPECT_EQ(instance.step(0), fmi2Error);
   EXPECT_EQ(FMI(fmi2Reset)(instance.unit), fmi2OK);

@@ -71,6 +71,7 @@ private:
       out.status = Status::not_converged, out.residual = std::numeric_limits<double>::quiet_NaN();
     }
     conclude(out, state.vertical, method.solved_tolerance());
+    if (out.status == Status::not_converged) contact.rows().height().reset(); // it is no start for the next state
     assess(bodies, limits, method.surface(), out);
     if (!theory.by_elements && !method.fields) out.fields.clear(); // they were there for wear
   }
