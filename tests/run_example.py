@@ -20,7 +20,7 @@ NOT_THERE = 77
 PROFILES = ("{examples}/profiles/60e1.prr", "{examples}/profiles/s1002.prw")
 
 # What is no example by itself: parts of the programs beside them, and of other makers' programs.
-PARTS = ("measured_friction.csv", "*/tests/*", "*/CMakeLists.txt", "*.hpp", "*/__pycache__/*", "adapters/*")
+PARTS = ("measured_friction.csv", "*/tests/*", "*/CMakeLists.txt", "*.hpp", "*.sed", "*/README.md", "*/__pycache__/*", "adapters/*")
 
 # What scripts and programs are given. {build}, {examples}: folders.
 ARGUMENTS = {
@@ -43,7 +43,9 @@ BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f
 
 # What a separate test runs, in a script that names the file; and what takes minutes, which the figures of a page run.
 ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
-             "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md"}
+             "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md",
+             "adapters/dytsi/critical_speed.cpp": "examples/adapters/dytsi/tests/bogies_test.sh",
+             "adapters/dytsi/plot.py": "docs/critical-speed.md"}
 
 # What is run before an example, for the files that it reads.
 BEFORE = {
