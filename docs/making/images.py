@@ -64,7 +64,7 @@ SOURCES = (
     Source("/usr/bin/python3 examples/wear/wear.py {folder} && /usr/bin/python3 examples/wear/plot.py {folder}",
            {"wear.png": "wear.png"}, slow=True),
     Source("tools/explorer && SCREENSHOTS={folder} sh explorer/tests/page.sh build/release/bin/microslip "
-           "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Contact_1400.png"}, slow=True),
+           "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Wheel_on_rail_1400.png"}, slow=True),
     study("model-problem", "model_problem.png"),
     study("fastsim2-table1", "fastsim2_figure3.png", slow=True),
     study("fastsim2-table2", "fastsim2_figure4.png", "fastsim2_figure5.png"),

@@ -1,8 +1,8 @@
 // States as case files for the program, and as Python.
 
-import { input } from "./description.ts";
-import { initialState, keysOf, stiffnesses, type ContactState, type More, type NipState, type RailState, type StartState, type Value, type Values } from "./state.ts";
-import { toSi } from "./units.ts";
+import { input, version } from "./description.ts";
+import { initialState, keysOf, stiffnesses, type ContactState, type More, type NipState, type RailState, type StartState, type Value, type Values, type View } from "./state.ts";
+import { fromSi, shownUnit, toSi } from "./units.ts";
 
 type Entries = Record<string, Value>;
 
@@ -27,6 +27,21 @@ export function toToml(title: string, entries: Entries): string {
     sections.get(section)!.push(`${key} = ${word(value)}`);
   }
   return `title = ${JSON.stringify(title)}\n` + [...sections].map(([name, lines]) => `\n${header(name)}\n${lines.join("\n")}\n`).join("");
+}
+
+/** A case for people: numbers in the units of the page where that changes no digit of them, and where it is from. */
+export function forPeople(view: View, toml: string): string {
+  let section = "";
+  const lines = toml.split("\n").map((line) => {
+    const [, list, table] = /^(\[)?\[(.*?)\]\]?$/.exec(line) ?? [];
+    if (table) section = list ? `${table}.1` : table;
+    const [, key, number] = /^(\w+) = (-?[\d.]+(?:e[+-]?\d+)?)$/.exec(line) ?? [];
+    const si = key && section ? input(view, `${section}.${key}`).unit : undefined;
+    if (!key || !si || si === "-") return line;
+    const value = Number(number), unit = shownUnit(si), shown = Number(fromSi(value, si, unit).toPrecision(15));
+    return toSi(shown, si, unit) === value ? `${key} = "${String(shown)} ${unit}"` : `${line}  # ${si}`;
+  });
+  return `# From microslip's explorer, version ${version()}. Numbers without a unit are in SI.\n${lines.join("\n")}`;
 }
 
 /** Both bodies of one material. */
@@ -65,10 +80,10 @@ export function moreInWords(more: More): string {
   return all.length ? `Of the case file, in SI: ${all.join("; ")}.` : "";
 }
 
-export function railCase(state: RailState, theory: "exact" | "fastsim2"): string {
+export function railCase(state: RailState, theory: "exact" | "fastsim2", side: "left" | "right" = "left"): string {
   const shape: Entries = theory === "exact" && state.shape !== "true" ? { "solution.shape": state.shape } : {};
   return toToml(`${state.profiles.wheel} on ${state.profiles.rail}`, {
-    ...state.values, ...state.more, "rail.profile": state.profiles.rail, "wheelset.profile": state.profiles.wheel, "wheel.side": "left",
+    ...state.values, ...state.more, "rail.profile": state.profiles.rail, "wheelset.profile": state.profiles.wheel, "wheel.side": side,
     "solution.theory": theory, ...shape,
   });
 }

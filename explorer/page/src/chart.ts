@@ -2,12 +2,25 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { token } from "./colours.ts";
 import { element } from "./elements.ts";
 
+/** `colour`: a variable of the style sheet. */
 export interface Curve { name: string; colour: string; values: (number | null)[]; dash?: number[]; points?: boolean }
 /** A part of the x-axis with a colour of its own, behind the curves. */
 export interface Band { from: number; to: number; colour: string }
-export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number; bands?: Band[] }
+/** Points that are no curve, at places of their own. */
+export interface Scatter { name: string; colour: string; x: number[]; y: number[] }
+export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number; bands?: Band[]; scatter?: Scatter[] }
+
+/** Curves and points on the places of all of them. */
+function alignedData({ x, curves, scatter }: ChartContent): uPlot.AlignedData {
+  if (!scatter?.length) return [x, ...curves.map(({ values }) => values)];
+  const rows = [...x.map((at, k) => ({ at, values: [...curves.map(({ values }) => values[k] ?? null), ...scatter.map(() => null)] })),
+    ...scatter.flatMap((of, s) => of.x.map((at, k) => ({ at, values: [...curves.map(() => null), ...scatter.map((_, other) => (other === s ? of.y[k]! : null))] })))];
+  rows.sort((one, other) => one.at - other.at);
+  return [rows.map(({ at }) => at), ...[...curves, ...scatter].map((_, i) => rows.map(({ values }) => values[i] ?? null))];
+}
 
 /** A chart that is redrawn in place while the names of its curves and axes stay. */
 export class Chart {
@@ -29,8 +42,8 @@ export class Chart {
   draw(content: ChartContent, remark = ""): void {
     this.#content = content;
     this.#remark.textContent = remark;
-    const data = [content.x, ...content.curves.map((curve) => curve.values)] as uPlot.AlignedData;
-    const drawn = JSON.stringify([content.xLabel, content.yLabel, content.curves.map(({ name, colour }) => [name, colour])]);
+    const data = alignedData(content);
+    const drawn = JSON.stringify([content.xLabel, content.yLabel, [...content.curves, ...(content.scatter ?? [])].map(({ name, colour }) => [name, token(colour)])]);
     if (this.#plot && drawn === this.#drawn) this.#plot.setData(data);
     else this.#make(content, data);
     this.#drawn = drawn;
@@ -46,9 +59,7 @@ export class Chart {
 
   #make(content: ChartContent, data: uPlot.AlignedData): void {
     this.#plot?.destroy();
-    const ink = getComputedStyle(document.body).getPropertyValue("--ink").trim();
-    const faint = getComputedStyle(document.body).getPropertyValue("--faint").trim();
-    const axis = { stroke: ink, grid: { stroke: faint, width: 1 }, ticks: { stroke: faint, width: 1 } };
+    const faint = token("--line"), axis = { stroke: token("--ink2"), font: "11px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif", grid: { stroke: faint, width: 1 }, ticks: { stroke: faint, width: 1 } };
     this.#plot = new uPlot({
       width: Math.max(this.root.clientWidth, 200),
       height: this.height,
@@ -57,8 +68,9 @@ export class Chart {
       series: [
         { label: content.xLabel },
         ...content.curves.map(({ name, colour, dash, points }) => ({
-          label: name, stroke: colour, width: 2, ...(dash ? { dash } : {}), points: { show: points ?? false },
+          label: name, stroke: token(colour), width: 2.2, ...(dash ? { dash } : {}), points: { show: points ?? false }, spanGaps: content.scatter !== undefined,
         })),
+        ...(content.scatter ?? []).map(({ name, colour }) => ({ label: name, stroke: token(colour), width: 0, paths: () => null, points: { show: true, size: 7, width: 1.4, fill: token("--panel") } })),
       ],
       axes: [{ ...axis, label: content.xLabel, size: 44, labelSize: 18 }, { ...axis, label: content.yLabel, size: 60, labelSize: 18 }],
       hooks: { drawClear: [(plot) => { this.#fillBands(plot); }], draw: [(plot) => { this.#markPresent(plot); }] },
@@ -68,10 +80,9 @@ export class Chart {
   #fillBands(plot: uPlot): void {
     const { top, height } = plot.bbox;
     plot.ctx.save();
-    plot.ctx.globalAlpha = 0.4;
-    for (const { from, to, colour } of this.#content?.bands ?? []) {
+        for (const { from, to, colour } of this.#content?.bands ?? []) {
       const [left, right] = [plot.valToPos(from, "x", true), plot.valToPos(to, "x", true)];
-      plot.ctx.fillStyle = colour;
+      plot.ctx.fillStyle = token(colour);
       plot.ctx.fillRect(left, top, right - left, height);
     }
     plot.ctx.restore();
@@ -83,20 +94,45 @@ export class Chart {
     const { left, top, height, width } = plot.bbox, x = plot.valToPos(present, "x", true);
     if (x < left || x > left + width) return;
     plot.ctx.save();
-    plot.ctx.strokeStyle = getComputedStyle(document.body).getPropertyValue("--ink").trim();
-    plot.ctx.setLineDash([3, 4]);
+    plot.ctx.strokeStyle = token("--ui");
+    plot.ctx.lineWidth = 1.5 * devicePixelRatio;
+    plot.ctx.setLineDash([4, 4]);
     plot.ctx.beginPath();
     plot.ctx.moveTo(x, top);
     plot.ctx.lineTo(x, top + height);
     plot.ctx.stroke();
+    plot.ctx.setLineDash([]);
+    this.#markPoint(plot, present, x);
     plot.ctx.restore();
+  }
+
+  /** The present point of the first curve, with its value. */
+  #markPoint(plot: uPlot, present: number, x: number): void {
+    const { x: xs, curves } = this.#content!, values = curves[0]?.values ?? [], i = xs.findIndex((at) => at >= present), { left, width } = plot.bbox;
+    const [low, high] = [values[i - 1], values[i]];
+    if (typeof low !== "number" || typeof high !== "number") return;
+    const value = low + ((present - xs[i - 1]!) / (xs[i]! - xs[i - 1]!)) * (high - low), y = plot.valToPos(value, "y", true), { ctx } = plot;
+    ctx.beginPath();
+    ctx.arc(x, y, 5 * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.fillStyle = token("--panel");
+    ctx.fill();
+    ctx.lineWidth = 2.4 * devicePixelRatio;
+    ctx.stroke();
+    ctx.font = `650 ${String(12 * devicePixelRatio)}px system-ui, sans-serif`;
+    ctx.textAlign = x > left + 0.6 * width ? "right" : "left";
+    ctx.fillStyle = token("--ink");
+    ctx.strokeStyle = token("--panel");
+    ctx.lineWidth = 4 * devicePixelRatio;
+    const words = `now: ${String(Number(value.toPrecision(3))).replace("-", "−")}`, beside = x + (ctx.textAlign === "right" ? -10 : 10) * devicePixelRatio;
+    ctx.strokeText(words, beside, y - 9 * devicePixelRatio);
+    ctx.fillText(words, beside, y - 9 * devicePixelRatio);
   }
 
   /** What is drawn, as comma-separated columns. */
   csv(): string {
     if (!this.#content) return "";
-    const { x, xLabel, curves } = this.#content;
-    const head = [xLabel, ...curves.map(({ name }) => name)].map((name) => `"${name}"`).join(",");
+    const { x, xLabel, yLabel, curves } = this.#content;
+    const head = [xLabel, ...curves.map(({ name }) => `${name}: ${yLabel}`)].map((name) => `"${name}"`).join(",");
     return [head, ...x.map((at, i) => [at, ...curves.map(({ values }) => values[i] ?? "")].join(","))].join("\n") + "\n";
   }
 

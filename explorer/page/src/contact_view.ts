@@ -1,14 +1,19 @@
 // A contact of two bodies by their radii or by its ellipse: tractions, slip, creep curves, stresses, by three theories side by side.
 
-import { contactCase, moreInWords, toPython } from "./case_text.ts";
-import { Chart, type Curve } from "./chart.ts";
+import { contactCase, forPeople, moreInWords, toPython } from "./case_text.ts";
+import { Chart, type Curve, type Scatter } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
 import { help, input, output } from "./description.ts";
-import { button, element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
-import { clearMap, drawMap, rowHeight, yAt, type MapContent } from "./field_map.ts";
+import { clearCanvas } from "./canvas.ts";
+import { contactValuesAt, drawContact, drawStress, type ContactLayout, type ContactScene } from "./contact_picture.ts";
+import { button, card, controlsOf, element, fillKeys, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Row } from "./elements.ts";
+import { rowHeight, type Shown } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
+import { readPoints, type MeasuredPoints } from "./measured_points.ts";
+import { presetButtons } from "./presets.ts";
+import { sheetsOf, type Sheet } from "./sheet.ts";
 import { keysOf, laws, type ContactState, type Values } from "./state.ts";
 import { digits, shownUnit, show } from "./units.ts";
 
@@ -37,20 +42,20 @@ const theories: Record<Theory, { name: string; colour: string }> = {
 };
 
 const groups: Record<string, FieldSpec[]> = {
-  Load: [{ key: "load.normal_force", label: "normal force", from: 5, to: 200, step: 1 }],
-  Creepages: [
-    { key: "motion.creepage_longitudinal", label: "longitudinal", unit: "%", from: -1, to: 1, step: 0.005 },
-    { key: "motion.creepage_lateral", label: "lateral", unit: "%", from: -1, to: 1, step: 0.005 },
-    { key: "motion.spin", label: "spin", from: -3, to: 3, step: 0.02 },
-    { key: "motion.rolling_speed", label: "rolling speed", from: 1, to: 400, step: 1 },
+  "How the wheel moves on the rail": [
+    { key: "motion.creepage_longitudinal", label: "Braking", unit: "%", from: -1, to: 1, step: 0.005, ends: ["1 driving", "1 braking"] },
+    { key: "motion.creepage_lateral", label: "Drifting sideways", unit: "%", from: -1, to: 1, step: 0.005, ends: ["1 right", "1 left"] },
+    { key: "motion.spin", label: "Twisting (spin)", from: -3, to: 3, step: 0.02, ends: ["3 right", "3 left"] },
+    { key: "motion.rolling_speed", label: "Speed", from: 1, to: 400, step: 1 },
   ],
-  Bodies: [
-    { key: "ellipse.a", label: "half length a, in rolling", from: 0.5, to: 15, step: 0.05 },
-    { key: "ellipse.b", label: "half width b, across", from: 0.5, to: 15, step: 0.05 },
-    { key: "body1.rolling_radius", label: "upper body, in rolling", from: 20, to: 1000, step: 5 },
-    { key: "body1.transverse_radius", label: "upper body, across" },
-    { key: "body2.rolling_radius", label: "lower body, in rolling" },
-    { key: "body2.transverse_radius", label: "lower body, across", from: 20, to: 1000, step: 5 },
+  "Load and friction": [{ key: "load.normal_force", label: "Load", from: 5, to: 200, step: 1 }],
+  "Shapes where they touch": [
+    { key: "ellipse.a", label: "Half length, along", from: 0.5, to: 15, step: 0.05 },
+    { key: "ellipse.b", label: "Half width, across", from: 0.5, to: 15, step: 0.05 },
+    { key: "body1.rolling_radius", label: "Wheel radius", from: 20, to: 1000, step: 5 },
+    { key: "body1.transverse_radius", label: "Wheel, radius across" },
+    { key: "body2.rolling_radius", label: "Rail, radius along" },
+    { key: "body2.transverse_radius", label: "Rail head radius, across", from: 20, to: 1000, step: 5 },
   ],
   Material: [
     { key: "body1.young_modulus", label: "Young's modulus", from: 1, to: 400, step: 1 },
@@ -73,15 +78,15 @@ function onFlat({ rolling_radius, transverse_radius }: Radii): Values {
   };
 }
 const frictionFields: FieldSpec[] = [
-  { key: "friction.coefficient", label: "coefficient", from: 0.05, to: 0.8, step: 0.01 },
-  { key: "friction.kinetic_coefficient", label: "at large slip", from: 0.02, to: 0.6, step: 0.01 },
-  { key: "friction.drop", label: "drop", to: 0.4, step: 0.01 },
-  { key: "friction.half_velocity", label: "half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
-  { key: "friction.second_drop", label: "second drop", to: 0.4, step: 0.01 },
-  { key: "friction.second_half_velocity", label: "half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
-  { key: "friction.static_coefficient", label: "at rest", from: 0.05, to: 0.8, step: 0.01 },
-  { key: "friction.ratio", label: "share at large slip", step: 0.01 },
-  { key: "friction.decay", label: "decay", to: 2, step: 0.01 },
+  { key: "friction.coefficient", label: "Friction coefficient", from: 0.05, to: 0.8, step: 0.01 },
+  { key: "friction.kinetic_coefficient", label: "At large slip", from: 0.02, to: 0.6, step: 0.01 },
+  { key: "friction.drop", label: "Drop", to: 0.4, step: 0.01 },
+  { key: "friction.half_velocity", label: "Half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
+  { key: "friction.second_drop", label: "Second drop", to: 0.4, step: 0.01 },
+  { key: "friction.second_half_velocity", label: "Half of it at", unit: "m/s", from: 0.05, to: 5, step: 0.05 },
+  { key: "friction.static_coefficient", label: "At rest", from: 0.05, to: 0.8, step: 0.01 },
+  { key: "friction.ratio", label: "Share at large slip", step: 0.01 },
+  { key: "friction.decay", label: "Decay", to: 2, step: 0.01 },
 ];
 
 export class ContactView {
@@ -89,6 +94,9 @@ export class ContactView {
   readonly #form = new Form("contact", this.root);
   readonly map = element("canvas", { class: "map", role: "img", tabindex: "0" });
   readonly #stress = element("canvas", { class: "map small", role: "img" });
+  readonly #lead = element("p");
+  readonly #keys = element("dl", { class: "panel keys" });
+  readonly #hover = element("p", { class: "time" });
   readonly #numbers = element("table", { class: "numbers" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #more = element("p", { class: "hint" });
@@ -96,7 +104,8 @@ export class ContactView {
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
   readonly #radiiFound = element("p", { class: "hint", role: "status" });
-  readonly #cutChart: Chart;
+  readonly #pointsMessage = element("p", { class: "hint", role: "status" });
+  #points: MeasuredPoints | undefined;
   readonly #curveChart: Chart;
   readonly #choices: { set: (state: ContactState) => void }[] = [];
   #solved: SolveResult | undefined;
@@ -105,32 +114,33 @@ export class ContactView {
   #remarksOf: Partial<Record<Theory, string[]>> = {};
   #interior: Record<string, number[]> | undefined;
   #hasTable = false;
-  #drawn: MapContent | undefined;
+  #frame = 0;
+  readonly #sheetsOf = new WeakMap<SurfaceFields, Sheet[]>();
+  #layout: ContactLayout | undefined;
+  #scene: ContactScene | undefined;
+  #grabbed: "along" | "across" | undefined;
+  #keyNumbers: KeyNumber[] = [];
+  #frozen: { keys: KeyNumber[]; sheets: Sheet[] } | undefined;
   #curves: Partial<Record<Theory, CurveResult>> = {};
   #curveRemarks: string[] = [];
   #curveRun = 0; // of runs that overtake each other the last one draws
   #later = 0;
 
   constructor(readonly core: Core, public state: ContactState, readonly changed: () => void) {
-    const cut = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
-    this.#cutChart = new Chart(cut);
-    this.#curveChart = new Chart(curve);
+    const curve = element("div", { class: "chart" });
+    this.#curveChart = new Chart(curve, 240);
     this.root.append(
-      element("div", { class: "controls" }, ...this.#controls()),
-      element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, ...this.#mapChoices(), this.map, this.#form.message, this.#remarks, this.#time),
-        element("div", { class: "panel" }, element("h3", {}, "Forces on the upper body"), this.#numbers, this.#tableButton(), this.#spoken),
-        element("div", { class: "panel" }, element("h3", {}, "Along the dashed cut"), cut),
-        element("div", { class: "panel" }, element("h3", {}, "Creep curves"), this.#variableChoice(), curve),
-        element("div", { class: "panel" }, element("h3", {}, "Stresses in the lower body, below y = 0"), this.#stressChoice(), this.#stress, this.#stressMessage)));
-    this.map.addEventListener("pointerdown", (event) => { this.#moveCut(event); });
-    this.map.addEventListener("pointermove", (event) => { if (event.buttons) this.#moveCut(event); });
-    this.map.addEventListener("keydown", (event) => {
-      const by = { ArrowUp: 0.05, ArrowDown: -0.05 }[event.key];
-      if (by === undefined) return;
-      event.preventDefault();
-      this.#setCut(this.state.cut + by);
-    });
+      titleOf("Inside the contact: where the wheel sticks and where it slides", this.#lead),
+      controlsOf(this.#controls()),
+      element("div", { class: "pictures contact" },
+        this.#keys,
+        element("div", { class: "column" },
+          element("div", { class: "panel main pinned" }, ...this.#mapChoices(), this.map, this.#hover, this.#form.message, this.#remarks, this.#time),
+          card("", "Stresses in the lower body, below y = 0", "How hard the rail is strained inside", this.#stressChoice(), this.#stress, this.#stressMessage)),
+        element("div", { class: "column" },
+          card("", "Forces on the upper body, the wheel", "Negative: against the rolling direction, or to the right.", this.#numbers, this.#tableButton(), this.#spoken),
+          card("", "Creep curves", "Force over one part of the motion, all else as now", this.#variableChoice(), curve, this.#pointsChoice(), this.#pointsMessage))));
+    this.#listen();
   }
 
   /** Takes over another state, as from a link; `solve` is the next step. */
@@ -158,8 +168,8 @@ export class ContactView {
 
   exports(): Record<string, () => void> {
     return {
-      "case as TOML": () => { save("contact.toml", contactCase(this.state, this.state.theory)); },
-      "case as Python": () => { save("contact.py", toPython(contactCase(this.state, this.state.theory))); },
+      "case as TOML": () => { save("contact.toml", forPeople("contact", contactCase(this.state, this.state.theory))); },
+      "case as Python": () => { save("contact.py", toPython(forPeople("contact", contactCase(this.state, this.state.theory)))); },
       "tractions as CSV": () => { save("tractions.csv", this.#fieldsCsv(), "text/csv"); },
       "creep curves as CSV": () => { save("creep_curves.csv", this.#curveChart.csv(), "text/csv"); },
       "picture as PNG": () => { this.map.toBlob((blob) => { if (blob) save("contact.png", blob); }); },
@@ -173,7 +183,7 @@ export class ContactView {
       this.changed();
     }).root;
     const group = (name: string, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
-    const law = new Choice("law", laws(), this.state.law, (value) => {
+    const law = new Choice("Friction law", laws(), this.state.law, (value) => {
       this.state.law = value;
       this.#showFields();
       this.solve();
@@ -182,11 +192,11 @@ export class ContactView {
     this.#choices.push({ set: (state) => { law.set(state.law); } });
     const given = new Choice("given by", { radii: "radii", ellipse: "its ellipse" }, this.state.given, (way) => { this.#give(way as ContactState["given"]); });
     this.#choices.push({ set: (state) => { given.set(state.given); } });
-    const all = Object.entries(groups).map(([name, specs]) =>
-      name === "Bodies" ? group(name, given.root, ...specs.map(made), this.#radiiFound) : group(name, ...specs.map(made)));
-    all.splice(2, 0, group("Friction", law.root, ...frictionFields.map(made)));
+    const more: Record<string, Node[]> = { "Load and friction": [law.root, ...frictionFields.map(made)] }, first: Record<string, Node[]> = { "Shapes where they touch": [given.root] };
+    const last: Record<string, Node[]> = { "Shapes where they touch": [this.#radiiFound] };
+    const all = Object.entries(groups).map(([name, specs]) => group(name, ...(first[name] ?? []), ...specs.map(made), ...(more[name] ?? []), ...(last[name] ?? [])));
     this.#showFields();
-    return [...all, this.#more];
+    return [presetButtons(), ...all, this.#more];
   }
 
   #showFields(): void {
@@ -212,17 +222,51 @@ export class ContactView {
 
   #mapChoices(): HTMLElement[] {
     const redraw = () => { this.draw(); };
-    const shown = {
-      tractions: "tractions over the bound", "adhesion and slip": "adhesion and slip", slip: "slip", pressure: "pressure",
-      px: "traction px", py: "traction py",
+    const shown: Record<ContactState["shown"], string> = {
+      friction: "friction force per area [MPa]", used: "how much of the friction is used [%]", "adhesion and slip": "where it sticks and where it slides",
+      pressure: "pressure [MPa]", slip: "sliding per distance rolled [%]", px: "friction along, px [MPa]", py: "friction across, py [MPa]",
     };
-    return [element("div", { class: "choices" }, this.#choice("shown", "shown", shown, redraw),
-                    this.#choice("theory", "theory", { exact: "exact", fastsim2: "FASTSIM2" }, redraw))];
+    return [element("div", { class: "choices" }, this.#choice("Show", "shown", shown, redraw),
+                    this.#choice("Theory", "theory", { exact: "exact", fastsim2: "quick: FASTSIM2" }, redraw))];
   }
 
   #variableChoice(): HTMLElement {
     const words = Object.fromEntries(variables.map((name) => [name, labelOf(name)])) as Record<Variable, string>;
     return this.#choice("over", "variable", words, () => { this.#solveRest(); });
+  }
+
+  /** Measured points, which are drawn with the curves and stay on this machine. */
+  #pointsChoice(): HTMLElement {
+    const file = element("input", { type: "file", id: "file-points" });
+    file.addEventListener("change", () => {
+      const [given] = file.files ?? [];
+      if (given) void given.text().then((text) => { this.#takePoints(given.name, text); });
+    });
+    return element("span", { class: "file" }, file, element("label", { for: "file-points" }, "Add measured points (CSV) …"));
+  }
+
+  #takePoints(name: string, text: string): void {
+    try {
+      const { creepages, forces, variable } = this.#points = readPoints(text, this.state.values["load.normal_force"]!);
+      const largest = Math.max(...creepages.map(Math.abs)), most = Math.max(...forces.map(Math.abs));
+      this.#pointsMessage.textContent = `${name}: ${String(creepages.length)} points up to ${digits(100 * largest)} % and ${digits(most / 1e3)} kN. Fit them with microslip fit.`;
+      this.state.variable = variable;
+      for (const choice of this.#choices) choice.set(this.state);
+      this.#solveRest();
+      this.changed();
+    } catch (error) {
+      this.#pointsMessage.textContent = `${name} ${error instanceof Error ? error.message : String(error)}.`;
+    }
+  }
+
+  /** Measured points of the variable that is shown, a set for each run. */
+  #scatter(scale: number, size: number): Scatter[] {
+    const points = this.#points, tokens = ["--accent1", "--accent2", "--accent3"];
+    if (!points || points.variable !== this.state.variable) return [];
+    return [...new Set(points.runs)].map((run, i) => {
+      const of = points.runs.flatMap((other, k) => (other === run ? [k] : []));
+      return { name: run ? `measured, ${run}` : "measured", colour: tokens[i % tokens.length]!, x: of.map((k) => points.creepages[k]! * scale), y: of.map((k) => points.forces[k]! / size) };
+    });
   }
 
   #stressChoice(): HTMLElement {
@@ -306,7 +350,8 @@ export class ContactView {
 
   async #askCurves(): Promise<void> {
     const { variable } = this.state, present = this.state.values[`motion.${variable}`]!;
-    const reach = variable === "spin" ? Math.max(1, 1.2 * Math.abs(present)) : Math.max(0.005, 1.2 * Math.abs(present));
+    const measured = this.#points?.variable === variable ? Math.max(...this.#points.creepages.map(Math.abs)) : 0;
+    const reach = variable === "spin" ? Math.max(1, 1.2 * Math.abs(present)) : Math.max(0.005, 1.2 * Math.abs(present), 1.05 * measured);
     const wanted: Theory[] = ["fastsim2", ...(this.#hasTable ? (["table"] as const) : []), "exact"], run = ++this.#curveRun;
     const found: Partial<Record<Theory, CurveResult>> = {}, remarks: string[] = [];
     for (const theory of wanted) {
@@ -322,19 +367,20 @@ export class ContactView {
   }
 
   #drawCurves(present: number): void {
+    const { name: forceName, size } = this.#forceUnit;
     const { variable } = this.state, scale = variable === "spin" ? 1 : 100;
     const force = { creepage_longitudinal: "fx", creepage_lateral: "fy", spin: "fy" }[variable] as "fx" | "fy";
     const curves: Curve[] = [];
     for (const theory of ["exact", "fastsim2", "table"] as const) {
       const found = this.#curves[theory], { name, colour } = theories[theory];
-      if (found) curves.push({ name, colour, values: found[force].map((value, i) => (found.status[i] === "ok" ? value / 1e3 : null)), ...(theory === "exact" ? {} : { dash: [7, 4] }) });
+      if (found) curves.push({ name, colour, values: found[force].map((value, i) => (found.status[i] === "ok" ? value / size : null)), ...(theory === "exact" ? {} : { dash: [7, 4] }) });
     }
     const first = Object.values(this.#curves)[0];
     if (!first) { this.#curveChart.refuse(this.#curveRemarks.join(" ")); return; }
     const unit = variable === "spin" ? "1/m" : "%";
     this.#curveChart.draw({
-      x: first.value.map((value) => value * scale), xLabel: `${labelOf(variable)} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [kN]`,
-      curves, present: present * scale,
+      x: first.value.map((value) => value * scale), xLabel: `${labelOf(variable)} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [${forceName}]`,
+      curves, present: present * scale, ...(this.#points ? { scatter: this.#scatter(scale, size) } : {}),
     }, this.#curveRemarks.join(" "));
   }
 
@@ -354,58 +400,75 @@ export class ContactView {
 
   #drawStress(): void {
     const interior = this.#interior;
-    if (!interior) { clearMap(this.#stress, "no stresses"); return; }
-    const { x, z } = interior as { x: number[]; z: number[] }, { stress } = this.state;
-    const cells = {
-      x: z.flatMap(() => x), y: z.flatMap((depth) => x.map(() => depth)), width: z.flatMap(() => x.map(() => x[1]! - x[0]!)),
-      height: Math.abs(z[1]! - z[0]!), state: z.flatMap(() => x.map(() => 1)),
-    };
-    drawMap(this.#stress, { cells, colour: { values: interior[stress]!, unit: "MPa", scale: 1e-6, signed: stress !== "von_mises" } });
-    const largest = Math.max(...interior[stress]!.map(Math.abs));
-    this.#stress.setAttribute("aria-label", `stress ${stress} below the contact, up to ${digits(largest * 1e-6)} MPa`);
+    if (!interior || !this.#solved) { clearCanvas(this.#stress, "no stresses"); return; }
+    const { x, z } = interior as { x: number[]; z: number[] }, { stress } = this.state, isSigned = stress !== "von_mises";
+    const { sizes, signed } = colours.ramps(), values = interior[stress]!;
+    drawStress(this.#stress, { x, z, values, isSigned, a: this.#solved.hertz.a }, (t) => colours.of(isSigned ? signed : sizes, t));
+    this.#stress.setAttribute("aria-label", `stress ${stress} below the contact, up to ${digits(Math.max(...values.map(Math.abs)) * 1e-6)} MPa`);
   }
 
+  /** Keeps what is shown as state A, or no longer. */
+  freeze(isKept: boolean): void {
+    this.#frozen = isKept && this.#scene ? { keys: this.#keyNumbers, sheets: this.#scene.sheets } : undefined;
+    this.draw();
+  }
+
+  #sheets(theory: Theory): Sheet[] | undefined {
+    const solved = this.#solved, f = solved?.[theory]?.fields;
+    if (!f) return undefined;
+    const known = this.#sheetsOf.get(f) ?? sheetsOf({ ...f, pressure: f.pressure ?? f.bound }, rowHeight(f.y), solved.hertz);
+    this.#sheetsOf.set(f, known);
+    return known;
+  }
+
+  /** Once a frame, whatever has changed since the last one. */
   draw(): void {
-    const solved = this.#solved;
-    const theory = solved?.[this.state.theory] ?? solved?.fastsim2, f = theory?.fields;
-    if (!solved || !theory || !f) return;
-    const pressure = f.pressure ?? f.bound;
-    const size = (x: number[], y: number[]) => x.map((value, k) => Math.hypot(value, y[k]!));
-    const colour: Record<ContactState["shown"], MapContent["colour"]> = {
-      tractions: { values: f.bound, unit: "MPa bound", scale: 1e-6, signed: false },
-      "adhesion and slip": "state",
-      slip: { values: size(f.sx, f.sy), unit: "% slip", scale: 100, signed: false },
-      pressure: { values: pressure, unit: f.pressure ? "MPa" : "MPa bound", scale: 1e-6, signed: false },
-      px: { values: f.px, unit: "MPa", scale: 1e-6, signed: true },
-      py: { values: f.py, unit: "MPa", scale: 1e-6, signed: true },
-    };
+    cancelAnimationFrame(this.#frame);
+    this.#frame = requestAnimationFrame(() => { this.#drawNow(); });
+  }
+
+  #drawNow(): void {
+    const solved = this.#solved, { state } = this;
+    if (!solved) return;
+    const isExact = state.theory === "exact" && solved.exact !== undefined, sheets = this.#sheets(isExact ? "exact" : "fastsim2");
+    if (!sheets) return;
     const { a, b } = solved.hertz;
-    const arrows = this.state.shown === "slip" ? { x: f.sx, y: f.sy } : { x: f.px, y: f.py };
-    this.#drawn = {
-      cells: { ...f, height: rowHeight(f.y) }, colour: colour[this.state.shown], outline: { a, b }, cutAt: this.state.cut * b,
-      ...(["pressure", "px", "py"].includes(this.state.shown) ? {} : { arrows: { ...arrows, longest: Math.max(...size(arrows.x, arrows.y), 1e-30) } }),
+    this.#scene = {
+      sheets, other: this.#sheets(isExact ? "fastsim2" : "exact"), isExact, compared: this.#frozen?.sheets, ellipse: { a, b }, shown: state.shown as Shown,
+      cut: { x: state.across * a, y: state.cut * b },
     };
-    drawMap(this.map, this.#drawn);
-    this.#drawCut(f, b);
+    this.#drawScene();
     this.#drawStress();
     this.#showNumbers();
+    this.#showKeys(solved, solved[isExact ? "exact" : "fastsim2"]!);
   }
 
-  #drawCut(f: SurfaceFields, b: number): void {
-    const wanted = this.state.cut * b;
-    let row = Infinity;
-    for (const y of f.y) if (Math.abs(y - wanted) < Math.abs(row - wanted)) row = y;
-    const at = f.y.flatMap((y, k) => (y === row && f.state[k] !== 0 ? [k] : [])).sort((one, other) => f.x[one]! - f.x[other]!);
-    const mega = (values: number[]) => at.map((k) => values[k]! / 1e6);
-    this.#cutChart.draw({
-      x: at.map((k) => f.x[k]! * 1e3), xLabel: "x [mm]", yLabel: "MPa",
-      curves: [
-        { name: "bound", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
-        { name: "|p|", colour: colours.exact, values: at.map((k) => Math.hypot(f.px[k]!, f.py[k]!) / 1e6) },
-        { name: "px", colour: colours.fastsim2, values: mega(f.px) },
-        { name: "py", colour: colours.accent, values: mega(f.py) },
-      ],
-    });
+  #drawScene(): void {
+    if (this.#scene) this.#layout = drawContact(this.map, this.#scene);
+  }
+
+  /** In which forces are shown, by the load. */
+  get #forceUnit(): { name: string; size: number } {
+    return this.state.values["load.normal_force"]! < 2000 ? { name: "N", size: 1 } : { name: "kN", size: 1000 };
+  }
+
+  #showKeys({ hertz: { a, b, peak_pressure } }: SolveResult, found: TheoryResult): void {
+    const { values, law } = this.state, load = values["load.normal_force"]!, area = found.adhesion_area + found.slip_area, share = area > 0 ? found.adhesion_area / area : 1;
+    const { name: forceName, size } = this.#forceUnit, friction = Math.hypot(found.fx, found.fy), coefficient = law === "coulomb" ? values["friction.coefficient"] : undefined;
+    const possible = coefficient === undefined ? "" : `${String(Math.round((100 * friction) / Math.max(coefficient * load, 1e-30)))} % of ${digits((coefficient * load) / size)} ${forceName} possible`;
+    const length = (half: number) => (2e3 * half).toPrecision(3);
+    this.#keyNumbers = [
+      { name: "Load", value: digits(load / size), unit: forceName, note: "pressed together" },
+      { name: "Contact patch", value: digits(Number((1e6 * Math.PI * a * b).toPrecision(3))), unit: "mm²", note: `${length(a)} mm × ${length(b)} mm`, what: "Along and across; an ellipse after Hertz" },
+      { name: "Highest pressure", value: Math.round(peak_pressure / 1e6).toLocaleString("en"), unit: "MPa", note: "at the middle", what: output("bodies", "peak_pressure").text },
+      { name: "Sticks and slides", value: "", unit: "", note: `${String(Math.round(100 * share))} % sticks, ${String(Math.round(100 * (1 - share)))} % slides`, share, what: "Shares of the contact where the surfaces stick together and where they slide" },
+      { name: "Friction force", value: digits(Number((friction / size).toPrecision(3))), unit: forceName, note: possible, what: "Along the surface; possible is friction times the load" },
+      { name: "Heat made", value: digits(Number(found.frictional_power.toPrecision(3))), unit: "W", note: `at ${show(values["motion.rolling_speed"]!, "m/s", "km/h")} km/h`, what: output("bodies", "frictional_power").text },
+    ];
+    fillKeys(this.#keys, this.#keyNumbers, this.#frozen?.keys);
+    const does = values["motion.creepage_longitudinal"]!, way = Math.abs(does) < 1e-12 ? "rolls freely along" : does > 0 ? "brakes" : "drives";
+    this.#lead.replaceChildren(...long("The patch on which two bodies touch, as a wheel on its rail. "), "Seen ", element("b", {}, "from above"), `; it rolls to the right and ${way}. In the blue part both surfaces stick together, in the orange part they slide. `,
+      ...long("Arrows: friction on the wheel. Drag the dashed cuts; arrow keys move them."));
   }
 
   #showNumbers(): void {
@@ -416,8 +479,8 @@ export class ContactView {
     const column = (shown: (of: TheoryResult) => string) =>
       columns.slice(0, heads.length).map((of, i) => (of ? shown(of) : i === 2 && this.#remarksOf.table ? "–" : "…"));
     const row = (name: "fx" | "fy" | "mz" | "frictional_power"): Row => {
-      const { unit, text } = output("bodies", name), shown = shownUnit(unit);
-      return { name: labelOf(name), unit: shown, what: text, values: column((of) => show(of[name], unit, shown)) };
+      const { unit, text } = output("bodies", name), shown = unit === "N" ? this.#forceUnit.name : shownUnit(unit);
+      return { name: labelOf(name), unit: shown, what: text, values: column((of) => show(withoutNoise(of, name), unit, shown)) };
     };
     fillRemarks(this.#remarks, Object.values(this.#remarksOf).flat());
     const { a, b, peak_pressure } = solved.hertz;
@@ -446,15 +509,51 @@ export class ContactView {
     return [[...heads, "state"].join(","), ...lines].join("\n") + "\n";
   }
 
-  #moveCut(event: PointerEvent): void {
-    if (this.#drawn && this.#solved) this.#setCut(yAt(this.map, this.#drawn, event.clientY) / this.#solved.hertz.b);
+  #listen(): void {
+    const { map } = this, at = (event: PointerEvent) => {
+      const box = map.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top] as const;
+    };
+    const moveCut = ([x, y]: readonly [number, number]) => {
+      const layout = this.#layout, solved = this.#solved;
+      if (!layout || !solved) return;
+      const [px, py] = layout.place.back(x, y), { a, b } = solved.hertz;
+      if (this.#grabbed === "along") this.#setCut("cut", py / b);
+      else this.#setCut("across", px / a);
+    };
+    map.addEventListener("pointerdown", (event) => {
+      const layout = this.#layout, scene = this.#scene, place = at(event);
+      if (!layout || !scene) return;
+      const [cutX, cutY] = layout.place.at(scene.cut.x, scene.cut.y), { map: box } = layout;
+      if (place[0] < box.left || place[0] > box.left + box.width || place[1] > box.top + box.height) return;
+      this.#grabbed = Math.abs(place[0] - cutX) < Math.min(16, Math.abs(place[1] - cutY)) ? "across" : "along";
+      map.setPointerCapture(event.pointerId);
+      moveCut(place);
+    });
+    map.addEventListener("pointermove", (event) => {
+      if (this.#grabbed) moveCut(at(event));
+      else if (this.#layout && this.#scene) this.#hover.textContent = contactValuesAt(this.#layout, this.#scene, at(event));
+    });
+    for (const end of ["pointerup", "pointercancel"]) map.addEventListener(end, () => { this.#grabbed = undefined; });
+    map.addEventListener("keydown", (event) => {
+      const by = { ArrowUp: ["cut", 0.05], ArrowDown: ["cut", -0.05], ArrowRight: ["across", 0.05], ArrowLeft: ["across", -0.05] }[event.key] as ["cut" | "across", number] | undefined;
+      if (!by) return;
+      event.preventDefault();
+      this.#setCut(by[0], this.state[by[0]] + by[1]);
+    });
   }
 
-  #setCut(cut: number): void {
-    this.state.cut = Math.min(Math.max(cut, -0.98), 0.98);
+  #setCut(which: "cut" | "across", place: number): void {
+    this.state[which] = Math.min(Math.max(place, -0.98), 0.98);
     this.draw();
     this.changed();
   }
+}
+
+/** A force or moment that is nothing but rounding beside the others is zero. */
+function withoutNoise(of: TheoryResult, name: "fx" | "fy" | "mz" | "frictional_power"): number {
+  const size = Math.abs(of.fx) + Math.abs(of.fy), isNoise = name !== "frictional_power" && Math.abs(of[name]) < 1e-9 * size;
+  return isNoise ? 0 : of[name];
 }
 
 /** Why a theory did not come to its end, if so. */

@@ -21,17 +21,21 @@ export interface Output { unit: string; label?: string; text: string }
 export type Scale = [times: number, over: number];
 interface Description {
   inputs: Record<"bodies" | "wheel", Record<string, Input>>;
-  outputs: Record<"bodies" | "fields" | "wheel", Record<string, Output>>;
+  outputs: Record<"bodies" | "fields" | "wheel" | "patch", Record<string, Output>>;
   units: Record<string, Record<string, Scale>>;
 }
 
 let description: Description;
+let builtFrom: string;
+/** Which microslip the core is. */
+export const version = (): string => builtFrom;
 
 /** Asks the core, before anything of the page is made. */
 export async function readDescription(core: Pick<Core, "ask">): Promise<void> {
   const reply = await core.ask<Description>("description", { call: "description" });
   if (!reply?.result) throw new Error(reply?.error?.message ?? "the core does not answer");
   description = reply.result;
+  builtFrom = (await core.ask<{ version: string }>("version", { call: "version" }))?.result?.version ?? "";
 }
 
 function named<Of>(table: Record<string, Of>, name: string): Of {

@@ -1,224 +1,241 @@
-// A contact's fields drawn on a canvas: cells in colours, traction or slip as arrows.
+// Fields of a contact on a canvas: smooth, up to its outline, with the border of adhesion and slip and arrows that stay inside.
 
-import { adhesion, ofSigned, ofSize, slip } from "./colours.ts";
-import type { CellPart } from "./row_edge.ts";
+import { arrows, fitToScreen, label, line, roundLength, text, ticks, type Box, type Drawing, type Point } from "./canvas.ts";
+import { css, of, ramps, token, type Rgb } from "./colours.ts";
+import { quantities, type Quantity, type Sheet, type Values } from "./sheet.ts";
 import { digits } from "./units.ts";
 
-export interface Cells {
-  x: number[]; y: number[]; width: number[]; // [m]
-  height: number;
-  state: number[]; // 0 exterior, 1 adhesion, 2 slip
+/** What a map shows: friction in MPa or as a share of what can be borne, both by where it sticks and slides; and others. */
+export type Shown = "friction" | "used" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
+
+/** From the contact to the page: x to the right and y upwards, or, as seen on a rail from above, x upwards and y to the left. */
+export interface Place { scale: Point; isTurned: boolean; at: (x: number, y: number) => Point; back: (px: number, py: number) => Point }
+
+export function upright([ox, oy]: Point, [along, across]: Point): Place {
+  return { scale: [along, across], isTurned: false, at: (x, y) => [ox + x * along, oy - y * across], back: (px, py) => [(px - ox) / along, (oy - py) / across] };
 }
-export interface MapContent {
-  cells: Cells;
-  colour: { values: number[]; unit: string; scale: number; signed: boolean } | "state";
-  arrows?: { x: number[]; y: number[]; longest: number };
-  outline?: { a: number; b: number };
-  parts?: CellPart[]; // of the cells, where there is no such outline
-  cutAt?: number; // y [m]
-  isStretched?: boolean; // fills the picture: lengths along x and y have scales of their own
+export function turned([ox, oy]: Point, scale: number): Place {
+  return { scale: [scale, scale], isTurned: true, at: (x, y) => [ox - y * scale, oy - x * scale], back: (px, py) => [(oy - py) / scale, (ox - px) / scale] };
 }
 
-function ink(): string {
-  return getComputedStyle(document.body).getPropertyValue("--ink").trim() || "#222";
+export interface Scale { shown: Shown; largest: number; unit: string; factor: number }
+export const isByState = (shown: Shown): boolean => shown === "friction" || shown === "used" || shown === "adhesion and slip";
+
+/** Scale of what is shown of all sheets. */
+export function scaleOf(sheets: readonly Sheet[], shown: Shown): Scale {
+  const q = (name: Quantity) => quantities.indexOf(name);
+  const most = (size: (values: Float64Array[], i: number) => number) =>
+    Math.max(1e-30, ...sheets.flatMap(({ chords }) => chords.map(({ values }) => values[0]!.reduce((largest, _, i) => Math.max(largest, size(values, i)), 0))));
+  const one = (name: Quantity) => (values: Float64Array[], i: number) => Math.abs(values[q(name)]![i]!);
+  if (shown === "used" || shown === "adhesion and slip") return { shown, largest: 1, unit: "%", factor: 100 };
+  if (shown === "friction") return { shown, largest: most((values, i) => Math.hypot(values[q("px")]![i]!, values[q("py")]![i]!)), unit: "MPa", factor: 1e-6 };
+  return shown === "slip" ? { shown, largest: most(one("slip")), unit: "%", factor: 100 } : { shown, largest: most(one(shown)), unit: "MPa", factor: 1e-6 };
 }
 
-/** Heights of regular rows from the cells' y. */
+export function valueOf(values: Values, shown: Shown): number {
+  if (shown === "friction") return Math.hypot(values.px, values.py);
+  return shown === "adhesion and slip" ? 0.6 : values[shown];
+}
+
+/** A colour of a pixel, in the order of bytes of images, from values by the places of their quantities; and which it needs. */
+interface Painter { needs: Quantity[]; paint: (values: Float64Array) => number }
+const at = Object.fromEntries(quantities.map((name, q) => [name, q])) as Record<Quantity, number>;
+const packed = new WeakMap<Rgb[], Uint32Array>();
+function pack(colours: Rgb[]): Uint32Array {
+  let found = packed.get(colours);
+  if (!found) packed.set(colours, found = Uint32Array.from(colours, ([red, green, blue]) => ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0));
+  return found;
+}
+
+function painter({ shown, largest }: Scale): Painter {
+  const [sizes, sticks, slides, signed] = [ramps().sizes, ramps().sticks, ramps().slides, ramps().signed].map(pack) as [Uint32Array, Uint32Array, Uint32Array, Uint32Array];
+  const last = sizes.length - 1, pick = (colours: Uint32Array, t: number) => colours[t <= 0 ? 0 : t >= 1 ? last : Math.round(t * last)]!;
+  const byState = (values: Float64Array) => (values[at.mark]! < 0 ? sticks : slides);
+  if (shown === "friction") return { needs: ["px", "py", "mark"], paint: (values) => pick(byState(values), Math.hypot(values[at.px]!, values[at.py]!) / largest) };
+  if (shown === "used") return { needs: ["used", "mark"], paint: (values) => pick(byState(values), values[at.used]!) };
+  if (shown === "adhesion and slip") return { needs: ["mark"], paint: (values) => pick(byState(values), 0.6) };
+  if (shown === "px" || shown === "py") return { needs: [shown], paint: (values) => pick(signed, (1 + values[at[shown]]! / largest) / 2) };
+  return { needs: [shown], paint: (values) => pick(sizes, values[at[shown]]! / largest) };
+}
+
+let raster: HTMLCanvasElement | undefined; // that all maps are painted on first
+
+function fillSheet(context: CanvasRenderingContext2D, sheet: Sheet, { scale: [along, across], isTurned, at: placeOf }: Place, { needs, paint }: Painter): void {
+  const { left, right, bottom, top, places } = sheet, size = (length: number, pixels: number) => Math.max(4, Math.min(160, Math.round((length * pixels) / 2)));
+  const [nx, ny] = [size(right - left, along), size(top - bottom, across)];
+  raster ??= document.createElement("canvas");
+  Object.assign(raster, { width: nx, height: ny });
+  const pixels = raster.getContext("2d")!, image = pixels.createImageData(nx, ny), colours = new Uint32Array(image.data.buffer);
+  const values = new Float64Array(quantities.length), rows = needs.map((name) => at[name]);
+  for (let j = 0; j < ny; ++j) {
+    const chord = sheet.chordAt(top - ((j + 0.5) / ny) * (top - bottom), rows)!, perPlace = chord.right > chord.left ? places / (chord.right - chord.left) : 0;
+    for (let i = 0; i < nx; ++i) {
+      const s = Math.min(Math.max((left + ((i + 0.5) / nx) * (right - left) - chord.left) * perPlace, 0), places), k = Math.min(Math.floor(s), places - 1), t = s - k;
+      for (const q of rows) { const row = chord.values[q]!; values[q] = row[k]! + t * (row[k + 1]! - row[k]!); }
+      colours[j * nx + i] = paint(values);
+    }
+  }
+  pixels.putImageData(image, 0, 0);
+  context.save();
+  outlinePath(context, sheet, placeOf);
+  context.clip();
+  const [x0, y0] = placeOf(left, top), [dx, dy] = [(right - left) / nx, (top - bottom) / ny]; // of a pixel of the raster
+  if (isTurned) context.transform(0, -dx * along, dy * across, 0, x0, y0);
+  else context.transform(dx * along, 0, 0, dy * across, x0, y0);
+  context.imageSmoothingEnabled = true;
+  context.drawImage(raster, 0, 0);
+  context.restore();
+}
+
+function outlinePath(context: CanvasRenderingContext2D, sheet: Sheet, at: Place["at"]): void {
+  const corners = sheet.outline().map(([x, y]) => at(x, y));
+  context.beginPath();
+  corners.forEach(([x, y], i) => { // through the middles of its sides, round at its corners
+    const [nextX, nextY] = corners[(i + 1) % corners.length]!, middle = [(x + nextX) / 2, (y + nextY) / 2] as const;
+    if (i === 0) context.moveTo(...middle);
+    else context.quadraticCurveTo(x, y, ...middle);
+  });
+  const [first, second] = [corners[0]!, corners[1]!];
+  context.quadraticCurveTo(first[0], first[1], (first[0] + second[0]) / 2, (first[1] + second[1]) / 2);
+  context.closePath();
+}
+
+/** The outline alone, as of a state that is compared. */
+export function strokeOutline(context: CanvasRenderingContext2D, sheets: readonly Sheet[], { at }: Place, colour = "--ink", width = 1.6, dash: number[] = []): void {
+  context.save();
+  context.strokeStyle = token(colour);
+  context.lineWidth = width;
+  context.lineJoin = "round";
+  context.setLineDash(dash);
+  for (const sheet of sheets) { outlinePath(context, sheet, at); context.stroke(); }
+  context.restore();
+}
+
+/** The line between adhesion and slip. */
+export function strokeBorder(context: CanvasRenderingContext2D, sheets: readonly Sheet[], { at }: Place, colour = "--ink", dash: number[] = []): void {
+  context.save();
+  context.lineCap = context.lineJoin = "round";
+  for (const [ink, width, alpha] of [["--halo", 4.6, 0.8], [colour, 2.2, 1]] as const) {
+    context.beginPath();
+    for (const sheet of sheets)
+      for (const [[ax, ay], [bx, by]] of sheet.border()) {
+        context.moveTo(...(at(ax, ay) as [number, number]));
+        context.lineTo(...(at(bx, by) as [number, number]));
+      }
+    context.globalAlpha = alpha;
+    context.strokeStyle = token(ink);
+    context.lineWidth = width;
+    context.setLineDash(dash);
+    context.stroke();
+  }
+  context.restore();
+}
+
+/** The largest friction has an arrow of `longest` pixels; of others that would leave the contact only what is inside. */
+function drawArrows(context: CanvasRenderingContext2D, sheets: readonly Sheet[], place: Place, spacing: number, largest: number): void {
+  const found: (readonly [Point, Point])[] = [], { at, back, isTurned } = place;
+  for (const sheet of sheets) {
+    const corners = sheet.outline().map(([x, y]) => at(x, y)), [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+    const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+    const first = (low: number, high: number) => (low + high) / 2 - Math.floor((high - low) / 2 / spacing) * spacing;
+    const isInside = ([px, py]: Point) => sheet.at(...(back(px, py) as [number, number])) !== undefined;
+    for (let py = first(top, bottom); py < bottom; py += spacing)
+      for (let px = first(left, right); px < right; px += spacing) {
+        const values = sheet.at(...(back(px, py) as [number, number]));
+        if (!values) continue;
+        const pixels = (0.92 * spacing) / largest / 2, [dx, dy] = isTurned ? [-values.py * pixels, -values.px * pixels] : [values.px * pixels, -values.py * pixels];
+        const ends = [[px - dx, py - dy], [px + dx, py + dy]] as const;
+        if (ends.every(isInside)) found.push(ends);
+      }
+  }
+  arrows(context, found, "--arrow", 1.35, 5.5, true);
+}
+
+export interface PatchStyle { scale: Scale; spacing?: number; largestArrow?: number }
+
+/** A contact with its outline, the border of adhesion and slip, and arrows of friction where a spacing is given. */
+export function drawPatch(context: CanvasRenderingContext2D, sheets: readonly Sheet[], place: Place, { scale, spacing, largestArrow }: PatchStyle): void {
+  const paint = painter(scale);
+  for (const sheet of sheets) fillSheet(context, sheet, place, paint);
+  if (isByState(scale.shown)) strokeBorder(context, sheets, place);
+  if (spacing) drawArrows(context, sheets, place, spacing, largestArrow ?? scaleOf(sheets, "friction").largest);
+  strokeOutline(context, sheets, place);
+}
+
+/** The bar of a scale of colours with its numbers below it; of friction two, for adhesion and for slip. Their height. */
+export function drawScale(context: CanvasRenderingContext2D, { left, top, width }: Pick<Box, "left" | "top" | "width">, { shown, largest, unit, factor }: Scale): number {
+  const { sizes, sticks, slides, signed } = ramps(), isSigned = shown === "px" || shown === "py";
+  const bars: [string, Rgb[]][] = isByState(shown) ? [["sticks", sticks], ["slides", slides]] : [["", isSigned ? signed : sizes]];
+  const wordsWidth = isByState(shown) ? 42 : 0, from = left + wordsWidth, length = width - wordsWidth;
+  bars.forEach(([name, colours], row) => {
+    const y = top + 13 * row;
+    if (name) text(context, name, [left, y + 9]);
+    for (let i = 0; i < length; ++i) {
+      context.fillStyle = css(of(colours, shown === "adhesion and slip" ? 0.6 : i / length));
+      context.fillRect(from + i, y, 1.5, 10);
+    }
+  });
+  const low = top + 13 * bars.length, end = largest * factor;
+  if (shown !== "adhesion and slip")
+    for (const value of isSigned ? [-end, 0, end] : ticks(0, end, Math.min(4, Math.max(1, Math.floor(length / 80))))) text(context, label(Number(value.toPrecision(3))), [from + length * (isSigned ? (value / end + 1) / 2 : value / end), low + 10], { size: 11, align: "center", colour: "--ink2" });
+  if (shown !== "adhesion and slip") text(context, unit, [from + length + 14, low + 10], { size: 11, colour: "--ink2" });
+  return 13 * bars.length + 14;
+}
+
+/** Heights of regular rows from the elements' y. */
 export function rowHeight(y: number[]): number {
   const rows = [...new Set(y)].sort((one, other) => one - other);
   return rows.length > 1 ? (rows.at(-1)! - rows[0]!) / (rows.length - 1) : 1e-3;
 }
 
-/** Canvas pixels of a length, and of positions: x to the right, y upwards, the contact in the middle. */
-interface Place { scale: readonly [along: number, across: number]; at: (x: number, y: number) => [number, number] }
+/** `largest`: of the scale, where it is not that of the sheets [Pa]. */
+export interface MapContent { sheets: Sheet[]; shown: Shown; largest?: number; isStretched?: boolean; arrows?: boolean; xLabel?: string; yLabel?: string }
 
-function place(canvas: HTMLCanvasElement, content: MapContent): Place {
-  const { x, y, width, height, state } = content.cells;
-  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
-  for (let k = 0; k < x.length; ++k) {
-    if (state[k] === 0) continue;
-    left = Math.min(left, x[k]! - width[k]! / 2);
-    right = Math.max(right, x[k]! + width[k]! / 2);
-    low = Math.min(low, y[k]! - height / 2);
-    high = Math.max(high, y[k]! + height / 2);
+/** A place that fits the sheets into a box. */
+export function placeIn({ left, top, width, height }: Box, sheets: readonly Sheet[], isStretched = false): Place {
+  const corners = sheets.flatMap((sheet) => sheet.outline()), [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const fitting: Point = [width / Math.max(x1 - x0, 1e-9), height / Math.max(y1 - y0, 1e-9)], least = Math.min(...fitting);
+  const scale: Point = isStretched ? fitting : [least, least];
+  return upright([left + width / 2 - ((x0 + x1) / 2) * scale[0], top + height / 2 + ((y0 + y1) / 2) * scale[1]], scale);
+}
+
+/** Axes in mm around a box of a picture. */
+export function drawAxes(context: CanvasRenderingContext2D, box: Box, { back, at }: Place, { xLabel = "x, along [mm]", yLabel = "y, across [mm]" }: Pick<MapContent, "xLabel" | "yLabel"> = {}): void {
+  const [x0, y1] = back(box.left, box.top), [x1, y0] = back(box.left + box.width, box.top + box.height), low = box.top + box.height;
+  for (const x of ticks(1e3 * x0, 1e3 * x1, box.width / 70)) {
+    const [px] = at(x / 1e3, 0);
+    line(context, [[px, box.top], [px, low]], "--line");
+    text(context, label(x), [px, low + 14], { size: 11, align: "center", colour: "--ink2" });
   }
-  if (content.outline) {
-    const { a, b } = content.outline;
-    [left, right, low, high] = [-a, a, -b, b];
+  for (const y of ticks(1e3 * y0, 1e3 * y1, box.height / 50)) {
+    const [, py] = at(0, y / 1e3);
+    line(context, [[box.left, py], [box.left + box.width, py]], "--line");
+    text(context, label(y), [box.left - 6, py + 4], { size: 11, align: "right", colour: "--ink2" });
   }
-  const margin = 34 * devicePixelRatio;
-  const fitting = [(canvas.width - 2 * margin) / (right - left), (canvas.height - 2 * margin) / (high - low)] as const;
-  const least = Math.min(...fitting), scale = content.isStretched ? fitting : ([least, least] as const);
-  const [cx, cy] = [(left + right) / 2, (low + high) / 2];
-  return { scale, at: (px, py) => [canvas.width / 2 + (px - cx) * scale[0], canvas.height / 2 - (py - cy) * scale[1]] };
+  text(context, xLabel, [box.left + box.width / 2, low + 30], { size: 11, align: "center", colour: "--ink2" });
+  text(context, yLabel, [box.left - 36, box.top + box.height / 2], { size: 11, align: "center", colour: "--ink2", turned: true });
 }
 
-export function fitToScreen(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
-  const width = Math.round(canvas.clientWidth * devicePixelRatio), height = Math.round(canvas.clientHeight * devicePixelRatio);
-  if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-  const context = canvas.getContext("2d")!;
-  context.clearRect(0, 0, canvas.width, canvas.height);
-  return context;
+export function drawRolling(context: CanvasRenderingContext2D, [x, y]: Point, length = 54): void {
+  arrows(context, [[[x, y], [x + length, y]]], "--ui", 3, 11);
+  text(context, "rolls this way", [x, y + 17], { size: 12.5, bold: true });
 }
 
-function styleOf({ cells, colour }: MapContent): (k: number) => string {
-  if (colour === "state") return (k) => (cells.state[k] === 2 ? slip : adhesion);
-  const largest = Math.max(...colour.values.map(Math.abs), Number.MIN_VALUE);
-  return (k) => (colour.signed ? ofSigned(colour.values[k]! / largest) : ofSize(colour.values[k]! / largest));
-}
-
-function fillParts(context: CanvasRenderingContext2D, content: MapContent, parts: CellPart[], { at }: Place): void {
-  const style = styleOf(content);
-  context.lineWidth = 0.6;
-  for (const { k, low, high, y } of parts) {
-    context.beginPath();
-    for (const [px, py] of [[low[0], y[0]], [low[1], y[0]], [high[1], y[1]], [high[0], y[1]]] as const) context.lineTo(...at(px, py));
-    context.closePath();
-    context.fillStyle = context.strokeStyle = style(k);
-    context.fill();
-    context.stroke(); // over the seams
+/** A map in a canvas of its own: scale, axes, rolling direction. */
+export function drawMap(canvas: HTMLCanvasElement, { sheets, shown, isStretched = false, arrows: withArrows = false, largest: most, ...labels }: MapContent): void {
+  const { context, width, height }: Drawing = fitToScreen(canvas);
+  if (width === 0 || sheets.length === 0) return;
+  const scale = { ...scaleOf(sheets, shown), ...(most === undefined ? {} : { largest: most }) }, box: Box = { left: 52, top: 52, width: width - 66, height: height - 90 };
+  const place = placeIn({ left: box.left + 0.14 * box.width, top: box.top + 12, width: 0.72 * box.width, height: box.height - 24 }, sheets, isStretched);
+  drawAxes(context, box, place, labels);
+  drawPatch(context, sheets, place, { scale, ...(withArrows ? { spacing: 26, largestArrow: scale.largest } : {}) });
+  drawScale(context, { left: box.left, top: 6, width: Math.min(210, 0.45 * width) }, scale);
+  const [end] = [Math.min(width - 110, box.left + 290)];
+  drawRolling(context, [end, 14]);
+  if (withArrows) {
+    const { largest } = scale, round = roundLength(largest);
+    arrows(context, [[[end + 98, 14], [end + 98 + (0.92 * 26 * round) / largest, 14]]], "--arrow", 1.35, 5.5);
+    if (end + 200 < width) text(context, `${digits(round / 1e6)} MPa`, [end + 130, 18], { size: 11, colour: "--ink2" });
   }
-}
-
-/** Each cell enlarged by `more` of its size on all sides. */
-function fillCells(context: CanvasRenderingContext2D, content: MapContent, { scale, at }: Place, more: number): void {
-  const { cells } = content, style = styleOf(content);
-  for (let k = 0; k < cells.x.length; ++k) {
-    if (cells.state[k] === 0) continue;
-    const width = cells.width[k]! * (1 + 2 * more), height = cells.height * (1 + 2 * more);
-    const [px, py] = at(cells.x[k]! - width / 2, cells.y[k]! + height / 2);
-    context.fillStyle = style(k);
-    context.fillRect(px, py, width * scale[0] + 0.6, height * scale[1] + 0.6);
-  }
-}
-
-/** Within the contact's outline, where it is known: enlarged cells fill what elements leave free at the edge. */
-function drawCells(context: CanvasRenderingContext2D, content: MapContent, where: Place): void {
-  context.save();
-  if (content.outline) {
-    const [cx, cy] = where.at(0, 0), { a, b } = content.outline;
-    context.beginPath();
-    context.ellipse(cx, cy, a * where.scale[0], b * where.scale[1], 0, 0, 2 * Math.PI);
-    context.clip();
-    fillCells(context, content, where, 1);
-  }
-  if (content.parts) fillParts(context, content, content.parts, where);
-  else fillCells(context, content, where, 0);
-  context.restore();
-}
-
-function drawArrows(context: CanvasRenderingContext2D, { cells, arrows }: MapContent, { scale, at }: Place): void {
-  if (!arrows) return;
-  const rows = new Set(cells.y).size, every = Math.max(1, Math.round(rows / 14));
-  const pixels = (1.35 * every * cells.height * scale[1]) / arrows.longest;
-  const arrowPaths = new Path2D();
-  const order = [...new Set(cells.y)].sort((one, other) => one - other);
-  const rowOf = new Map(order.map((y, j) => [y, j]));
-  let inRow = 0, row = -1;
-  for (let k = 0; k < cells.x.length; ++k) {
-    const j = rowOf.get(cells.y[k]!)!;
-    if (j !== row) [row, inRow] = [j, 0];
-    if (cells.state[k] === 0 || (j - (every >> 1)) % every !== 0 || inRow++ % every !== every >> 1) continue;
-    const [dx, dy] = [arrows.x[k]! * pixels, -arrows.y[k]! * pixels], size = Math.hypot(dx, dy);
-    if (size < 1.5) continue;
-    const [fromX, fromY] = at(cells.x[k]!, cells.y[k]!), tip = Math.min(5 * devicePixelRatio, size / 2);
-    const [toX, toY, ux, uy] = [fromX + dx, fromY + dy, dx / size, dy / size];
-    arrowPaths.moveTo(fromX, fromY);
-    arrowPaths.lineTo(toX, toY);
-    arrowPaths.moveTo(toX - tip * (ux + uy / 2), toY - tip * (uy - ux / 2));
-    arrowPaths.lineTo(toX, toY);
-    arrowPaths.lineTo(toX - tip * (ux - uy / 2), toY - tip * (uy + ux / 2));
-  }
-  for (const [colour, width] of [["#fff", 3.2], ["#000", 1.3]] as const) { // seen on light and on dark cells
-    context.strokeStyle = colour;
-    context.lineWidth = width * devicePixelRatio;
-    context.stroke(arrowPaths);
-  }
-}
-
-/** At most the given one, of one digit. */
-function roundLength(rough: number): number {
-  const power = 10 ** Math.floor(Math.log10(rough));
-  return power * (rough / power >= 5 ? 5 : rough / power >= 2 ? 2 : 1);
-}
-
-/** The size of the picture, and the direction in which the contact rolls. */
-function drawFrame(context: CanvasRenderingContext2D, content: MapContent, { scale, at }: Place): void {
-  const pixel = devicePixelRatio, { width, height } = context.canvas;
-  context.strokeStyle = context.fillStyle = ink();
-  context.lineWidth = pixel;
-  if (content.outline) {
-    const [cx, cy] = at(0, 0);
-    context.beginPath();
-    context.ellipse(cx, cy, content.outline.a * scale[0], content.outline.b * scale[1], 0, 0, 2 * Math.PI);
-    context.stroke();
-  }
-  if (content.cutAt !== undefined) {
-    const [, cut] = at(0, content.cutAt);
-    context.setLineDash([4 * pixel, 4 * pixel]);
-    context.beginPath();
-    context.moveTo(0, cut);
-    context.lineTo(width, cut);
-    context.stroke();
-    context.setLineDash([]);
-  }
-  const long = roundLength((80 * pixel) / scale[0]), high = content.isStretched ? roundLength((50 * pixel) / scale[1]) : 0;
-  context.beginPath();
-  context.moveTo(10 * pixel, height - 10 * pixel - high * scale[1]);
-  context.lineTo(10 * pixel, height - 10 * pixel);
-  context.lineTo(10 * pixel + long * scale[0], height - 10 * pixel);
-  context.stroke();
-  context.font = `${12 * pixel}px system-ui, sans-serif`;
-  context.fillText(`${digits(long * 1e3)} mm`, 14 * pixel, height - 16 * pixel);
-  if (high > 0) context.fillText(`${digits(high * 1e3)} mm`, 10 * pixel, height - 16 * pixel - high * scale[1]);
-  context.textAlign = "right";
-  context.fillText("rolls this way →", width - 8 * pixel, 16 * pixel);
-  context.textAlign = "left";
-}
-
-function drawScale(context: CanvasRenderingContext2D, { colour }: MapContent): void {
-  const pixel = devicePixelRatio, { width, height } = context.canvas, right = width - 10 * pixel, low = height - 12 * pixel;
-  context.font = `${12 * pixel}px system-ui, sans-serif`;
-  context.textAlign = "right";
-  if (colour === "state") {
-    for (const [i, [fill, name]] of ([[adhesion, "adhesion"], [slip, "slip"]] as const).entries()) {
-      context.fillStyle = fill;
-      context.fillRect(right - 12 * pixel, low - (16 * i + 8) * pixel, 12 * pixel, 12 * pixel);
-      context.fillStyle = ink();
-      context.fillText(name, right - 18 * pixel, low - (16 * i - 2) * pixel);
-    }
-  } else {
-    const length = 110 * pixel, largest = Math.max(...colour.values.map(Math.abs), Number.MIN_VALUE);
-    for (let i = 0; i < length; ++i) {
-      const t = i / length;
-      context.fillStyle = colour.signed ? ofSigned(2 * t - 1) : ofSize(t);
-      context.fillRect(right - length + i, low - 8 * pixel, 1.5, 8 * pixel);
-    }
-    context.fillStyle = ink();
-    const least = colour.signed ? `${digits(-largest * colour.scale)} … ` : "0 … ";
-    context.fillText(`${least}${digits(largest * colour.scale)} ${colour.unit}`, right, low - 12 * pixel);
-  }
-  context.textAlign = "left";
-}
-
-/** Nothing to draw, and what is missing for screen readers. */
-export function clearMap(canvas: HTMLCanvasElement, missing: string): void {
-  fitToScreen(canvas);
-  canvas.setAttribute("aria-label", missing);
-}
-
-export function drawMap(canvas: HTMLCanvasElement, content: MapContent): void {
-  const context = fitToScreen(canvas);
-  if (canvas.clientWidth === 0 || !content.cells.state.some((state) => state > 0)) return;
-  const where = place(canvas, content);
-  drawCells(context, content, where);
-  drawFrame(context, content, where);
-  drawArrows(context, content, where);
-  drawScale(context, content);
-}
-
-/** y [m] of a height on the canvas. */
-export function yAt(canvas: HTMLCanvasElement, content: MapContent, clientY: number): number {
-  const box = canvas.getBoundingClientRect(), { scale, at } = place(canvas, content), [, middle] = at(0, 0);
-  return (middle - (clientY - box.top) * devicePixelRatio) / scale[1];
 }

@@ -1,9 +1,10 @@
 // Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's message where it refuses.
 
 import { help, input } from "./description.ts";
-import { element, sentence } from "./elements.ts";
+import { button, element, sentence } from "./elements.ts";
 import { limits, type Values, type View } from "./state.ts";
-import { fromSi, parse, show, shownUnit } from "./units.ts";
+import { fromSi, parse, show, shownUnit, typedUnits } from "./units.ts";
+import { inWords } from "./words.ts";
 
 export interface FieldSpec {
   key: string; // section.key of the case file
@@ -12,6 +13,20 @@ export interface FieldSpec {
   step?: number; // of a slider, which there is with it, in this unit
   from?: number; // where it ends before the range of the input does
   to?: number;
+  ends?: [low: string, high: string]; // words at the ends of the slider
+}
+
+/** A "?" that shows and hides a text, and the text. */
+export function helpOf(label: string, ...content: Node[]): [ask: HTMLButtonElement, help: HTMLElement] {
+  const help = element("div", { class: "help", hidden: "" }, ...content);
+  const ask = button("?", () => {
+    help.hidden = !help.hidden;
+    ask.setAttribute("aria-expanded", String(!help.hidden));
+  }, `what is ${label}?`);
+  ask.className = "ask";
+  ask.setAttribute("aria-expanded", "false");
+  ask.addEventListener("keydown", (event) => { if (event.key === "Escape" && !help.hidden) ask.click(); });
+  return [ask, help];
 }
 
 export class Field {
@@ -22,6 +37,7 @@ export class Field {
   readonly #si: string;
   readonly #unit: string;
   #value: number;
+  readonly #first: number;
   #misread = ""; // why the text is no number to take, until it is one
 
   constructor(place: View, readonly spec: FieldSpec, value: number, readonly changed: (value: number) => void, readonly reread: () => void) {
@@ -29,22 +45,26 @@ export class Field {
     const id = `${place}-${key.replaceAll(".", "-")}`;
     this.#si = described.unit ?? "-";
     this.#unit = spec.unit ?? shownUnit(this.#si);
-    this.#value = value;
+    this.#value = this.#first = value;
     this.#error = element("span", { class: "error", id: `${id}-error`, role: "alert" });
     this.#text = element("input", { id, type: "text", "aria-describedby": `${id}-help ${id}-error`, autocomplete: "off", spellcheck: "false" });
     this.#text.addEventListener("change", () => { this.#typed(); });
-    const parts: Node[] = [element("label", { for: id }, label), this.#text, element("span", { class: "unit" }, this.#unit)];
+    const told = element("span", { id: `${id}-help` }, what), units = typedUnits(this.#si);
+    const [ask, more] = helpOf(label, ...(inWords[key] ? [element("p", {}, inWords[key]!)] : []), told, element("p", { class: "hint" }, units ? `Also takes ${units}.` : "Without a unit."));
+    const parts: Node[] = [element("label", { for: id }, label), ask, this.#text, element("span", { class: "unit" }, this.#unit)];
     if (spec.step !== undefined) {
       const { least = -Infinity, largest = Infinity } = described, end = (bound: number) => fromSi(bound, this.#si, this.#unit);
       this.#slider = element("input", {
-        type: "range", "aria-label": this.#unit ? `${label}, ${this.#unit}` : label, step: String(spec.step),
+        type: "range", tabindex: "-1", "aria-label": this.#unit ? `${label}, ${this.#unit}` : label, step: String(spec.step),
         min: String(Math.max(spec.from ?? -Infinity, end(least))), max: String(Math.min(spec.to ?? Infinity, end(largest))),
       });
       this.#slider.addEventListener("input", () => { this.#moved(); });
+      this.#slider.addEventListener("dblclick", () => { this.set(this.#first); this.changed(this.#first); });
       parts.push(this.#slider);
+      if (spec.ends) parts.push(element("div", { class: "ends", "aria-hidden": "true" }, ...spec.ends.map((end) => element("span", {}, end))));
+      this.#text.addEventListener("keydown", (event) => { this.#stepped(event); });
     }
-    const told = element("span", { id: `${id}-help`, hidden: "" }, what);
-    this.root = element("div", { class: "field", title: what }, ...parts, this.#error, told);
+    this.root = element("div", { class: "field", title: what }, ...parts, this.#error, more);
     this.set(value);
   }
 
@@ -62,7 +82,18 @@ export class Field {
     this.#text.value = show(value, this.#si, this.#unit);
     if (this.#slider) this.#slider.value = this.#text.value;
     this.#misread = "";
+    this.root.classList.toggle("changed", value !== this.#first);
     this.refuse("");
+  }
+
+  /** Arrow keys move the number by a step of the slider, with Shift by ten: one stop of the keyboard for both. */
+  #stepped(event: KeyboardEvent): void {
+    const by = { ArrowUp: 1, ArrowDown: -1 }[event.key], slider = this.#slider;
+    if (by === undefined || !slider) return;
+    event.preventDefault();
+    const next = Number(slider.value) + by * Number(slider.step) * (event.shiftKey ? 10 : 1);
+    slider.value = String(Math.min(Math.max(next, Number(slider.min)), Number(slider.max)));
+    this.#moved();
   }
 
   /** Shows why the core refuses the value, or that it does not; a text that is no number is refused all the same. */
@@ -98,6 +129,7 @@ export class Field {
     this.#value = read;
     this.#text.value = show(read, this.#si, this.#unit);
     this.#misread = "";
+    this.root.classList.toggle("changed", read !== this.#first);
     this.refuse("");
     this.reread();
     this.changed(read);
@@ -114,7 +146,8 @@ export class Choice {
     this.#select = element("select", { id }, ...Object.entries(words).map(([word, name]) => element("option", { value: word }, name)));
     this.#select.value = value;
     this.#select.addEventListener("change", () => { changed(this.#select.value); });
-    this.root = element("div", { class: "field", ...(what && { title: what }) }, element("label", { for: id }, label), this.#select);
+    const [ask, help] = helpOf(label, element("span", {}, what));
+    this.root = element("div", { class: "field", ...(what && { title: what }) }, element("label", { for: id }, label), ...(what ? [ask] : []), this.#select, ...(what ? [help] : []));
   }
 
   set(value: string): void { this.#select.value = value; }

@@ -5,27 +5,38 @@ import { ContactView } from "./contact_view.ts";
 import { startOf, stateOfCase, type Start } from "./case_inputs.ts";
 import { Core, hasVectors } from "./core.ts";
 import { readDescription } from "./description.ts";
-import { button, element } from "./elements.ts";
+import { button, element, long } from "./elements.ts";
 import { NipView } from "./nip_view.ts";
+import { presets } from "./presets.ts";
 import { RailView } from "./rail_view.ts";
 import { StartView } from "./start_view.ts";
 import { decode, encode, initialState, type State, type View } from "./state.ts";
+import { Tour } from "./tour.ts";
 
-const names: Record<View, string> = { contact: "Contact", rail: "Wheel on rail", start: "Start and stop", nip: "Nip" };
+const names: Record<View, string> = { rail: "Wheel on rail", contact: "Contact", start: "Start and stop", nip: "Nip" };
+const mostSteps = 200; // that can be undone
 
 class Page {
   readonly #views;
   readonly #tabs: Record<View, HTMLButtonElement>;
   readonly #message = element("p", { class: "message", role: "alert" });
-  readonly #exports = element("div", { class: "exports" });
+  readonly #exports = element("div");
+  readonly #undo = button("↶", () => { void this.#step(this.#past, this.#future); }, "undo");
+  readonly #redo = button("↷", () => { void this.#step(this.#future, this.#past); }, "redo");
+  readonly #compare = button("A | B", () => { this.#freeze(this.#comparedLink === "" ? this.#link : ""); }, "compare A | B");
+  readonly #comparing = element("div", { class: "comparing", role: "status", hidden: "" });
+  readonly #tour = new Tour((state) => { this.#show(state, ""); this.#changed(); });
+  #past: string[] = [];
+  #future: string[] = [];
+  #comparedLink = ""; // of state A
   #saving = 0;
   #link = "";
 
   constructor(readonly core: Core, public state: State, root: HTMLElement) {
     const changed = () => { this.#changed(); };
     this.#views = {
-      contact: new ContactView(core, state.contact, changed),
       rail: new RailView(core, state.rail, changed),
+      contact: new ContactView(core, state.contact, changed),
       start: new StartView(core, state.start, changed),
       nip: new NipView(core, state.nip, changed),
     };
@@ -34,35 +45,86 @@ class Page {
       made.setAttribute("role", "tab");
       return made;
     };
-    this.#tabs = { contact: tab("contact"), rail: tab("rail"), start: tab("start"), nip: tab("nip") };
-    root.replaceChildren(
-      element("header", {}, element("h1", {}, "microslip explorer"), element("nav", { role: "tablist", "aria-label": "views" }, ...Object.values(this.#tabs)), this.#exports),
-      this.#message,
-      ...Object.values(this.#views).map(({ root: view }) => view));
+    this.#tabs = { rail: tab("rail"), contact: tab("contact"), start: tab("start"), nip: tab("nip") };
+    const tabs = element("nav", { role: "tablist", "aria-label": "views" }, ...Object.values(this.#tabs));
+    tabs.addEventListener("keydown", (event) => { this.#stepTabs(event); });
+    root.replaceChildren(element("header", {}, element("h1", {}, "microslip", element("span", {}, " explorer")), tabs, this.#bar()),
+      this.#message, this.#comparing, ...Object.values(this.#views).map(({ root: view }) => view), this.#tour.root);
     if (!hasVectors()) this.say("This browser has no vector instructions for WebAssembly: results are the same and take two to three times as long.");
+    this.#listen(root);
+  }
+
+  #bar(): HTMLElement {
+    const menu = element("details", { class: "menu" }, element("summary", { class: "button" }, "Export ▾"), this.#exports);
+    this.#exports.addEventListener("click", () => { menu.open = false; });
+    document.addEventListener("click", (event) => { if (!menu.contains(event.target as Node)) menu.open = false; });
+    const share = button("Share", () => {
+      void navigator.clipboard.writeText(location.href).then(() => { this.say("The link is on the clipboard; it holds all that is set here."); },
+                                                             () => { this.say("The address of this page is the link: it holds all that is set here."); });
+    }, "copy link");
+    const theme = button("☾", () => { document.documentElement.dataset["theme"] = document.documentElement.dataset["theme"] === "dark" ? "light" : "dark"; this.#redraw(); }, "light or dark");
+    const reset = button("Reset all", () => { this.#show({ ...initialState(), view: this.state.view }, ""); this.#changed(); });
+    const tour = button("?", () => { this.#tour.start(); }, "take the tour");
+    this.#undo.append(...long(" Undo"));
+    this.#compare.prepend(...long("Compare "));
+    tour.append(...long(" Take the tour"));
+    for (const flat of [this.#undo, this.#redo, reset, theme]) flat.className = "flat";
+    for (const left of [this.#redo, reset, theme]) left.classList.add("long");
+    tour.className = "primary";
+    return element("div", { class: "bar" }, this.#undo, this.#redo, reset, this.#compare, share, menu, theme, tour);
+  }
+
+  #listen(root: HTMLElement): void {
     window.addEventListener("hashchange", () => { if (location.hash.slice(1) !== this.#link) void this.follow(location.hash); });
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.#views[this.state.view].draw(); });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { setTheme(); this.#redraw(); });
     document.addEventListener("dragover", (event) => { event.preventDefault(); });
     document.addEventListener("drop", (event) => {
       event.preventDefault();
       void this.#dropped([...(event.dataTransfer?.files ?? [])]);
     });
-    window.addEventListener("resize", () => { this.#views[this.state.view].draw(); });
+    window.addEventListener("resize", () => { this.#redraw(); });
+    root.addEventListener("preset", (event) => {
+      const { make, told } = presets[(event as CustomEvent<number>).detail]!;
+      this.#show(make(), "");
+      this.say(told, false);
+      this.#changed();
+    });
+    document.addEventListener("keydown", (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === "text") return;
+      if (event.key === "z" && !event.shiftKey) this.#undo.click();
+      else if (event.key === "y" || (event.key === "Z" && event.shiftKey)) this.#redo.click();
+      else return;
+      event.preventDefault();
+    });
   }
 
-  say(message: string): void { this.#message.textContent = message; }
+  #stepTabs(event: KeyboardEvent): void {
+    const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key], all = Object.values(this.#tabs);
+    if (by === undefined) return;
+    event.preventDefault();
+    const next = all[(all.findIndex((tab) => tab === document.activeElement) + by + all.length) % all.length]!;
+    next.focus();
+    next.click();
+  }
+
+  #redraw(): void { this.#views[this.state.view].draw(); }
+
+  say(message: string, isAlert = true): void {
+    this.#message.textContent = message;
+    this.#message.className = isAlert ? "message" : "hint";
+  }
 
   open(view: View): void {
+    if (view !== this.state.view && this.#comparedLink !== "") this.#freeze("");
     this.state.view = view;
     this.#views.start.stop();
     for (const [name, { root }] of Object.entries(this.#views)) root.hidden = name !== view;
-    for (const [name, made] of Object.entries(this.#tabs)) made.setAttribute("aria-selected", String(name === view));
+    for (const [name, made] of Object.entries(this.#tabs)) {
+      made.setAttribute("aria-selected", String(name === view));
+      made.tabIndex = name === view ? 0 : -1;
+    }
     const exports = Object.entries(this.#views[view].exports()).map(([text, run]) => button(text, run));
-    const copy = button("copy link", () => {
-      void navigator.clipboard.writeText(location.href).then(() => { this.say("The link is on the clipboard; it holds all that is set here."); },
-                                                             () => { this.say("The address of this page is the link: it holds all that is set here."); });
-    });
-    this.#exports.replaceChildren(copy, ...exports);
+    this.#exports.replaceChildren(...exports);
     this.#views[view].solve();
   }
 
@@ -89,7 +151,8 @@ class Page {
   }
 
   #show(state: State, message: string): void {
-    this.state = state;
+    const { view } = this.state;
+    this.state = { ...state, view }; // which open changes
     this.say(message);
     this.#views.contact.set(state.contact);
     this.#views.rail.set(state.rail);
@@ -110,25 +173,78 @@ class Page {
     }
   }
 
+  /** One step back or forth; where there was a step the present state goes to the other end. */
+  async #step(from: string[], to: string[]): Promise<void> {
+    await this.#save();
+    const link = from.pop();
+    if (link === undefined) return;
+    to.push(this.#link);
+    this.#link = link;
+    this.#show(await decode(link), "");
+    history.replaceState(null, "", `#${link}`);
+    this.#showSteps();
+  }
+
+  #showSteps(): void {
+    this.#undo.disabled = this.#past.length === 0;
+    this.#redo.disabled = this.#future.length === 0;
+  }
+
+  /** Keeps the present state of the view as A, or ends the comparison. */
+  #freeze(link: string): void {
+    this.#comparedLink = link;
+    const isKept = link !== "";
+    for (const view of Object.values(this.#views)) if ("freeze" in view) view.freeze(isKept && view === this.#views[this.state.view]);
+    this.#comparing.hidden = !isKept;
+    this.#compare.setAttribute("aria-pressed", String(isKept));
+    this.#comparing.replaceChildren(element("span", {}, "State A is kept, dashed in the pictures and below the key numbers. What you change now is B."),
+      button("Swap A and B", () => {
+        const other = this.#comparedLink;
+        void this.#save().then(async () => {
+          this.#freeze(this.#link);
+          this.#show(await decode(other), "");
+          this.#changed();
+        });
+      }), button("End", () => { this.#freeze(""); }));
+  }
+
+  async #save(): Promise<void> {
+    clearTimeout(this.#saving);
+    const link = await encode(this.state);
+    if (link === this.#link) return;
+    if (this.#link !== "") this.#past = [...this.#past.slice(-mostSteps), this.#link];
+    this.#future = [];
+    this.#link = link;
+    history.replaceState(null, "", `#${link}`);
+    this.#showSteps();
+  }
+
+  /** The state as it is at first, from which changes can be undone. */
+  async begin(): Promise<void> {
+    this.#link = await encode(this.state);
+    this.#showSteps();
+  }
+
   #changed(): void {
     clearTimeout(this.#saving);
-    this.#saving = window.setTimeout(() => {
-      void encode(this.state).then((link) => {
-        this.#link = link;
-        history.replaceState(null, "", `#${link}`);
-      });
-    }, 250);
+    this.#saving = window.setTimeout(() => { void this.#save(); }, 250);
   }
+}
+
+function setTheme(): void {
+  document.documentElement.dataset["theme"] = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
 async function start(): Promise<void> {
   const root = document.getElementById("page")!;
+  setTheme();
   try {
     const core = await Core.start();
     await readDescription(core);
     const page = new Page(core, initialState(), root);
     if (location.hash.length > 1) await page.follow(location.hash);
-    else page.open("contact");
+    else page.open("rail");
+    await page.begin();
   } catch (error) {
     root.replaceChildren(element("p", { class: "message", role: "alert" }, `The explorer cannot start: ${error instanceof Error ? error.message : String(error)}.`));
   }

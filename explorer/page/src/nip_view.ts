@@ -1,14 +1,16 @@
 // A roller with an elastic cover on another roller: the nip, what it takes to roll, and how the free roller's speed differs.
 
-import { cover, moreInWords, nipCase, relaxationTerms, toPython } from "./case_text.ts";
+import { cover, forPeople, moreInWords, nipCase, relaxationTerms, toPython } from "./case_text.ts";
 import { Chart, type Band } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
 import { output } from "./description.ts";
-import { element, fillRemarks, fillTable, save, sentence, statusInWords, type Row } from "./elements.ts";
-import { drawMap, rowHeight, type MapContent } from "./field_map.ts";
+import { card, controlsOf, element, fillRemarks, fillTable, save, sentence, statusInWords, titleOf, type Row } from "./elements.ts";
+import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
-import { cellsUpToTheEdge, contactOfRow } from "./row_edge.ts";
+import { presetButtons } from "./presets.ts";
+import { contactOfRow } from "./row_edge.ts";
+import { sheetsOf } from "./sheet.ts";
 import type { Given, NipState, Stiffness, Values } from "./state.ts";
 import { digits, show, shownUnit } from "./units.ts";
 
@@ -24,32 +26,32 @@ const layer = (key: string) => `${cover}.${key}`;
 const radius = { from: 20, to: 500, step: 1 } as const, ratio = { step: 0.001 } as const;
 const groups: Record<"Load and motion" | "Cover" | "Covered roller" | "Upper roller", FieldSpec[]> = {
   "Load and motion": [
-    { key: "load.normal_force", label: "normal force", from: 0.2, to: 20, step: 0.05 },
-    { key: "friction.coefficient", label: "friction", from: 0.05, to: 1.5, step: 0.01 },
-    { key: "motion.force_longitudinal", label: "force on the upper roller", from: -2, to: 2, step: 0.01 },
-    { key: "motion.creepage_longitudinal", label: "longitudinal creepage", unit: "%", from: -20, to: 20, step: 0.05 },
-    { key: "motion.rolling_speed", label: "speed", unit: "m/s", from: 0.1, to: 30, step: 0.1 },
+    { key: "load.normal_force", label: "Load", from: 0.2, to: 20, step: 0.05 },
+    { key: "friction.coefficient", label: "Friction coefficient", from: 0.05, to: 1.5, step: 0.01 },
+    { key: "motion.force_longitudinal", label: "Force on the upper roller", from: -2, to: 2, step: 0.01 },
+    { key: "motion.creepage_longitudinal", label: "Longitudinal creepage", unit: "%", from: -20, to: 20, step: 0.05 },
+    { key: "motion.rolling_speed", label: "Speed", unit: "m/s", from: 0.1, to: 30, step: 0.1 },
   ],
   Cover: [
-    { key: layer("thickness"), label: "thickness", from: 1, to: 50, step: 0.5 },
-    { key: layer("hardness"), label: "hardness", step: 0.5 },
+    { key: layer("thickness"), label: "Thickness", from: 1, to: 50, step: 0.5 },
+    { key: layer("hardness"), label: "Hardness", step: 0.5 },
     { key: layer("young_modulus"), label: "Young's modulus", unit: "MPa", from: 0.5, to: 50, step: 0.1 },
-    { key: layer("shear_modulus"), label: "shear modulus", unit: "MPa", from: 0.2, to: 20, step: 0.1 },
+    { key: layer("shear_modulus"), label: "Shear modulus", unit: "MPa", from: 0.2, to: 20, step: 0.1 },
     { key: layer("poisson_ratio"), label: "Poisson's ratio", ...ratio },
-    { key: layer("relaxation_shares.1"), label: "share that relaxes", to: 0.9, from: 0, step: 0.01 },
-    { key: layer("relaxation_times.1"), label: "within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
-    { key: layer("relaxation_shares.2"), label: "second share", to: 0.9, from: 0, step: 0.01 },
-    { key: layer("relaxation_times.2"), label: "within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
+    { key: layer("relaxation_shares.1"), label: "Share that relaxes", to: 0.9, from: 0, step: 0.01 },
+    { key: layer("relaxation_times.1"), label: "Within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
+    { key: layer("relaxation_shares.2"), label: "Second share", to: 0.9, from: 0, step: 0.01 },
+    { key: layer("relaxation_times.2"), label: "Within", unit: "ms", from: 0.01, to: 50, step: 0.01 },
   ],
   "Covered roller": [
-    { key: "body2.rolling_radius", label: "radius", ...radius },
-    { key: "body2.transverse_radius", label: "crown, radius across", unit: "m", from: 1, to: 100, step: 0.5 },
-    { key: "body2.young_modulus", label: "core, Young's modulus" },
-    { key: "body2.poisson_ratio", label: "core, Poisson's ratio" },
+    { key: "body2.rolling_radius", label: "Radius", ...radius },
+    { key: "body2.transverse_radius", label: "Crown, radius across", unit: "m", from: 1, to: 100, step: 0.5 },
+    { key: "body2.young_modulus", label: "Core, Young's modulus" },
+    { key: "body2.poisson_ratio", label: "Core, Poisson's ratio" },
   ],
   "Upper roller": [
-    { key: "body1.rolling_radius", label: "radius", ...radius },
-    { key: "body1.transverse_radius", label: "radius across", unit: "m" },
+    { key: "body1.rolling_radius", label: "Radius", ...radius },
+    { key: "body1.transverse_radius", label: "Radius across", unit: "m" },
     { key: "body1.young_modulus", label: "Young's modulus" },
     { key: "body1.poisson_ratio", label: "Poisson's ratio" },
   ],
@@ -70,6 +72,7 @@ export class NipView {
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #more = element("p", { class: "hint" });
   readonly #perMetre = element("p", { class: "hint" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
+  readonly #lead = element("p");
   readonly #above: HTMLElement;
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
@@ -82,15 +85,16 @@ export class NipView {
     const along = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
     this.#along = new Chart(along, 280);
     this.#curve = new Chart(curve);
-    this.#above = element("div", { class: "panel wide" }, element("h3", {}, "From above; x and y have scales of their own"), element("div", { class: "choices" }, this.#shownChoice()), this.#map);
+    this.#above = card("wide", "The nip from above", "x and y have scales of their own; blue sticks, orange slides", element("div", { class: "choices" }, this.#shownChoice()), this.#map);
+    this.#lead.textContent = "A hard roller is pressed into one with a rubber cover and both roll; you look along the nip, from where the material comes in at the right to where it leaves at the left. Behind the curves: blue where both surfaces stick together, orange where they slide.";
     this.root.append(
-      element("div", { class: "controls" }, ...this.#controls()),
+      titleOf("A rubber-covered roller: pressure and friction in the nip", this.#lead),
+      controlsOf(this.#controls()),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, element("h3", {}, "Along the nip, in its middle"), along, stateLegend(),
-          this.#form.message, this.#remarks, this.#time),
-        element("div", { class: "panel" }, element("h3", {}, "The nip as it is set, and with a free roller"), this.#numbers, this.#spoken, this.#perMetre,
+        card("wide pinned", "Along the nip, in its middle", "", along, stateLegend(), this.#form.message, this.#remarks, this.#time),
+        card("", "The nip as it is set, and with a free roller", "", this.#numbers, this.#spoken, this.#perMetre,
           element("p", { class: "hint" }, "Free: no longitudinal force. The speed ratio is the upper roller's surface speed over the covered one's, both of the undeformed radius: (2 − ξ)/(2 + ξ) with the creepage ξ.")),
-        element("div", { class: "panel" }, element("h3", {}, "Force over creepage"), curve),
+        card("", "Force over creepage", "What the upper roller feels as it is driven or braked", curve),
         this.#above));
   }
 
@@ -119,8 +123,8 @@ export class NipView {
 
   exports(): Record<string, () => void> {
     return {
-      "case as TOML": () => { save("nip.toml", nipCase(this.state)); },
-      "case as Python": () => { save("nip.py", toPython(nipCase(this.state))); },
+      "case as TOML": () => { save("nip.toml", forPeople("nip", nipCase(this.state))); },
+      "case as Python": () => { save("nip.py", toPython(forPeople("nip", nipCase(this.state)))); },
       "nip as CSV": () => { save("nip.csv", this.#along.csv(), "text/csv"); },
       "forces as CSV": () => { save("nip_forces.csv", this.#curve.csv(), "text/csv"); },
       "picture as PNG": () => { this.#along.canvas()?.toBlob((blob) => { if (blob) save("nip.png", blob); }); },
@@ -145,7 +149,7 @@ export class NipView {
       ...specs.flatMap((spec) => (before[spec.key] ? [before[spec.key]!.root, made(spec)] : [made(spec)]))));
     this.#showFields();
     const meaning = element("p", { class: "hint" }, "A negative force on the upper roller is one with which the covered roller drives it. Of the cover's shear modulus shares relax; the stiffness is that of short times.");
-    return [...all, meaning, this.#more];
+    return [presetButtons(), ...all, meaning, this.#more];
   }
 
   /** The other input form of the motion, which stays the same one. */
@@ -180,8 +184,8 @@ export class NipView {
   }
 
   #shownChoice(): HTMLElement {
-    const words: Record<NipState["shown"], string> = { "adhesion and slip": "adhesion and slip", pressure: "pressure", px: "traction px", py: "traction py" };
-    const choice = new Choice("seen from above", words, this.state.shown, (value) => {
+    const words: Record<NipState["shown"], string> = { friction: "friction force per area [MPa]", "adhesion and slip": "where it sticks and where it slides", pressure: "pressure [MPa]", px: "friction along, px [MPa]", py: "friction across, py [MPa]" };
+    const choice = new Choice("Show from above", words, this.state.shown, (value) => {
       this.state.shown = value as NipState["shown"];
       this.draw();
       this.changed();
@@ -213,28 +217,23 @@ export class NipView {
   }
 
   #drawMap(rows: Fields & { width: number[] }, height: number): void {
-    const { shown } = this.state, colour: Record<NipState["shown"], MapContent["colour"]> = {
-      "adhesion and slip": "state",
-      pressure: { values: rows.pressure, unit: "MPa", scale: 1e-6, signed: false },
-      px: { values: rows.px, unit: "MPa", scale: 1e-6, signed: true },
-      py: { values: rows.py, unit: "MPa", scale: 1e-6, signed: true },
-    };
-    drawMap(this.#map, { cells: { ...rows, height }, parts: cellsUpToTheEdge(rows, height), colour: colour[shown], isStretched: true });
+    const { shown } = this.state;
+    drawMap(this.#map, { sheets: sheetsOf(rows, height), shown, isStretched: true, arrows: shown === "friction" || shown === "adhesion and slip", xLabel: "x, along the nip's motion [mm]", yLabel: "y, across [mm]" });
   }
 
   #drawAlong(f: Fields, middle: number, width: number): void {
     const at = f.y.flatMap((y, k) => (y === middle ? [k] : [])).sort((one, other) => f.x[one]! - f.x[other]!);
     const mega = (values: number[], sign = 1) => at.map((k) => (sign * values[k]!) / 1e6);
     const bands = at.filter((k) => f.state[k] !== 0).map((k): Band => ({
-      from: (f.x[k]! - width / 2) * 1e3, to: (f.x[k]! + width / 2) * 1e3, colour: f.state[k] === 2 ? colours.slip : colours.adhesion,
+      from: (f.x[k]! - width / 2) * 1e3, to: (f.x[k]! + width / 2) * 1e3, colour: f.state[k] === 2 ? "--slide-soft" : "--stick-soft",
     }));
     this.#along.draw({
       x: at.map((k) => f.x[k]! * 1e3), xLabel: "x [mm], rolls this way →", yLabel: "MPa", bands,
       curves: [
-        { name: "pressure", colour: colours.table, values: mega(f.pressure) },
-        { name: "bound, friction × pressure", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
-        { name: "−bound", colour: colours.bound, values: mega(f.bound, -1), dash: [4, 4] },
-        { name: "px", colour: colours.exact, values: mega(f.px) },
+        { name: "pressure", colour: colours.exact, values: mega(f.pressure) },
+        { name: "most that friction can bear, ±", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
+        { name: "and the other way", colour: colours.bound, values: mega(f.bound, -1), dash: [4, 4] },
+        { name: "friction px", colour: colours.fastsim2, values: mega(f.px) },
       ],
     });
   }
@@ -288,8 +287,8 @@ export class NipView {
 }
 
 function stateLegend(): HTMLElement {
-  const swatch = (colour: string, name: string) => element("span", {}, element("span", { class: "swatch", style: `background: ${colour}` }), name);
-  return element("p", { class: "hint legend" }, "behind the curves: ", swatch(colours.adhesion, "adhesion"), swatch(colours.slip, "slip"));
+  const swatch = (colour: string, name: string) => element("span", {}, element("span", { class: "swatch", style: `background: var(${colour})` }), name);
+  return element("p", { class: "hint legend" }, "behind the curves: ", swatch(colours.adhesion, "sticks (adhesion)"), swatch(colours.slip, "slides (slip)"));
 }
 
 /** The core's words on a term of the relaxation, which it counts among those that the case has, with the key of its field. */

@@ -1,28 +1,27 @@
 // Patches on the rail head in three dimensions; in two where the browser has no WebGL.
 
 import * as three from "three";
-import { ofSize } from "./colours.ts";
+import { fitToScreen } from "./canvas.ts";
+import { css, of, ramps } from "./colours.ts";
 import { element } from "./elements.ts";
-import { fitToScreen, rowHeight } from "./field_map.ts";
-import { cellsUpToTheEdge } from "./row_edge.ts";
+import type { Outline, Patch } from "./rail_picture.ts";
+import { quantities } from "./sheet.ts";
 
-export interface Patch {
-  normal_force: number; place_x: number; place_y: number; place_z: number; angle: number; rail_y: number; peak_pressure: number;
-  fields: { x: number[]; y: number[]; width: number[]; pressure: number[]; px: number[]; py: number[]; state: number[] } | undefined;
-}
-interface Outline { y: number[]; z: number[] }
 interface Cell { corners: [number, number, number][]; pressure: number }
 
 const length = 0.06; // of the rail that is shown [m]
 
-/** The loaded cells of all patches in track axes, raised a little from the rail. */
+const pressureAt = quantities.indexOf("pressure");
+
+/** Pieces of all patches in track axes, raised a little from the rail. */
 function cellsOf(patches: Patch[]): Cell[] {
-  return patches.flatMap(({ fields, place_x, place_y, place_z, angle }) => {
-    if (!fields) return [];
+  return patches.flatMap(({ sheets, place_x, place_y, place_z, angle }) => {
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)], raised = 2e-4;
     const at = (x: number, y: number): [number, number, number] => [place_x + x, place_y + y * cos - raised * sin, place_z + y * sin + raised * cos];
-    return cellsUpToTheEdge(fields, rowHeight(fields.y)).map(({ k, low, high, y }) =>
-      ({ pressure: fields.pressure[k]!, corners: [at(low[0], y[0]), at(low[1], y[0]), at(high[1], y[1]), at(high[0], y[1])] }));
+    return sheets.flatMap(({ chords, places }) => chords.slice(1).flatMap((upper, j) => Array.from({ length: places }, (_, i): Cell => {
+      const corner = ({ left, right, y }: typeof upper, k: number) => at(left + ((right - left) * k) / places, y), lower = chords[j]!;
+      return { pressure: lower.values[pressureAt]![i]!, corners: [corner(lower, i), corner(lower, i + 1), corner(upper, i + 1), corner(upper, i)] };
+    })));
   });
 }
 
@@ -81,7 +80,7 @@ export class RailHead {
       strip.push([[-length / 2, y, z], [length / 2, y, z], [length / 2, toY, toZ], [-length / 2, toY, toZ]]);
     }
     const steel = new three.Color("#9aa4ad");
-    const colours = cells.map(({ pressure }) => new three.Color(ofSize(pressure / largest)));
+    const colours = cells.map(({ pressure }) => new three.Color(css(of(ramps().sizes, pressure / largest))));
     this.#shown.add(mesh(strip, () => steel), mesh(cells.map(({ corners }) => corners), (i) => colours[i]!));
     const [first] = [...patches].sort((one, other) => other.normal_force - one.normal_force);
     if (first) this.#centre.set(0, (Math.min(...rail.y) + Math.max(...rail.y)) / 2, -0.006);
@@ -121,11 +120,11 @@ export class RailHead {
   }
 
   #showFlat(cells: Cell[], largest: number): void {
-    const context = fitToScreen(this.#canvas), { width, height } = context.canvas;
+    const { context, width, height } = fitToScreen(this.#canvas);
     const y = cells.flatMap(({ corners }) => corners.map((corner) => corner[1])), middle = (Math.min(...y) + Math.max(...y)) / 2;
     const scale = Math.min(width / 0.08, height / 0.04);
     for (const { corners, pressure } of cells) {
-      context.fillStyle = ofSize(pressure / largest);
+      context.fillStyle = css(of(ramps().sizes, pressure / largest));
       context.beginPath();
       for (const [cx, cy] of corners) context.lineTo(width / 2 - (cy - middle) * scale, height / 2 - cx * scale);
       context.fill();

@@ -1,102 +1,130 @@
-// A wheel on a rail by their profiles: dragged sideways or turned; patches, forces, running radii.
+// A wheel on a rail by their profiles: dragged sideways or turned; patches, forces, both wheels, running radii.
 
-import { isHowRead, moreInWords, railCase, railPython, runningCase } from "./case_text.ts";
+import { forPeople, isHowRead, moreInWords, railCase, railPython, runningCase } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
 import { help, input, output } from "./description.ts";
-import { button, element, fillRemarks, fillTable, save, sentence, statusInWords } from "./elements.ts";
-import { clearMap, drawMap, fitToScreen, rowHeight } from "./field_map.ts";
+import { button, card, controlsOf, element, fillKeys, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
+import { rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
-import { RailHead, type Patch } from "./rail_head.ts";
-import { cellsUpToTheEdge } from "./row_edge.ts";
+import { presetButtons } from "./presets.ts";
+import { RailHead } from "./rail_head.ts";
+import { drawPair, drawScene, valuesAt, yawAt, yawHandle, type Layout, type Outline, type Patch, type Scene } from "./rail_picture.ts";
+import { sheetsOf, type ElementFields } from "./sheet.ts";
 import { shapes, type RailState } from "./state.ts";
 import { digits, show, shownUnit } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
 
-interface Outline { y: number[]; z: number[] }
-interface PatchFields { x: number[]; y: number[]; width: number[]; pressure: number[]; px: number[]; py: number[]; state: number[] }
 interface WheelResult {
+  states: Record<string, number[]>;
   wheel: Record<string, (number | string)[]>;
   patches?: Record<string, number[]>; // none where wheel and rail do not touch
   outlines: { rail: Outline; wheel: Outline };
-  fields?: PatchFields[];
+  fields?: (ElementFields & { width: number[] })[];
   status: string; reason?: string; warnings: string[];
 }
 /** What the reader made of a profile. */
 interface ProfileResult { role?: string; steps: string[]; assumptions: string[]; warnings: string[] }
 interface Conicity {
   equivalent_conicity: [number, number][];
-  over_lateral_displacement: { lateral: number; rolling_radius_difference: number; left_rail_y: number }[];
+  over_lateral_displacement: { lateral: number; rolling_radius_difference: number; left_rolling_radius: number; right_rolling_radius: number }[];
 }
 type Level = "fastsim2" | "exact";
 
-const groups: Record<"Wheelset" | "Track and wheelset" | "Material", FieldSpec[]> = {
-  Wheelset: [
-    { key: "wheel.lateral", label: "lateral position, to the left", from: -8, to: 8, step: 0.01 },
-    { key: "wheel.yaw", label: "yaw, to the left", from: -20, to: 20, step: 0.1 },
-    { key: "wheel.vertical_force", label: "wheel load", from: 5, to: 150, step: 1 },
-    { key: "wheel.forward_velocity", label: "speed", from: 5, to: 350, step: 1 },
-    { key: "friction.coefficient", label: "friction", from: 0.05, to: 0.8, step: 0.01 },
+const groups: Record<"Where the wheelset stands" | "Load and motion" | "Track and wheelset" | "Material", FieldSpec[]> = {
+  "Where the wheelset stands": [
+    { key: "wheel.lateral", label: "Moved sideways", from: -8, to: 8, step: 0.01, ends: ["8 right", "8 left"] },
+    { key: "wheel.yaw", label: "Turned (yaw)", from: -10, to: 10, step: 0.1, ends: ["10 right", "10 left"] },
+  ],
+  "Load and motion": [
+    { key: "wheel.vertical_force", label: "Load on this wheel", from: 5, to: 150, step: 1 },
+    { key: "wheel.forward_velocity", label: "Speed", from: 5, to: 350, step: 1 },
+    { key: "friction.coefficient", label: "Friction coefficient", from: 0.05, to: 0.6, step: 0.01, ends: ["0.05 ice", "0.6 dry"] },
   ],
   "Track and wheelset": [
-    { key: "track.cant", label: "rail inclination", unit: "rad" },
-    { key: "track.gauge", label: "gauge" },
-    { key: "wheelset.nominal_radius", label: "wheel radius" },
-    { key: "wheelset.flange_back_distance", label: "between flange backs" },
+    { key: "track.cant", label: "Rail leans inwards", from: 0, to: 60, step: 0.5, ends: ["upright", "1:17"] },
+    { key: "track.gauge", label: "Gauge" },
+    { key: "track.curvature", label: "Curve of the track", unit: "1/km" },
+    { key: "wheelset.nominal_radius", label: "Wheel radius" },
+    { key: "wheelset.flange_back_distance", label: "Between flange backs" },
   ],
   Material: [
     { key: "material.young_modulus", label: "Young's modulus" },
     { key: "material.poisson_ratio", label: "Poisson's ratio" },
   ],
 };
+const largestDifference = 8e-3; // of rolling radii that is drawn [m]: beyond it the flange runs up
 const largestFile = 20e6; // [bytes] beyond which a dropped file is no profile
+const knownProfiles: Record<string, string> = { "s1002.prw": "S1002 (new, European)", "60e1.prr": "60E1 (new, 60 kg/m)" };
+const nameOf = (file: string): string => knownProfiles[file] ?? file;
+
+/** Wavelengths of smoothing that can be chosen; "" as the points scatter, which is what the library takes. */
+const smoothings: Record<string, string> = { "": "as its points scatter", 0: "none", 0.002: "2 mm", 0.004: "4 mm", 0.008: "8 mm", 0.016: "16 mm" };
+const roles = ["wheelset", "rail"] as const;
+const smoothingOf = (role: (typeof roles)[number]) => `${role}.smoothing_length`;
+
+const side = (value: number, positive: string, negative: string): string => (value > 0 ? positive : negative);
 
 export class RailView {
   readonly root = element("section", { class: "view", "aria-label": "Wheel on rail" });
   readonly #form = new Form("rail", this.root);
   readonly #shape: Choice;
-  readonly section = element("canvas", { class: "map", role: "img", tabindex: "0" });
-  readonly #patchMap = element("canvas", { class: "map small", role: "img" });
+  readonly #smoothing: Record<(typeof roles)[number], Choice>;
+  readonly section = element("canvas", { class: "map", role: "slider", tabindex: "0", "aria-valuemin": "-8", "aria-valuemax": "8" });
+  readonly #pair = element("canvas", { class: "map pair", role: "img" });
+  readonly #steers = element("p", { class: "steers" });
+  readonly #lead = element("p");
+  readonly #keys = element("dl", { class: "panel keys" });
   readonly #numbers = element("table", { class: "numbers" });
   readonly #more = element("p", { class: "hint" });
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
+  readonly #hover = element("p", { class: "time" });
   readonly #names = element("p", { class: "names" });
   readonly #remarks = element("p", { class: "hint", role: "status" });
-  readonly #warnings = element("ul", { class: "remarks", role: "status" });
+  readonly #refused = element("p", { class: "message", role: "alert" }); // why a file is not taken
+  readonly #warnings = element("ul", { class: "remarks wide", role: "status" });
+  readonly #conicityNow = element("p", { class: "sub" });
   readonly #radii: Chart;
   readonly #conicity: Chart;
-  readonly #head: RailHead;
+  #head: RailHead | undefined;
   #solved: Partial<Record<Level, WheelResult>> = {};
+  #right: WheelResult | undefined;
+  #patches = new Map<WheelResult, Patch[]>();
   #running: Conicity | undefined;
   #runningOf = "";
   #noRunning = ""; // why there is no conicity
   #later = 0;
-  #grabbed: { x: number; y: number; lateral: number; yaw: number } | undefined;
+  #frame = 0;
+  #pairDrawn = 0;
+  #grabbed: { x: number; y: number; what: "wheel" | "yaw" } | undefined;
+  #isTold = false;
+  #layout: Layout | undefined;
+  #scene: Scene | undefined;
+  #keyNumbers: KeyNumber[] = [];
+  #frozen: { keys: KeyNumber[]; scene: Scene } | undefined;
 
   constructor(readonly core: Core, public state: RailState, readonly changed: () => void) {
-    const radii = element("div", { class: "chart" }), conicity = element("div", { class: "chart" }), head = element("div", { class: "head" });
+    const radii = element("div", { class: "chart" }), conicity = element("div", { class: "chart" });
     this.#radii = new Chart(radii);
     this.#conicity = new Chart(conicity);
-    this.#head = new RailHead(head);
-    this.#shape = new Choice("shape, of the exact theory", shapes(), state.shape, (shape) => {
-      this.state.shape = shape;
-      this.solve();
-      this.changed();
-    }, help(input("rail", "solution.shape")));
+    this.#shape = new Choice("Shape of the patch", shapes(), state.shape, (shape) => { this.#shapeTo(shape); }, help(input("rail", "solution.shape")));
+    const smooth = (role: (typeof roles)[number], label: string) => new Choice(label, smoothings, this.#smoothed(role), (length) => { this.#smooth(role, length); }, help(input("rail", smoothingOf(role))));
+    this.#smoothing = { wheelset: smooth("wheelset", "Smooth the wheel"), rail: smooth("rail", "Smooth the rail") };
     this.root.append(
-      element("div", { class: "controls" }, ...this.#controls()),
+      titleOf("Where wheel and rail touch, and what they do to each other", this.#lead),
+      controlsOf(this.#controls()),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" },
-          element("p", { class: "hint" }, "Drag the wheel sideways; with Shift, or up and down, turn it. Arrow keys do the same."),
-          this.section, this.#form.message, this.#warnings, this.#time),
-        element("div", { class: "panel" }, element("h3", {}, "Forces on the left wheel"), this.#numbers, this.#spoken),
-        element("div", { class: "panel" }, element("h3", {}, "Pressure on the rail head"), head),
-        element("div", { class: "panel" }, element("h3", {}, "Largest patch: pressure and tractions"), this.#patchMap),
-        element("div", { class: "panel" }, element("h3", {}, "Rolling radius difference"), radii),
-        element("div", { class: "panel" }, element("h3", {}, "Equivalent conicity"), conicity)));
+        this.#keys,
+        card("wide pinned", "", "", this.section, this.#hover, this.#form.message, this.#refused, this.#time),
+        this.#warnings,
+        card("wide", "Both wheels", "The same wheelset on both rails, from behind; each wheel carries the load that is set. Profiles to scale, track shortened.", this.#pair, this.#steers),
+        card("", "Forces on the left wheel", "All patches together. Negative: backwards, or to the right.", this.#numbers, this.#spoken),
+        card("", "Rolling radius difference", "Left wheel's radius less the right one's, over the sideways position", radii, this.#conicityNow),
+        card("wide", "Equivalent conicity", "The cone that would steer as strongly, over how far the wheelset sways", conicity),
+        this.#threeDimensions()));
     this.#listen();
     this.#showNames();
   }
@@ -104,21 +132,25 @@ export class RailView {
   set(state: RailState): void {
     this.state = state;
     this.#shape.set(state.shape);
+    for (const role of roles) this.#smoothing[role].set(this.#smoothed(role));
     this.#form.set(state.values);
-    this.#remarks.textContent = "";
+    this.#remarks.textContent = this.#refused.textContent = "";
     this.#showNames();
   }
 
   solve(): void {
     void this.#ask("fastsim2").then((drawn) => { if (drawn) void this.#ask("exact"); });
     clearTimeout(this.#later);
-    this.#later = window.setTimeout(() => { void this.#askConicity(); }, 250);
+    this.#later = window.setTimeout(() => {
+      void this.#askRight();
+      void this.#askConicity();
+    }, 150);
   }
 
   exports(): Record<string, () => void> {
     const names = () => Object.values(this.state.profiles);
     return {
-      "case as TOML": () => { save("wheel_on_rail.toml", railCase(this.state, "exact")); },
+      "case as TOML": () => { save("wheel_on_rail.toml", forPeople("rail", railCase(this.state, "exact"))); },
       "case as Python": () => { save("wheel_on_rail.py", railPython(this.state)); },
       profiles: () => { for (const name of names()) save(name, this.#files()[name] ?? ""); },
       "rolling radii as CSV": () => { save("rolling_radius_difference.csv", this.#radii.csv(), "text/csv"); },
@@ -126,23 +158,54 @@ export class RailView {
     };
   }
 
+  /** Keeps what is shown as state A, or no longer. */
+  freeze(isKept: boolean): void {
+    this.#frozen = isKept && this.#scene ? { keys: this.#keyNumbers, scene: this.#scene } : undefined;
+    this.draw();
+  }
+
   #files(): Record<string, string> {
     return { ...BUILT_IN_PROFILES, ...this.state.files };
+  }
+
+  #smoothed(role: (typeof roles)[number]): string {
+    const length = this.state.more[smoothingOf(role)];
+    return length === undefined ? "" : String(length as number);
+  }
+
+  #smooth(role: (typeof roles)[number], length: string): void {
+    const key = smoothingOf(role);
+    this.state.more = Object.fromEntries(Object.entries(this.state.more).filter(([name]) => name !== key));
+    if (length !== "") this.state.more[key] = Number(length);
+    this.#smoothing[role].set(length);
+    this.#showNames();
+    this.solve();
+    this.changed();
+  }
+
+  #shapeTo(shape: string): void {
+    this.state.shape = shape;
+    this.#shape.set(shape);
+    this.solve();
+    this.changed();
   }
 
   #controls(): HTMLElement[] {
     const made = (group: keyof typeof groups) => groups[group].map((spec) =>
       this.#form.add(spec, this.state.values[spec.key]!, (value) => { this.#change(spec.key, value); }).root);
-    const group = (name: keyof typeof groups | "Profiles", ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
+    const group = (name: string, ...content: Node[]) => element("fieldset", {}, element("legend", {}, name), ...content);
     const choose = (role: "rail" | "wheel") => {
       const input = element("input", { type: "file", id: `file-${role}` });
       input.addEventListener("change", () => { const [file] = input.files ?? []; if (file) void this.take(file, role); });
-      return element("div", { class: "field" }, element("label", { for: `file-${role}` }, `${role} profile from a file`), input);
+      return element("span", { class: "file" }, input, element("label", { for: `file-${role}` }, `Open a ${role} …`));
     };
     return [
-      group("Wheelset", ...made("Wheelset"), this.#shape.root),
-      group("Profiles", this.#names, this.#remarks, choose("rail"), choose("wheel"),
+      presetButtons(),
+      group("Where the wheelset stands", ...made("Where the wheelset stands")),
+      group("Load and motion", ...made("Load and motion")),
+      group("Shapes of wheel and rail", this.#names, this.#remarks, element("div", { class: "choices" }, choose("wheel"), choose("rail")),
         element("p", { class: "hint" }, "Simpack, MiniProf or two columns; files may also be dropped on the picture. They stay on this machine."),
+        this.#smoothing.wheelset.root, this.#smoothing.rail.root, this.#shape.root,
         button("S1002 on 60E1 again", () => {
           this.state.profiles = { rail: "60e1.prr", wheel: "s1002.prw" };
           this.state.files = {};
@@ -155,27 +218,47 @@ export class RailView {
     ];
   }
 
+  /** The head in three dimensions, made when it is wanted. */
+  #threeDimensions(): HTMLElement {
+    const head = element("div", { class: "head" }), made = element("details", { class: "panel wide" }, element("summary", {}, "Pressure on the rail head in three dimensions"), head);
+    made.addEventListener("toggle", () => {
+      if (made.open) this.#head ??= new RailHead(head);
+      this.draw();
+    });
+    return made;
+  }
+
   #listen(): void {
-    const { section } = this;
+    const { section } = this, place = (event: PointerEvent) => {
+      const box = section.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top] as const;
+    };
     section.addEventListener("pointerdown", (event) => {
+      const [x, y] = place(event), layout = this.#layout;
+      if (!layout) return;
+      const { tip } = yawHandle(layout, this.state.values["wheel.yaw"]!), isYaw = Math.hypot(x - tip[0], y - tip[1]) < 24;
+      if (!isYaw && y > layout.above.top + layout.above.height) return;
       section.setPointerCapture(event.pointerId);
-      const { values } = this.state;
-      this.#grabbed = { x: event.clientX, y: event.clientY, lateral: values["wheel.lateral"]!, yaw: values["wheel.yaw"]! };
+      this.#isTold = true;
+      this.#grabbed = { x, y, what: isYaw ? "yaw" : "wheel" };
     });
     section.addEventListener("pointermove", (event) => {
-      if (!this.#grabbed) return;
-      const { x, y, lateral, yaw } = this.#grabbed;
-      const across = event.clientX - x, up = y - event.clientY, turns = event.shiftKey || Math.abs(up) > 2 * Math.abs(across);
-      // The picture's left is the track's left: a drag to the left moves the wheel to positive y, by a tenth of the distance.
-      if (turns) this.#change("wheel.yaw", yaw + 5e-5 * (event.shiftKey ? -across : up));
-      else this.#change("wheel.lateral", lateral - 2e-5 * across);
+      const [x, y] = place(event), layout = this.#layout;
+      if (!layout || !this.#scene) return;
+      if (!this.#grabbed) { this.#hover.textContent = valuesAt(layout, this.#scene, [x, y]) ?? ""; return; }
+      // One pixel of the hand is one pixel of the wheel, with Shift a tenth. The picture's left is the track's left, positive y.
+      const across = (x - this.#grabbed.x) * (event.shiftKey ? 0.1 : 1), rounded = (value: number, to: number) => Math.round(value / to) * to;
+      if (this.#grabbed.what === "yaw") this.#change("wheel.yaw", rounded(Math.min(Math.max(yawAt(layout, [x, y]), -0.02), 0.02), 1e-5));
+      else this.#change("wheel.lateral", Number((this.state.values["wheel.lateral"]! - across / layout.scale).toPrecision(8)));
+      this.#grabbed = { ...this.#grabbed, x, y };
     });
     for (const end of ["pointerup", "pointercancel"]) section.addEventListener(end, () => { this.#grabbed = undefined; });
     section.addEventListener("keydown", (event) => {
       const by = { ArrowLeft: ["wheel.lateral", 5e-5], ArrowRight: ["wheel.lateral", -5e-5], ArrowUp: ["wheel.yaw", 1e-4], ArrowDown: ["wheel.yaw", -1e-4] }[event.key] as [string, number] | undefined;
       if (!by) return;
       event.preventDefault();
-      this.#change(by[0], this.state.values[by[0]]! + by[1] * (event.shiftKey ? 10 : 1));
+      this.#isTold = true;
+      this.#change(by[0], Number((this.state.values[by[0]]! + by[1] * (event.shiftKey ? 10 : 1)).toPrecision(8)));
     });
     section.addEventListener("dragover", (event) => { event.preventDefault(); });
     section.addEventListener("drop", (event) => {
@@ -189,6 +272,7 @@ export class RailView {
   #change(key: string, value: number): void {
     this.state.values[key] = value;
     this.#form.fields.find(({ spec }) => spec.key === key)?.set(value);
+    this.draw(); // the wheel goes with the hand, before it is solved
     this.solve();
     this.changed();
   }
@@ -196,7 +280,7 @@ export class RailView {
   /** A profile that a person gives; the core says what it is, or why it is none. */
   async take(file: File, role?: "rail" | "wheel"): Promise<void> {
     if (file.size > largestFile) {
-      this.#form.message.textContent = `${file.name} has ${digits(file.size / 1e6)} MB; profiles up to ${digits(largestFile / 1e6)} MB are read`;
+      this.#refused.textContent = `${file.name} has ${digits(file.size / 1e6)} MB; profiles up to ${digits(largestFile / 1e6)} MB are read`;
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -205,16 +289,17 @@ export class RailView {
     const name = file.name.replaceAll(/[\\/"]/g, "_");
     const reply = await this.core.ask<ProfileResult>(`profile ${name}`, { call: "profile", name, text, ...(role ? { role } : {}) });
     if (!reply) return;
-    if (reply.error) { this.#form.message.textContent = reply.error.message; return; }
+    if (reply.error) { this.#refused.textContent = reply.error.message; return; }
     const found = role ?? reply.result?.role;
     if (found !== "rail" && found !== "wheel") {
-      this.#form.message.textContent = `${name} does not say whether it is a rail or a wheel: choose it under its own name at the left`;
+      this.#refused.textContent = `${name} does not say whether it is a rail or a wheel: choose it under its own name at the left`;
       return;
     }
     if (this.state.profiles[found === "rail" ? "wheel" : "rail"] === name && this.#files()[name] !== text) {
-      this.#form.message.textContent = `rail and wheel are both called ${name}: give one of the files another name`;
+      this.#refused.textContent = `rail and wheel are both called ${name}: give one of the files another name`;
       return;
     }
+    this.#refused.textContent = "";
     this.state.files[name] = text;
     this.state.profiles[found] = name;
     const { steps, assumptions, warnings } = reply.result!;
@@ -235,7 +320,8 @@ export class RailView {
   #showNames(): void {
     const { profiles, more } = this.state;
     this.#names.textContent = `Wheel ${profiles.wheel} on rail ${profiles.rail}`;
-    this.#more.textContent = moreInWords(more);
+    const others = Object.entries(more).filter(([key]) => !roles.some((role) => key === smoothingOf(role)));
+    this.#more.textContent = moreInWords(Object.fromEntries(others));
   }
 
   async #ask(level: Level): Promise<boolean> {
@@ -247,9 +333,17 @@ export class RailView {
     const found = reply.result!;
     this.#solved[level] = { ...found, outlines: found.outlines ?? this.#solved.fastsim2?.outlines };
     if (level === "fastsim2") delete this.#solved.exact;
-    this.#time.textContent = `${level === "exact" ? "exact" : "FASTSIM2"}: ${digits(1e3 * (reply.time ?? 0))} ms`;
+    this.#time.textContent = level === "exact" ? `exact theory, computed in ${digits(1e3 * (reply.time ?? 0))} ms` : `quick theory FASTSIM2, computed in ${digits(1e3 * (reply.time ?? 0))} ms; the exact one follows`;
     this.draw();
     return true;
+  }
+
+  /** The other wheel, under the same load, by the quick theory. */
+  async #askRight(): Promise<void> {
+    const reply = await this.core.ask<WheelResult>("rail right", { call: "solve", case: railCase(this.state, "fastsim2", "right"), files: this.#files(), fields: true });
+    if (!reply) return;
+    this.#right = reply.result;
+    this.#drawPair();
   }
 
   async #askConicity(): Promise<void> {
@@ -263,89 +357,126 @@ export class RailView {
       this.#runningOf = of;
     }
     this.#drawRunning();
+    this.#drawPair();
   }
 
   #drawRunning(): void {
     if (!this.#running) {
       this.#radii.refuse(this.#noRunning);
       this.#conicity.refuse(this.#noRunning);
+      this.#conicityNow.textContent = "";
       return;
     }
-    const over = this.#running.over_lateral_displacement, present = 1e3 * this.state.values["wheel.lateral"]!;
+    const over = this.#running.over_lateral_displacement.filter((at) => Math.abs(at.rolling_radius_difference) < largestDifference), present = 1e3 * this.state.values["wheel.lateral"]!;
     this.#radii.draw({
-      x: over.map(({ lateral }) => lateral * 1e3), xLabel: "lateral position [mm]", yLabel: "rL − rR [mm]", present,
+      x: over.map(({ lateral }) => lateral * 1e3), xLabel: "sideways position [mm], to the left →", yLabel: "left − right [mm]", present,
       curves: [{ name: "radius difference", colour: colours.exact, values: over.map((at) => at.rolling_radius_difference * 1e3) }],
     });
-    const conicity = this.#running.equivalent_conicity;
+    const conicity = this.#running.equivalent_conicity, at3 = conicity.find(([amplitude]) => Math.abs(amplitude - 3e-3) < 1e-6);
+    this.#conicityNow.textContent = at3 ? `Swaying by 3 mm it steers as a cone of slope ${at3[1].toFixed(3)} would.` : "";
     this.#conicity.draw({
       x: conicity.map(([amplitude]) => amplitude * 1e3), xLabel: "amplitude [mm]", yLabel: "conicity", present: Math.abs(present),
-      curves: [{ name: "conicity", colour: colours.fastsim2, values: conicity.map(([, value]) => value) }],
+      curves: [{ name: "conicity", colour: colours.exact, values: conicity.map(([, value]) => value) }],
     });
   }
 
+  #patchesOf(solved: WheelResult): Patch[] {
+    const known = this.#patches.get(solved);
+    if (known) return known;
+    const { patches = {}, fields } = solved;
+    const made = (patches["normal_force"] ?? []).map((normal_force, i): Patch => {
+      const at = (name: string) => patches[name]![i]!, f = fields?.[i];
+      return {
+        normal_force, fx: at("fx"), fy: at("fy"), place_x: at("place_x"), place_y: at("place_y"), place_z: at("place_z"), angle: at("angle"), rail_y: at("rail_y"),
+        peak_pressure: at("peak_pressure"), contact_area: at("contact_area"), slip_area: at("slip_area"), fields: f, sheets: f ? sheetsOf(f, rowHeight(f.y)) : [],
+      };
+    });
+    this.#patches = new Map([...this.#patches].slice(-3)).set(solved, made);
+    return made;
+  }
+
+  /** Once a frame, whatever has changed since the last one. */
   draw(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = requestAnimationFrame(() => { this.#drawNow(); });
+  }
+
+  #drawNow(): void {
+    const solved = this.#solved.exact ?? this.#solved.fastsim2;
+    if (!solved || !this.#solved.fastsim2?.outlines) return;
+    const remarks = remarksOn(solved);
+    this.#drawScene();
+    this.#showKeys(solved);
+    this.#showNumbers();
+    fillRemarks(this.#warnings, remarks, this.#remedies());
+    if (this.#head) this.#head.show(solved.outlines.rail, this.#patchesOf(solved));
+    this.#drawRunning();
+    if (performance.now() - this.#pairDrawn > 100) this.#drawPair(); // which is drawn at rest in any case
+  }
+
+  #drawScene(): void {
     const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines;
     if (!solved || !outlines) return;
-    const patches = patchesOf(solved);
-    this.#drawSection(outlines, patches);
-    this.#head.show(outlines.rail, patches);
-    this.#drawPatch(patches);
-    this.#showNumbers();
-    fillRemarks(this.#warnings, remarksOn(solved));
-    this.#drawRunning();
-  }
-
-  /** Looking along the track: the track's left at the left, so y grows to the left. */
-  #drawSection({ rail, wheel }: { rail: Outline; wheel: Outline }, patches: Patch[]): void {
-    const context = fitToScreen(this.section), pixel = devicePixelRatio, { width, height } = context.canvas;
-    const middle = (Math.min(...rail.y) + Math.max(...rail.y)) / 2, scale = Math.min(width / 0.15, height / 0.075);
-    const at = (y: number, z: number): [number, number] => [width / 2 - (y - middle) * scale, height * 0.52 - (z - 0.004) * scale];
-    const ink = getComputedStyle(document.body).getPropertyValue("--ink").trim();
-    const line = ({ y, z }: Outline, colour: string) => {
-      context.beginPath();
-      y.forEach((value, i) => { context.lineTo(...at(value, z[i]!)); });
-      context.strokeStyle = colour;
-      context.lineWidth = 2 * pixel;
-      context.stroke();
+    const { values, profiles } = this.state, lateral = values["wheel.lateral"]!, moved = lateral - solved.states["lateral"]![0]!;
+    const wheel = moved === 0 ? outlines.wheel : { y: outlines.wheel.y.map((y) => y + moved), z: outlines.wheel.z };
+    const cant = values["track.cant"]!, lean = cant === 0 ? "upright" : `leans inwards 1:${digits(Math.round(1 / Math.tan(cant)))}`;
+    const scene: Scene = {
+      rail: outlines.rail, wheel, patches: this.#patchesOf(solved), yaw: values["wheel.yaw"]!, trouble: troubleOf(solved), isTold: this.#isTold, compared: this.#frozen?.scene,
+      names: { wheel: `${nameOf(profiles.wheel)}, radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: `${nameOf(profiles.rail)}, ${lean}` },
     };
-    line(rail, colours.exact);
-    line(wheel, colours.fastsim2);
-    context.font = `${12 * pixel}px system-ui, sans-serif`;
-    context.fillStyle = ink;
-    context.fillText("field side", 8 * pixel, 16 * pixel);
-    context.textAlign = "right";
-    context.fillText("centre of the track", width - 8 * pixel, 16 * pixel);
-    context.textAlign = "left";
-    for (const { normal_force, place_y, place_z, angle } of patches) {
-      const [px, py] = at(place_y, place_z), length = (0.012 * normal_force * scale) / 80e3 + 8 * pixel;
-      context.beginPath();
-      context.arc(px, py, 4 * pixel, 0, 2 * Math.PI);
-      context.fillStyle = colours.accent;
-      context.fill();
-      context.beginPath();
-      context.moveTo(px, py);
-      context.lineTo(px + Math.sin(angle) * length, py - Math.cos(angle) * length);
-      context.strokeStyle = colours.accent;
-      context.lineWidth = 3 * pixel;
-      context.stroke();
-      context.fillStyle = ink;
-      context.fillText(`${digits(normal_force / 1e3)} kN`, px + Math.sin(angle) * length + 6 * pixel, py - Math.cos(angle) * length);
-    }
-    const where = patches.map((patch) => `${digits(patch.rail_y * 1e3)} mm`).join(" and ");
-    this.section.setAttribute("aria-label", `Wheel and rail seen along the track; contact on the rail at y = ${where || "no place"}`);
+    this.#layout = drawScene(this.section, scene);
+    this.#scene = scene;
+    const stands = lateral === 0 ? "in the middle of the track" : `${Math.abs(1e3 * lateral).toFixed(1)} mm to the ${side(lateral, "left", "right")} of the track's middle`;
+    const turns = scene.yaw === 0 ? "points straight ahead" : `is turned ${Math.abs(1e3 * scene.yaw).toFixed(1)} mrad to the ${side(scene.yaw, "left", "right")}`;
+    this.#lead.replaceChildren("Cut through the ", element("b", {}, "left wheel"), " and its rail", ...long(", to scale; you look along the track, the way the train goes"), `. The wheelset stands ${stands} and ${turns}. `,
+      ...long("Drag the wheel (Shift: ten times finer) or the handle that turns it; arrow keys do the same."));
+    const where = scene.patches.map((patch) => `${digits(patch.rail_y * 1e3)} mm`).join(" and ");
+    this.section.setAttribute("aria-label", `Wheel, moved sideways; wheel and rail seen along the track, contact on the rail at y = ${where || "no place"}`);
+    this.section.setAttribute("aria-valuenow", (1e3 * lateral).toFixed(2));
+    this.section.setAttribute("aria-valuetext", `${stands}, ${turns}`);
   }
 
-  #drawPatch(patches: Patch[]): void {
-    const [largest] = [...patches].filter(({ fields }) => fields).sort((one, other) => other.normal_force - one.normal_force);
-    const f = largest?.fields;
-    if (!f) { clearMap(this.#patchMap, "no patch"); return; }
-    const size = Math.max(...f.px.map((px, k) => Math.hypot(px, f.py[k]!)), 1e-30);
-    const height = rowHeight(f.y);
-    drawMap(this.#patchMap, {
-      cells: { ...f, height }, parts: cellsUpToTheEdge(f, height), colour: { values: f.pressure, unit: "MPa", scale: 1e-6, signed: false },
-      arrows: { x: f.px, y: f.py, longest: size },
+  #showKeys(solved: WheelResult): void {
+    const patches = this.#patchesOf(solved), sum = (of: (patch: Patch) => number) => patches.reduce((all, patch) => all + of(patch), 0);
+    const area = sum(({ contact_area }) => contact_area), slipping = sum(({ slip_area }) => slip_area), friction = sum(({ fx, fy }) => Math.hypot(fx, fy));
+    const possible = this.state.values["friction.coefficient"]! * sum(({ normal_force }) => normal_force), peak = Math.max(0, ...patches.map(({ peak_pressure }) => peak_pressure));
+    const wheel = (name: string) => Number(solved.wheel[name]?.[0]), ratio = wheel("y_over_q"), limit = wheel("nadal_limit");
+    const size = patches.length === 1 ? sizeOf(patches[0]!) : patches.length ? `in ${String(patches.length)} parts` : "no contact";
+    const climbing = ratio > limit ? "above the limit: it can climb" : ratio > 0.7 * limit ? "close to climbing the rail" : "far from climbing the rail";
+    const share = area > 0 ? 1 - slipping / area : 0, minus = (words: string) => words.replace("-", "−");
+    this.#keyNumbers = [
+      { name: "Load on this wheel", value: digits(wheel("force_z") / 1e3), unit: "kN", note: "upwards, from the rail", what: output("wheel", "force_z").text },
+      { name: "Contact patch", value: digits(Math.round(1e6 * area)), unit: "mm²", note: size, what: output("patch", "contact_area").text },
+      { name: "Highest pressure", value: Math.round(peak / 1e6).toLocaleString("en"), unit: "MPa", note: peak / 1e6 > 1000 ? `${digits(Math.round(peak / 1e5) / 10)} N on each mm²` : "", what: output("patch", "peak_pressure").text },
+      { name: "Sticks and slides", value: "", unit: "", note: area > 0 ? `${String(Math.round(100 * share))} % sticks, ${String(Math.round(100 * (1 - share)))} % slides` : "nothing", share, what: "Shares of the contact where the surfaces stick together and where they slide" },
+      { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: possible > 0 ? `${String(Math.round((100 * friction) / possible))} % of ${(possible / 1e3).toFixed(1)} kN possible` : "", what: "Along the surface, summed over the patches; possible is friction times the force square to the surface" },
+      { name: "Climbing (Y/Q)", value: minus(ratio.toFixed(2)), unit: `limit ${limit.toFixed(2)}`, note: climbing, what: `${output("wheel", "y_over_q").text}. ${output("wheel", "nadal_limit").text}.` },
+    ];
+    fillKeys(this.#keys, this.#keyNumbers, this.#frozen?.keys);
+  }
+
+  #drawPair(): void {
+    this.#pairDrawn = performance.now();
+    const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines, right = this.#right;
+    if (!solved || !outlines) return;
+    const words = (name: string, of: WheelResult, radius: number | undefined) => {
+      const value = (key: string) => Number(of.wheel[key]?.[0]), angle = Math.max(...(of.patches?.["angle"] ?? [0]).map(Math.abs));
+      return [name, `load ${digits(Math.round(value("force_z") / 100) / 10)} kN`, ...(radius === undefined ? [] : [`rolling radius ${(1e3 * radius).toFixed(2)} mm`]), `tilt of the contact ${((180 * angle) / Math.PI).toFixed(1)}°`,
+        `${Math.abs(value("force_x") / 1e3).toFixed(1)} kN ${side(value("force_x"), "forwards", "backwards")}`, `${Math.abs(value("force_y") / 1e3).toFixed(1)} kN to the ${side(value("force_y"), "left", "right")}`];
+    };
+    const lateral = this.state.values["wheel.lateral"]!, near = nearest(this.#running, lateral);
+    drawPair(this.#pair, {
+      lateral, gauge: this.state.values["track.gauge"]!,
+      left: { outline: outlines, patches: this.#patchesOf(solved), words: words("Left wheel", solved, near?.left) },
+      right: right?.outlines && { outline: right.outlines, patches: this.#patchesOf(right), words: words("Right wheel", right, near?.right) },
     });
-    this.#patchMap.setAttribute("aria-label", `largest patch, peak pressure ${digits(largest.peak_pressure / 1e6)} MPa`);
+    if (!near) { this.#steers.textContent = ""; return; }
+    const difference = near.left - near.right, size = Math.abs(1e3 * difference).toFixed(2), larger = side(difference, "left", "right"), to = side(difference, "right", "left");
+    const isBack = lateral !== 0 && difference > 0 === lateral > 0;
+    const told = Math.abs(difference) < 2e-5 ? "Both wheels roll on the same radius: nothing steers the wheelset."
+      : `Both turn equally fast. The ${larger} wheel rolls on a radius ${size} mm larger and runs ahead, so the wheelset steers to the ${to}${isBack ? ", back to the middle" : lateral === 0 ? "" : ", away from the middle"}.`;
+    this.#steers.textContent = told;
+    this.#pair.setAttribute("aria-label", `Both wheels on their rails. ${told}`);
   }
 
   #showNumbers(): void {
@@ -355,23 +486,57 @@ export class RailView {
       return { name: label, unit, what: text, values: columns.map((of) => (of ? show(Number(of.wheel[name]?.[0]), si, unit) : "…")) };
     };
     fillTable(this.#numbers, ["exact", "FASTSIM2"], [
-      row("longitudinal force", "force_x"), row("lateral force, to the left", "force_y"), row("vertical force", "force_z"), row("T-gamma", "t_gamma", "N"),
-      row("Y/Q", "y_over_q"), row("Nadal's limit of Y/Q", "nadal_limit"), row("frictional power", "frictional_power"), row("patches", "patch_count"),
+      row("longitudinal force, forwards", "force_x"), row("lateral force, to the left", "force_y"), row("vertical force", "force_z"), row("rubbing work per metre, T-gamma", "t_gamma", "N"),
+      row("Y/Q", "y_over_q"), row("Nadal's limit of Y/Q", "nadal_limit"), row("heat made, frictional power", "frictional_power"), row("patches", "patch_count"),
     ]);
     const shown = columns[0] ?? columns[1];
-    if (shown) this.#spoken.textContent = `lateral force ${digits(Number(shown.wheel.force_y?.[0]) / 1e3)} kN, ${String(shown.wheel.patch_count?.[0])} patches`;
+    if (shown) this.#spoken.textContent = `lateral force ${digits(Number(shown.wheel["force_y"]?.[0]) / 1e3)} kN, ${String(shown.wheel["patch_count"]?.[0])} patches`;
+  }
+
+  /** What the page can do about what is odd. */
+  #remedies(): Remedy[] {
+    const back = () => { this.#change("wheel.lateral", 0.003); };
+    return [
+      { when: /solved as flat/, name: "Use the curved shape", run: () => { this.#shapeTo("curved"); } },
+      { when: /derailed|do not touch|profile's end|end of (a|the) profile/, name: "Back on the rail", run: back },
+      { when: /hundredth of Young/, name: "Away from the flange", run: back },
+      ...roles.map((role): Remedy => ({
+        when: new RegExp(`(?=.*smooth with a wavelength)(?=.*${role === "rail" ? "rail|\\.prr" : "wheel|\\.prw"})`), name: `Smooth the ${role === "rail" ? "rail" : "wheel"}`,
+        run: () => { this.#smooth(role, "0.004"); },
+      })),
+    ];
   }
 }
 
-/** Warnings of a result, its status unless it is ok, and why. */
-function remarksOn({ warnings, status, reason }: WheelResult): string[] {
-  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...warnings].map(sentence);
+/** Length along and width across of a patch. */
+function sizeOf({ sheets }: Patch): string {
+  const corners = sheets.flatMap((sheet) => sheet.outline()), reach = (of: number[]) => (1e3 * (Math.max(...of) - Math.min(...of))).toFixed(1);
+  return corners.length ? `${reach(corners.map(([x]) => x))} mm × ${reach(corners.map(([, y]) => y))} mm` : "";
 }
 
-function patchesOf(solved: WheelResult): Patch[] {
-  const { patches = {}, fields } = solved;
-  return (patches.normal_force ?? []).map((normal_force, i) => ({
-    normal_force, place_x: patches.place_x![i]!, place_y: patches.place_y![i]!, place_z: patches.place_z![i]!, angle: patches.angle![i]!,
-    rail_y: patches.rail_y![i]!, peak_pressure: patches.peak_pressure![i]!, fields: fields?.[i],
-  }));
+/** Rolling radii of both wheels at a sideways position, between those that are known. */
+function nearest(running: Conicity | undefined, lateral: number): { left: number; right: number } | undefined {
+  const over = running?.over_lateral_displacement ?? [], i = over.findIndex((at) => at.lateral >= lateral);
+  const [low, high] = [over[i - 1], over[i]];
+  if (!low || !high) return undefined;
+  const t = (lateral - low.lateral) / (high.lateral - low.lateral), mix = (a: number, b: number) => a + t * (b - a);
+  return { left: mix(low.left_rolling_radius, high.left_rolling_radius), right: mix(low.right_rolling_radius, high.right_rolling_radius) };
+}
+
+/** Warnings of a result, its status unless it is ok, and why. */
+function remarksOn({ warnings, status, reason, wheel }: WheelResult): string[] {
+  const [ratio, limit] = ["y_over_q", "nadal_limit"].map((name) => Number(wheel[name]?.[0]));
+  const climbs = ratio! > limit! ? [`Flange climbing: Y/Q = ${ratio!.toFixed(2)} is above Nadal's limit ${limit!.toFixed(2)}, so this wheel can climb its rail`] : [];
+  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...climbs, ...warnings].map(sentence);
+}
+
+/** What is wrong with where the wheel is, in few words for the picture. */
+function troubleOf(solved: WheelResult): string {
+  const all = remarksOn(solved).join(" ");
+  if (/derailed/.test(all)) return "Derailed: the flange is not inside the rail any more";
+  if (/do not touch/.test(all)) return "Lifted: wheel and rail do not touch";
+  if (/Flange climbing/.test(all)) return "The flange can climb: Y/Q is above Nadal's limit";
+  if (/hundredth of Young/.test(all)) return "No steel bears this pressure";
+  if (Number(solved.wheel["at_profile_end"]?.[0]) > 0) return "The contact reaches the end of a profile";
+  return solved.status === "ok" ? "" : "No solution here: see below";
 }

@@ -1,19 +1,16 @@
-// Cells of rows of elements up to the edge of their contact, so that pictures of it have none of the rows' steps.
-// Between elements p^2 is linear in the distance to the edge to first order, as under Hertz's half-ellipsoid: two elements of a
-// row tell where it ends. Beyond the last row the square of the contact's length is linear in y, as in an ellipse.
+// Where rows of elements end, so that pictures of a contact have none of the rows' steps. Between elements p^2 is linear in
+// the distance to the edge to first order, as under Hertz's half-ellipsoid: two elements of a row tell where it ends.
+// Beyond the last row the square of the contact's length is linear in y, as in an ellipse.
 
 export interface RowFields { x: number[]; y: number[]; width: number[]; pressure: number[]; state: number[] }
 
-/** A part of the cell k: from and to in x at the lower y, then at the upper one [m]. */
-export interface CellPart { k: number; low: readonly [number, number]; high: readonly [number, number]; y: readonly [number, number] }
-
 /** Neighbouring elements in contact of a row, by rising x, and where contact ends on either side. */
-interface Run { cells: number[]; y: number; left: number; right: number }
+export interface Run { cells: number[]; y: number; left: number; right: number }
 /** Where contact begins and ends at a y. */
 type Chord = readonly [y: number, left: number, right: number];
 
 const leastReach = 0.02, mostReach = 1.1; // of an element or of a row, beyond the last centre
-const tipParts = 4;
+const tipParts = 6;
 
 /** How many steps `apart` of a quantity that falls from `inner` to `outer` it takes to fall to zero. */
 function steps(outer: number, inner: number): number {
@@ -29,7 +26,8 @@ function run({ x, y, width, pressure }: RowFields, cells: number[]): Run {
   return { cells, y: y[first]!, left: x[first]! - reach(first, cells[1]), right: x[last]! + reach(last, cells.at(-2)) };
 }
 
-function runsOf(f: RowFields): Run[][] {
+/** Runs of all rows in contact, by rising y. */
+export function runsOf(f: RowFields): Run[][] {
   const rows = new Map<number, number[]>();
   f.y.forEach((y, k) => {
     if (!rows.has(y)) rows.set(y, []);
@@ -46,26 +44,14 @@ function runsOf(f: RowFields): Run[][] {
   });
 }
 
-/** Chords from the middle of a row half the distance to the next one, which may end there; `height` is negative downwards. */
-function chords(here: Run, next: Run | undefined, before: Run | undefined, height: number): Chord[] {
-  const start: Chord = [here.y, here.left, here.right];
-  if (next) return [start, [here.y + height / 2, (here.left + next.left) / 2, (here.right + next.right) / 2]];
+/** Chords beyond the last row up to where contact ends; `height` is negative downwards. */
+export function chordsBeyond(here: Run, before: Run | undefined, height: number): Chord[] {
   const length = (of: Run) => of.right - of.left;
   const rows = before && length(before) > length(here) ? steps(length(here) ** 2, length(before) ** 2) : 0.5;
   const middle = (here.left + here.right) / 2, half = length(here) / 2;
-  return Array.from({ length: tipParts + 1 }, (_, i) => {
-    const share = 1 - i / tipParts; // of the chord; where its square is linear
+  return Array.from({ length: tipParts }, (_, i) => {
+    const share = 1 - (i + 1) / tipParts; // of the chord; where its square is linear
     return [here.y + height * rows * (1 - share ** 2), middle - half * share, middle + half * share] as const;
-  });
-}
-
-function parts({ x, width }: RowFields, { cells }: Run, from: Chord, to: Chord): CellPart[] {
-  const [low, high] = from[0] < to[0] ? [from, to] : [to, from];
-  return cells.flatMap((k, i) => {
-    const left = i === 0 ? -Infinity : x[k]! - width[k]! / 2, right = i === cells.length - 1 ? Infinity : x[k]! + width[k]! / 2;
-    const within = ([, l, r]: Chord) => [Math.min(Math.max(left, l), r), Math.max(Math.min(right, r), l)] as const;
-    const [a, b] = [within(low), within(high)];
-    return a[1] > a[0] || b[1] > b[0] ? [{ k, low: a, high: b, y: [low[0], high[0]] as const }] : [];
   });
 }
 
@@ -73,14 +59,4 @@ function parts({ x, width }: RowFields, { cells }: Run, from: Chord, to: Chord):
 export function contactOfRow(f: RowFields, y: number): readonly [from: number, to: number] | undefined {
   const row = runsOf(f).find(([first]) => first?.y === y);
   return row && [row[0]!.left, row.at(-1)!.right];
-}
-
-export function cellsUpToTheEdge(f: RowFields, height: number): CellPart[] {
-  const rows = runsOf(f);
-  const beside = (row: Run[] | undefined, here: Run) => row?.find(({ left, right }) => left < here.right && right > here.left);
-  return rows.flatMap((row, j) => row.flatMap((here) => {
-    const above = beside(rows[j + 1], here), below = beside(rows[j - 1], here);
-    return [chords(here, above, below, height), chords(here, below, above, -height)].flatMap((line) =>
-      line.slice(1).flatMap((to, i) => parts(f, here, line[i]!, to)));
-  }));
 }

@@ -1,12 +1,14 @@
 // A contact that starts to roll under given forces: from Cattaneo's shift to Carter's steady rolling, played as an animation.
 
-import { startCase, toPython } from "./case_text.ts";
+import { forPeople, startCase, toPython } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, element, fillRemarks, save, sentence, statusInWords } from "./elements.ts";
+import { button, card, controlsOf, element, fillRemarks, save, sentence, statusInWords, titleOf } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, type FieldSpec } from "./fields.ts";
+import { presetButtons } from "./presets.ts";
+import { sheetsOf } from "./sheet.ts";
 import type { Given, StartState } from "./state.ts";
 import { digits } from "./units.ts";
 
@@ -21,23 +23,23 @@ interface Transient {
 const creepage = { unit: "%", from: -1, to: 1, step: 0.005 } as const, force = { from: -40, to: 40, step: 0.5 } as const;
 const groups: Record<"Contact" | "Motion" | "Bodies", FieldSpec[]> = {
   Contact: [
-    { key: "load.normal_force", label: "normal force", from: 5, to: 200, step: 1 },
-    { key: "friction.coefficient", label: "friction", from: 0.05, to: 0.8, step: 0.01 },
+    { key: "load.normal_force", label: "Load", from: 5, to: 200, step: 1 },
+    { key: "friction.coefficient", label: "Friction coefficient", from: 0.05, to: 0.8, step: 0.01 },
   ],
   Motion: [
-    { key: "motion.force_longitudinal", label: "longitudinal force on the upper body", ...force },
-    { key: "motion.creepage_longitudinal", label: "longitudinal creepage", ...creepage },
-    { key: "motion.force_lateral", label: "lateral force on the upper body", ...force },
-    { key: "motion.creepage_lateral", label: "lateral creepage", ...creepage },
-    { key: "motion.spin", label: "spin", from: -3, to: 3, step: 0.02 },
-    { key: "motion.rolling_speed", label: "rolling speed" },
-    { key: "motion.steps", label: "steps", from: 10, to: 120, step: 1 },
+    { key: "motion.force_longitudinal", label: "Force along, on the wheel", ...force },
+    { key: "motion.creepage_longitudinal", label: "Braking (longitudinal creepage)", ...creepage },
+    { key: "motion.force_lateral", label: "Force across, on the wheel", ...force },
+    { key: "motion.creepage_lateral", label: "Drifting (lateral creepage)", ...creepage },
+    { key: "motion.spin", label: "Twisting (spin)", from: -3, to: 3, step: 0.02 },
+    { key: "motion.rolling_speed", label: "Rolling speed" },
+    { key: "motion.steps", label: "Steps", from: 10, to: 120, step: 1 },
   ],
   Bodies: [
-    { key: "body1.rolling_radius", label: "upper body, in rolling", from: 20, to: 1000, step: 5 },
-    { key: "body1.transverse_radius", label: "upper body, across" },
-    { key: "body2.rolling_radius", label: "lower body, in rolling" },
-    { key: "body2.transverse_radius", label: "lower body, across", from: 20, to: 1000, step: 5 },
+    { key: "body1.rolling_radius", label: "Wheel radius", from: 20, to: 1000, step: 5 },
+    { key: "body1.transverse_radius", label: "Wheel, radius across" },
+    { key: "body2.rolling_radius", label: "Rail, radius along" },
+    { key: "body2.transverse_radius", label: "Rail head radius, across", from: 20, to: 1000, step: 5 },
     { key: "body1.young_modulus", label: "Young's modulus" },
     { key: "body1.poisson_ratio", label: "Poisson's ratio" },
   ],
@@ -50,6 +52,7 @@ export class StartView {
   readonly #map = element("canvas", { class: "map", role: "img" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #spoken = element("p", { "aria-live": "polite" });
+  readonly #lead = element("p");
   readonly #time = element("p", { class: "time" });
   readonly #slider = element("input", { type: "range", min: "0", max: "0", step: "1", "aria-label": "distance rolled" });
   readonly #play: HTMLButtonElement;
@@ -81,14 +84,15 @@ export class StartView {
         const component = /^motion\.force_(.*)$/.exec(key)?.[1] as keyof StartState["given"] | undefined;
         return component ? [this.#given[component].root, made[key]!] : [made[key]!];
       }));
+    this.#lead.textContent = "A wheel at rest is put under a force, then it rolls. At first slip begins all around the edge (Cattaneo); rolling brings it to the trailing edge, and after about one length of the contact nothing changes any more (Carter). With given creepages tractions begin at zero.";
     this.root.append(
-      element("div", { class: "controls" }, group("Contact"), group("Motion"), group("Bodies"),
-        element("p", { class: "hint" }, "At rest given forces are put on: slip begins all around the edge (Cattaneo). Then the bodies roll: slip moves to the trailing edge, and after about one length of the contact rolling is steady (Carter). Given creepages start from tractions of zero.")),
+      titleOf("Starting and braking: how friction builds up as a wheel begins to roll", this.#lead),
+      controlsOf([presetButtons(), group("Contact"), group("Motion"), group("Bodies")]),
       element("div", { class: "pictures" },
-        element("div", { class: "panel wide" }, element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#form.message, this.#remarks, this.#time),
-        element("div", { class: "panel" }, element("h3", {}, "Along y = 0"), cut),
-        element("div", { class: "panel" }, element("h3", {}, "Creepage"), creepages),
-        element("div", { class: "panel" }, element("h3", {}, "Forces on the upper body"), forces)));
+        card("wide pinned", "", "", element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#form.message, this.#remarks, this.#time),
+        card("", "Along y = 0", "Friction force per area, and the most that friction can bear", cut),
+        card("", "Creepage", "By how much the wheel turns slower or drifts", creepages),
+        card("", "Forces on the upper body", "Over the distance rolled", forces)));
     this.#showFields();
   }
 
@@ -147,8 +151,8 @@ export class StartView {
 
   exports(): Record<string, () => void> {
     return {
-      "case as TOML": () => { save("starting_to_roll.toml", startCase(this.state)); },
-      "case as Python": () => { save("starting_to_roll.py", toPython(startCase(this.state))); },
+      "case as TOML": () => { save("starting_to_roll.toml", forPeople("start", startCase(this.state))); },
+      "case as Python": () => { save("starting_to_roll.py", toPython(forPeople("start", startCase(this.state)))); },
       "creepages as CSV": () => { save("creepages.csv", this.#creepages.csv(), "text/csv"); },
       "forces as CSV": () => { save("forces.csv", this.#forces.csv(), "text/csv"); },
       "picture as PNG": () => { this.#map.toBlob((blob) => { if (blob) save("starting_to_roll.png", blob); }); },
@@ -165,11 +169,8 @@ export class StartView {
     const { x, y, bound } = found, { a, b } = found.hertz;
     const row = [...new Set(y)].sort((one, other) => Math.abs(one) - Math.abs(other))[0]!;
     const places = [...new Set(x)].sort((one, other) => one - other), width = places.length > 1 ? places[1]! - places[0]! : 2 * a;
-    const longest = Math.max(...bound, 1e-30);
-    drawMap(this.#map, {
-      cells: { x, y, width: x.map(() => width), height: rowHeight(y), state: frame.state }, colour: "state", outline: { a, b },
-      arrows: { x: frame.px, y: frame.py, longest },
-    });
+    const sheets = sheetsOf({ x, y, width: x.map(() => width), pressure: bound, bound, px: frame.px, py: frame.py, sx: frame.sx, sy: frame.sy, state: frame.state }, rowHeight(y), { a, b });
+    drawMap(this.#map, { sheets, shown: "friction", arrows: true, largest: Math.max(...bound, 1e-30) });
     const at = y.flatMap((value, k) => (value === row && frame.state[k] !== 0 ? [k] : [])).sort((one, other) => x[one]! - x[other]!);
     this.#cut.draw({
       x: at.map((k) => x[k]! * 1e3), xLabel: "x [mm]", yLabel: "MPa",

@@ -10,11 +10,12 @@ export interface ContactState {
   values: Values;
   given: "radii" | "ellipse"; // of which the radii follow
   law: string; // a word of the table, as all laws
-  shown: "tractions" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
+  shown: "friction" | "used" | "adhesion and slip" | "slip" | "pressure" | "px" | "py";
   theory: "exact" | "fastsim2";
   elements: [along: number, across: number];
   variable: "creepage_longitudinal" | "creepage_lateral" | "spin";
-  cut: number; // y over b
+  cut: number; // y over b, of the cut along
+  across: number; // x over a, of the cut across
   stress: "von_mises" | "sigma_xx" | "sigma_zz" | "sigma_xz";
   more: More;
 }
@@ -38,10 +39,10 @@ export interface NipState {
   stiffness: Stiffness;
   given: Given; // along the direction of rolling
   elements: [along: number, across: number];
-  shown: "adhesion and slip" | "pressure" | "px" | "py";
+  shown: "friction" | "adhesion and slip" | "pressure" | "px" | "py";
   more: More;
 }
-export const views = ["contact", "rail", "start", "nip"] as const;
+export const views = ["rail", "contact", "start", "nip"] as const;
 export type View = (typeof views)[number];
 export interface State { view: View; contact: ContactState; rail: RailState; start: StartState; nip: NipState }
 
@@ -85,19 +86,19 @@ const bodies: Values = {
 
 export function initialState(): State {
   return {
-    view: "contact",
+    view: "rail",
     contact: {
       values: {
         ...bodies, "ellipse.a": 0.006, "ellipse.b": 0.004, "friction.coefficient": 0.3, "friction.kinetic_coefficient": 0.2, "friction.drop": 0.1, "friction.half_velocity": 1,
         "friction.second_drop": 0, "friction.second_half_velocity": 5, "friction.static_coefficient": 0.3, "friction.ratio": 0.4, "friction.decay": 0.6,
         "motion.creepage_longitudinal": 0.0012, "motion.creepage_lateral": 0.0006, "motion.spin": 0.4, "motion.rolling_speed": 30,
       },
-      given: "radii", law: input("contact", "friction.law").default as string, shown: "tractions", theory: "exact", elements: [24, 24], variable: "creepage_longitudinal", cut: 0, stress: "von_mises", more: {},
+      given: "radii", law: input("contact", "friction.law").default as string, shown: "friction", theory: "exact", elements: [24, 24], variable: "creepage_longitudinal", cut: 0, across: 0, stress: "von_mises", more: {},
     },
     rail: {
       values: {
-        "wheel.lateral": 0.003, "wheel.yaw": 0.002, "wheel.vertical_force": 80e3, "wheel.forward_velocity": 30,
-        "friction.coefficient": 0.3, "track.cant": 0.05, "track.gauge": 1.435, "wheelset.nominal_radius": 0.46,
+        "wheel.lateral": 0.003, "wheel.yaw": 0.001, "wheel.vertical_force": 80e3, "wheel.forward_velocity": 30,
+        "friction.coefficient": 0.3, "track.cant": 0.025, "track.gauge": 1.435, ...defaults("rail", "track.curvature"), "wheelset.nominal_radius": 0.46,
         "wheelset.flange_back_distance": 1.36,
         "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
       },
@@ -119,12 +120,12 @@ export function initialState(): State {
         "load.normal_force": 4e3, "friction.coefficient": 0.6,
         "motion.force_longitudinal": -400, "motion.creepage_longitudinal": -0.02, "motion.rolling_speed": 5,
       },
-      stiffness: "hardness", given: "force", elements: [32, 16], shown: "adhesion and slip", more: {},
+      stiffness: "hardness", given: "force", elements: [32, 16], shown: "friction", more: {},
     },
   };
 }
 
-const version = "2";
+const version = "3";
 
 async function through(stream: ReadableWritablePair<Uint8Array<ArrayBuffer>, BufferSource>, bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());

@@ -10,9 +10,10 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { stateOfCase } from "../src/case_inputs.ts";
-import { contactCase, nipCase, railCase, startCase } from "../src/case_text.ts";
+import { contactCase, forPeople, nipCase, railCase, startCase } from "../src/case_text.ts";
 import type { Reply, Request } from "../src/core.ts";
 import { readDescription } from "../src/description.ts";
+import { parse } from "../src/units.ts";
 import { decode, encode, initialState, keysOf, laws, shapes, stiffnesses, type Given, type More, type State, type Values } from "../src/state.ts";
 
 const { MICROSLIP_ANSWERS: answers = "", MICROSLIP: named = "", EXAMPLES: examples = "" } = process.env;
@@ -142,7 +143,7 @@ test("states come back from their case files with every number", async () => {
   const back = async (state: State) => stateOfCase(core, { case: textOf(state) });
   for (const law of Object.keys(laws())) {
     for (const theory of ["exact", "fastsim2"] as const) {
-      const state = initialState();
+      const state: State = { ...initialState(), view: "contact" };
       state.contact = { ...state.contact, values: changed(state.contact.values), law, theory, elements: [20, 31] };
       const ofFalling: More = law === "coulomb" ? {} : { "solution.discretisation": "classical", "solution.slip_start": "above" };
       state.contact.more = { "solution.slope_reduction.initial": 0.9 / 7, "solution.slope_reduction.decay": 1 / 3, "solution.flexibility": "one", ...(theory === "exact" ? { "solution.tolerance": 1e-7 / 3, ...ofFalling } : {}) };
@@ -177,7 +178,7 @@ test("states come back from their case files with every number", async () => {
   }
   for (const shape of Object.keys(shapes())) {
     const state: State = { ...initialState(), view: "rail" };
-    const more = { "solution.grid": 30, "solution.tolerance": 1e-7 / 3, "track.curvature": 0.001 / 3, "track.gauge_height": 0.0091, "wheel.roll": 1e-3 / 3, "wheel.pitch_velocity": 0, "rail.trim": [-0.034, 0.036], "rail.unit": "mm", "rail.deviation_lateral": 1e-4 / 3, "wheelset.tape_circle": 1e-4, "material.hardness": 3e9 / 7 };
+    const more = { "solution.grid": 30, "solution.tolerance": 1e-7 / 3, "track.gauge_height": 0.0085, "wheel.roll": 1e-3 / 3, "wheel.pitch_velocity": 0, "rail.trim": [-0.034, 0.036], "rail.unit": "mm", "rail.deviation_lateral": 1e-4 / 3, "wheelset.tape_circle": 1e-4, "material.hardness": 3e9 / 7 };
     state.rail = { ...state.rail, values: changed(state.rail.values), shape, more };
     const found = (await back(state)).rail;
     assert.deepEqual(found, state.rail);
@@ -241,4 +242,31 @@ test("a profile that goes along with a case is that of the state, under the end 
   const text = replaced(example("wheel_on_rail.toml"), "profiles/s1002.prw", "../worn.prw"), content = example("profiles/s1002.prw");
   const { rail } = await stateOfCase(core, { case: text, files: { "../worn.prw": content } });
   assert.deepEqual([rail.profiles, rail.files], [{ rail: "60e1.prr", wheel: "worn.prw" }, { "worn.prw": content }]);
+});
+
+test("numbers are read as people write them, in any unit of case files, as slopes, radii and per mille", () => {
+  for (const [text, si, unit, wanted] of [
+    ["55,5 kN", "N", "kN", 55500], ["12 kip", "N", "kN", 12 * 4448.2216152605], ["60 mph", "m/s", "km/h", 26.8224], ["145 psi", "Pa", "MPa", 145 * 6894.757293168361],
+    ["2 permille", "-", "%", 0.002], ["3 \u2030", "-", "", 0.003], ["1:40", "rad", "mrad", Math.atan(1 / 40)], ["-1 : 20", "rad", "mrad", -Math.atan(1 / 20)], ["25", "rad", "mrad", 0.025],
+    ["R 300 m", "1/m", "1/km", 1 / 300], ["R=-0.5 km", "1/m", "1/km", -1 / 500], ["inf", "m", "mm", Infinity],
+  ] as const) {
+    const found = parse(text, si, unit);
+    assert.ok(found === wanted || Math.abs(Number(found) - wanted) <= 1e-12 * Math.abs(wanted), `${text}: ${String(found)}`);
+  }
+  for (const [text, si, unit, why] of [["55 t", "N", "kN", /"t" is not one of its units: N, kN/], ["1:0", "rad", "mrad", /not a number/], ["1:40", "N", "kN", /not a number/], ["abc", "m", "mm", /not a number/]] as const)
+    assert.match(String(parse(text, si, unit)), why);
+});
+
+test("cases for people have units where they change no digit, and are the same cases", async () => {
+  const kinds = { contact: (state: State) => contactCase(state.contact, "exact"), rail: (state: State) => railCase(state.rail, "exact"), start: (state: State) => startCase(state.start), nip: (state: State) => nipCase(state.nip) };
+  for (const view of ["contact", "rail", "start", "nip"] as const) {
+    const state = initialState();
+    state[view].values = { ...changed(state[view].values), ...(view === "nip" ? { "body2.layers.1.poisson_ratio": 0.49 } : {}) };
+    for (const values of [initialState(), state]) {
+      const bare = kinds[view](values), told = forPeople(view, bare);
+      assert.match(told, /= "[\d.]+ (kN|mm|km\/h|GPa)"/, view);
+      const inputs = async (text: string) => (await result<{ inputs: Record<string, unknown> }>({ call: "inputs", case: text })).inputs;
+      assert.deepEqual(await inputs(told), await inputs(bare));
+    }
+  }
 });

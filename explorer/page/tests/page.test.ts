@@ -7,7 +7,8 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { cellsUpToTheEdge } from "../src/row_edge.ts";
+import { layOut } from "../src/rail_picture.ts";
+import { sheetsOf } from "../src/sheet.ts";
 import { chromium, type Browser, type Download, type Page } from "playwright-core";
 
 const { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
@@ -36,6 +37,7 @@ async function opened(link = "", size = { width: 1400, height: 900 }, script?: s
   page.on("request", (request) => requests.push(request.url()));
   if (script) await page.addInitScript(script);
   await page.goto(address + link);
+  if (link === "") await page.getByRole("tab", { name: "Contact" }).click();
   return { page, errors, requests };
 }
 
@@ -80,6 +82,7 @@ async function settled(page: Page): Promise<void> {
 
 async function saved(page: Page, name: string): Promise<string> {
   const download = page.waitForEvent("download");
+  await page.getByText("Export ▾").click();
   await page.getByRole("button", { name, exact: true }).click();
   const to = path.join(scratch, ((await download) as Download).suggestedFilename());
   await ((await download) as Download).saveAs(to);
@@ -94,19 +97,27 @@ function solvedByProgram(file: string): Record<string, Record<string, number & n
   return JSON.parse(execFileSync(program, ["solve", file, "--json"], { cwd: scratch, encoding: "utf8", stdio: "pipe", maxBuffer: 1e9 })) as Record<string, Record<string, number & number[]>>;
 }
 
-test("cells are drawn up to the edge of their contact: of Hertz's pressure on rows up to his ellipse", () => {
+test("a contact is drawn up to its edge: of Hertz's pressure on rows his ellipse, with his pressure inside", () => {
   const a = 6, b = 4, n = 40, [dx, dy] = [(2 * a) / n, (2 * b) / n];
   for (const [shift, rise] of [[0, 0], [0.3, 0.2], [-0.45, 0.49]] as const) { // of the grid, by shares of an element
     const at = Array.from({ length: (n + 2) ** 2 }, (_, k) => [((k % (n + 2)) - n / 2 - 0.5 + shift) * dx, (Math.floor(k / (n + 2)) - n / 2 - 0.5 + rise) * dy] as const);
-    const level = (x: number, y: number) => 1 - (x / a) ** 2 - (y / b) ** 2;
-    const parts = cellsUpToTheEdge({
-      x: at.map(([x]) => x), y: at.map(([, y]) => y), width: at.map(() => dx), pressure: at.map(([x, y]) => Math.sqrt(Math.max(level(x, y), 0))),
-      state: at.map(([x, y]) => (level(x, y) > 0 ? 1 : 0)),
+    const level = (x: number, y: number) => 1 - (x / a) ** 2 - (y / b) ** 2, half = at.map(([x, y]) => 0.5 * Math.sqrt(Math.max(level(x, y), 0)));
+    const pressure = half.map((value) => 2 * value);
+    const [sheet, ...others] = sheetsOf({
+      x: at.map(([x]) => x), y: at.map(([, y]) => y), width: at.map(() => dx), pressure, px: half, py: half.map(() => 0), bound: pressure.map((p) => 0.75 * p),
+      state: at.map(([x, y]) => (level(x, y) <= 0 ? 0 : x < -1 ? 2 : 1)),
     }, dy);
-    const area = parts.reduce((sum, { low, high, y }) => sum + ((low[1] - low[0] + high[1] - high[0]) / 2) * (y[1] - y[0]), 0);
-    assert.ok(Math.abs(area / (Math.PI * a * b) - 1) < 5e-3, `${area} of ${Math.PI * a * b}`);
-    const outmost = Math.min(...parts.flatMap(({ low, high, y }) => [...low.map((x) => level(x, y[0])), ...high.map((x) => level(x, y[1]))]));
+    assert.equal(others.length, 0);
+    assert.ok(Math.abs(sheet!.area() / (Math.PI * a * b) - 1) < 5e-3, `${sheet!.area()} of ${Math.PI * a * b}`);
+    const outmost = Math.min(...sheet!.outline().map(([x, y]) => level(x, y)));
     assert.ok(outmost > -0.02, `a corner at level ${outmost}`); // of whole elements it is -0.06
+    for (const [x, y] of [[0, 0], [3, 1.5], [-4, -2], [5.4, 0.6]] as const) {
+      const found = sheet!.at(x, y)!;
+      assert.ok(Math.abs(found.pressure - Math.sqrt(level(x, y))) < 0.012, `pressure at ${x}, ${y}: ${found.pressure}`);
+      assert.ok(Math.abs(found.px - found.pressure / 2) < 1e-3 && found.mark < 0 === x > -1);
+    }
+    assert.equal(sheet!.at(5.9, 1.5), undefined);
+    for (const [[x]] of sheet!.border().filter(([[, y]]) => Math.abs(y) < 0.9 * b)) assert.ok(Math.abs(x + 1) < dx, `the border of adhesion and slip at ${x}`);
   }
 });
 
@@ -199,7 +210,7 @@ test("a nip is dragged: of the loads in between the newest is computed", async (
   const { page, errors } = await opened("", undefined, countRequests);
   await page.getByRole("tab", { name: "Nip" }).click();
   await settled(page);
-  const slider = page.getByRole("slider", { name: "normal force, kN" }).locator("visible=true");
+  const slider = page.getByRole("slider", { name: "Load, kN" }).locator("visible=true");
   await page.evaluate(() => { (window as unknown as Counting).asked.length = 0; });
   await slider.focus();
   for (let k = 0; k < 40; ++k) await page.keyboard.press("ArrowRight");
@@ -233,10 +244,10 @@ test("a link restores the state; others are refused in words", async () => {
   const second = await opened(link);
   assert.deepEqual(await row(second.page, "longitudinal force fx"), before);
   assert.equal(await second.page.locator("#contact-load-normal_force").inputValue(), "55.5");
-  for (const [other, why] of [["#7.abc", "version 7"], ["#2.AAAA", "damaged"], ["#1.AAAA", "version 1"], ["#nonsense", "not one of the explorer"]] as const) {
+  for (const [other, why] of [["#7.abc", "version 7"], ["#3.AAAA", "damaged"], ["#2.AAAA", "version 2"], ["#nonsense", "not one of the explorer"]] as const) {
     const { page } = await opened(other);
     await page.getByText(why).waitFor();
-    await row(page, "longitudinal force fx");
+    await row(page, "lateral force");
     await page.close();
   }
   await first.page.close();
@@ -320,9 +331,9 @@ test("empty, absurd and misread fields are refused where they stand, and results
   await row(page, "longitudinal force fx");
   assert.equal(await faint.count(), 0);
   await field(page, "load.normal_force", "");
-  await inWords.getByText("Load, normal force: needs a number. Faint pictures and numbers are those of the last case").waitFor();
+  await inWords.getByText("Load and friction, Load: needs a number. Faint pictures and numbers are those of the last case").waitFor();
   await field(page, "load.normal_force", "55 t");
-  await inWords.getByText('Load, normal force: "t" is not one of its units: N, kN, MN, kgf, lbf, kip.').waitFor();
+  await inWords.getByText('Load and friction, Load: "t" is not one of its units: N, kN, MN, kgf, lbf, kip.').waitFor();
   await faint.waitFor();
   await field(page, "motion.spin", "0.5"); // solved with the last load that was read
   await settled(page);
@@ -334,7 +345,7 @@ test("empty, absurd and misread fields are refused where they stand, and results
   await field(page, "load.normal_force", "80");
   await faint.waitFor({ state: "detached" });
   await field(page, "motion.creepage_longitudinal", "5000 %");
-  await inWords.getByText('Creepages, longitudinal: "5000 %" is not between -200 and 200 %').waitFor();
+  await inWords.getByText('How the wheel moves on the rail, Braking: "5000 %" is not between -200 and 200 %').waitFor();
   await faint.waitFor();
   await field(page, "motion.creepage_longitudinal", "0.1 %");
   await faint.waitFor({ state: "detached" });
@@ -343,7 +354,7 @@ test("empty, absurd and misread fields are refused where they stand, and results
   await field(page, "friction.coefficient", "0.3");
   await settled(page);
   assert.equal(await page.getByText("must be in").filter({ visible: true }).count(), 0);
-  for (const [tab, key, label] of [["Wheel on rail", "rail-wheel-lateral", "Wheelset, lateral position, to the left"], ["Start and stop", "start-motion-steps", "Motion, steps"]] as const) {
+  for (const [tab, key, label] of [["Wheel on rail", "rail-wheel-lateral", "Where the wheelset stands, Moved sideways"], ["Start and stop", "start-motion-steps", "Motion, Steps"]] as const) {
     await page.getByRole("tab", { name: tab }).click();
     await settled(page);
     await page.locator(`#${key}`).fill("abc");
@@ -407,9 +418,9 @@ test("warnings of results stand beside them, in all views, as long as they hold"
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
   await railField(page, "wheel.lateral", "12");
   await warned.getByText("beyond a hundredth of Young's modulus").waitFor();
-  await page.getByLabel("shape, of the exact theory").selectOption("flat");
+  await page.getByLabel("Shape of the patch", { exact: true }).selectOption("flat");
   await warned.getByText("patches are solved as flat where the surfaces are not").waitFor();
-  await page.getByLabel("shape, of the exact theory").selectOption("true");
+  await page.getByLabel("Shape of the patch", { exact: true }).selectOption("true");
   await warned.getByText("patches are solved as flat").waitFor({ state: "detached" });
   await railField(page, "wheel.lateral", "30");
   await warned.getByText("it has derailed").waitFor();
@@ -434,7 +445,7 @@ test("what is refused leaves no picture that looks like the answer", async () =>
   await field(page, "friction.coefficient", "-0.3");
   await page.getByText("those of the last case without errors").waitFor();
   await old.waitFor();
-  await page.getByLabel("over").selectOption("spin"); // asks for curves and stresses of the case that is refused
+  await page.getByLabel("over", { exact: true }).selectOption("spin"); // asks for curves and stresses of the case that is refused
   await panel("Creep curves").getByText(/FASTSIM2: friction.coefficient = -0.3/).waitFor();
   assert.equal(await panel("Creep curves").locator("canvas").count(), 0);
   await panel("Stresses").getByText(/No stresses: friction.coefficient = -0.3/).waitFor();
@@ -596,6 +607,7 @@ test("without vector instructions and without WebGL all is there", async () => {
   await row(page, "longitudinal force fx");
   await page.getByRole("tab", { name: "Wheel on rail" }).click();
   await row(page, "lateral force");
+  await page.getByText("in three dimensions").click();
   await page.getByText("no WebGL").waitFor();
   assert.deepEqual(errors, []);
   await page.close();
@@ -617,13 +629,20 @@ test("the wheel follows keys and the mouse; times are printed, not checked", asy
     const frame = (now: number) => { times.push(now - last); last = now; requestAnimationFrame(frame); };
     requestAnimationFrame(frame);
   });
-  await page.mouse.move(box.x + 500, box.y + 150);
+  const lateral = async () => Number(await page.locator("#rail-wheel-lateral").inputValue());
+  const { scale } = layOut(box.width, { y: [0, 0.0735], z: [0, 0] }); // of a rail as wide as 60E1 [px/m]
+  await page.mouse.move(box.x + 300, box.y + 150);
   await page.mouse.down();
-  for (let i = 0; i < 60; ++i) await page.mouse.move(box.x + 500 - 2 * i, box.y + 150);
+  for (let i = 0; i <= 60; ++i) await page.mouse.move(box.x + 300 - i / 5, box.y + 150);
+  assert.ok(Math.abs((await lateral() - 3.05) - 12e3 / scale) < 0.05, `${await lateral()} mm after 12 pixels`); // of the hand and of the wheel
+  const before = await lateral();
+  await page.keyboard.down("Shift");
+  for (let i = 0; i <= 20; ++i) await page.mouse.move(box.x + 288 + i / 2, box.y + 150);
+  await page.keyboard.up("Shift");
+  assert.ok(Math.abs((before - await lateral()) - 1e3 / scale) < 0.03, `${await lateral()} mm after 10 pixels with Shift`);
   await page.mouse.up();
   const times = (await page.evaluate(() => (window as unknown as { frameTimes: number[] }).frameTimes)).sort((one, other) => one - other);
   console.log(`while dragging: ${times.length} frames, median ${times[times.length >> 1]!.toFixed(1)} ms, longest ${times.at(-1)!.toFixed(1)} ms`);
-  assert.ok(Number(await page.locator("#rail-wheel-lateral").inputValue()) > 5);
   await row(page, "lateral force");
   for (const shown of await page.locator("section:not([hidden]) .time").allTextContents()) console.log(shown);
   assert.deepEqual(errors, []);
@@ -637,7 +656,7 @@ test("every field says what the program says of its key: what it is, its unit an
     const text = at.querySelector<HTMLInputElement>("input[type=text]")!, told = text.getAttribute("aria-describedby")!.split(" ").map((id) => document.getElementById(id)!.textContent);
     return { id: text.id, title: (at as HTMLElement).title, told: told.join(""), unit: at.querySelector(".unit")!.textContent };
   }));
-  assert.equal(fields.length, 70);
+  assert.equal(fields.length, 71);
   for (const { id, title, told, unit } of fields) {
     const keys = execFileSync(program, ["init", "--keys", id.startsWith("rail-") ? "wheel" : "bodies"], { encoding: "utf8" });
     const listed = keys.slice(id.includes("-layers-") ? keys.indexOf("[[body1.layers]]") : 0).split(/\n(?! {4})/).map((lines) => lines.split("\n    "));
@@ -648,6 +667,119 @@ test("every field says what the program says of its key: what it is, its unit an
     assert.equal(unit === "", si === "" || (si === "-" && !id.includes("creepage")), id);
     assert.equal(told, title);
   }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("examples set all that they are about; changes are undone and done again; two states are compared", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await settled(page);
+  const lateral = page.locator("#rail-wheel-lateral"), seen = page.locator("section:not([hidden])"), preset = (name: string) => seen.getByRole("button", { name, exact: true }).click();
+  for (const [name, view, says] of [
+    ["Flange contact", "Wheel on rail", /\d kN possible/], ["Traction on a wet rail", "Contact", /drives/], ["Ball in a groove", "Contact", /0\.3|300 N/],
+    ["Rubber roller", "Nip", /speed ratio/], ["Measured profile", "Wheel on rail", /measured_wheel\.txt/], ["Tread contact", "Wheel on rail", /Wheel s1002\.prw/],
+  ] as const) {
+    await preset(name);
+    await page.getByRole("tab", { name: view, selected: true }).waitFor();
+    await settled(page);
+    assert.match((await seen.textContent())!, says, name);
+    assert.equal(await page.locator("section.old:not([hidden])").count(), 0, name);
+  }
+  await railField(page, "wheel.lateral", "5");
+  await settled(page);
+  await railField(page, "wheel.yaw", "-2");
+  await settled(page);
+  const undo = page.getByRole("button", { name: "undo", exact: true });
+  await undo.click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-yaw")!.value === "1");
+  assert.equal(await lateral.inputValue(), "5");
+  await undo.click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-lateral")!.value === "3");
+  await page.getByRole("button", { name: "redo", exact: true }).click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-lateral")!.value === "5");
+  await settled(page);
+  const peak = async () => (await seen.locator(".keys > div", { hasText: "Highest pressure" }).locator(".value").textContent())!.replace(/\s+/g, " ");
+  const atFive = await peak();
+  await page.getByRole("button", { name: "compare A | B" }).click();
+  await railField(page, "wheel.lateral", "-2");
+  await settled(page);
+  await seen.locator(".keys .before", { hasText: `A: ${atFive}` }).waitFor();
+  const atMinusTwo = await peak();
+  await page.getByRole("button", { name: "Swap A and B" }).click();
+  await seen.locator(".keys .before", { hasText: `A: ${atMinusTwo}` }).waitFor();
+  await settled(page);
+  assert.equal(await lateral.inputValue(), "5");
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  assert.equal(await seen.locator(".keys .before").count(), 0);
+  await page.getByRole("button", { name: "Reset all" }).click();
+  assert.equal(await lateral.inputValue(), "3");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the tour has five steps and can be left at any of them; a ? tells what an input means, as its text and units", async () => {
+  const { page, errors } = await opened();
+  const tour = page.getByRole("dialog", { name: "tour" }), next = tour.getByRole("button", { name: /Next|Done/ });
+  await page.getByRole("button", { name: "take the tour" }).click();
+  for (let step = 1; step <= 5; ++step) {
+    await tour.getByText(`${step} of 5`).waitFor();
+    assert.ok(await page.locator(".lit").isVisible());
+    await next.click();
+  }
+  assert.ok(await tour.isHidden());
+  await page.getByRole("button", { name: "take the tour" }).click();
+  await page.keyboard.press("Escape");
+  assert.ok(await tour.isHidden());
+  assert.equal(await page.locator(".lit").count(), 0);
+  const help = page.getByText("A turned wheel rubs sideways");
+  assert.ok(await help.isHidden());
+  await page.getByRole("button", { name: "what is Turned (yaw)?" }).click();
+  assert.ok(await help.isVisible());
+  await page.locator("#rail-wheel-yaw-help").getByText("yaw of the wheelset; positive turns to the left [rad], in [-1, 1]").waitFor();
+  await page.keyboard.press("Escape");
+  assert.ok(await help.isHidden());
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("what is wrong is said in the picture's words, and the page does what it advises", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await settled(page);
+  const advice = page.locator("section:not([hidden]) .remarks"), does = (name: string) => advice.getByRole("button", { name }).click();
+  await railField(page, "wheel.lateral", "30");
+  await advice.getByText("it has derailed").waitFor();
+  await does("Back on the rail");
+  assert.equal(await page.locator("#rail-wheel-lateral").inputValue(), "3");
+  await advice.waitFor({ state: "hidden" });
+  await railField(page, "wheel.lateral", "6.3");
+  await page.getByLabel("Shape of the patch", { exact: true }).selectOption("flat");
+  await advice.getByText("solved as flat").waitFor();
+  await does("Use the curved shape");
+  await advice.getByText("solved as flat").waitFor({ state: "detached" });
+  assert.equal(await page.getByLabel("Shape of the patch", { exact: true }).inputValue(), "curved");
+  await page.getByLabel("Smooth the wheel", { exact: true }).selectOption("0.004");
+  await settled(page);
+  assert.match(readFileSync(await saved(page, "case as TOML"), "utf8"), /smoothing_length = "4 mm"/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("measured points stand in the creep curves; a file without them is refused in words", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force fx");
+  const give = (name: string, text: string) => page.locator("#file-points").setInputFiles({ name, mimeType: "text/csv", buffer: Buffer.from(text) });
+  await give("curve.csv", readFileSync(path.join(profiles, "../creep_curve.csv"), "utf8"));
+  await page.getByText(/curve\.csv: \d+ points up to [\d.]+ % and [\d.]+ kN/).waitFor();
+  const legend = page.locator("section:not([hidden]) .panel", { hasText: "Creep curves" }).locator(".u-legend");
+  for (const name of ["exact", "FASTSIM2", "measured, morning", "measured, evening"]) await legend.getByText(name, { exact: true }).waitFor();
+  await give("two.csv", "creepage_lateral [permille],adhesion_coefficient\n1,0.1\n2,0.15");
+  await page.getByText('two.csv line 2: "1,0.1" has no creepage and force.').waitFor(); // permille is no unit of case files
+  await give("two.csv", "creepage_lateral [%],adhesion_coefficient\n0.1,0.1\n0.2,0.15");
+  await page.getByText("two.csv: 2 points up to 0.2 % and 12 kN").waitFor(); // of the load of 80 kN
+  await give("no.csv", "a,b\n1,2");
+  await page.getByText("no.csv has no columns creepage_longitudinal or creepage_lateral").waitFor();
   assert.deepEqual(errors, []);
   await page.close();
 });
