@@ -37,6 +37,7 @@ def draw_pressure(axes, result, grid, row):
     axes.plot(x, factor * bound, color=INK3, linewidth=1.2, linestyle=":", label=r"$\pm g$, the bound")
     axes.plot(x, -factor * bound, color=INK3, linewidth=1.2, linestyle=":")
     axes.plot(x, factor * px, color=ALONG, linewidth=2, marker=marker, label=f"$p_x$, traction on {the(bodies_of(result)[0])}")
+    axes.margins(y=0.12)  # room for words
     axes.set_ylabel(f"pressure and traction [{unit}]")
 
 
