@@ -10,6 +10,7 @@
 #include "microslip/error.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,10 @@ namespace microslip::app {
 namespace {
 
 struct PlotArguments {
-  std::string result, folder, other, spins;
+  std::string result, folder, other, spins, style;
   std::filesystem::path points;
   std::vector<std::string> fields, surfaces, formats;
-  int dpi = 150;
+  std::optional<int> dpi;
   std::vector<double> cut, stresses; ///< one value, if given
   bool convergence = false, json = false;
 };
@@ -36,7 +37,8 @@ std::vector<std::string> python_arguments(const PlotArguments& given) {
   };
   add("output", given.folder);
   for (const auto& format : given.formats) add("format", format);
-  add("dpi", fmt::format("{}", given.dpi));
+  if (given.dpi) add("dpi", fmt::format("{}", *given.dpi));
+  add("style", given.style);
   for (const auto& name : given.fields) add("field", name);
   for (const auto& name : given.surfaces) add("surface", name);
   for (const double y : given.cut) add("cut", fmt::format("{}", y));
@@ -84,7 +86,7 @@ int plot_points(const PlotArguments& arguments, const std::filesystem::path& fol
 }
 
 int plot(const PlotArguments& arguments) {
-  require_count("--dpi", arguments.dpi, 10, 2400);
+  if (arguments.dpi) require_count("--dpi", *arguments.dpi, 10, 2400);
   const std::filesystem::path folder = arguments.folder, beside = std::filesystem::path(arguments.result).parent_path();
   io::require_writable_folder(folder.empty() ? beside : folder);
   if (!arguments.points.empty()) return plot_points(arguments, folder.empty() ? beside : folder);
@@ -110,7 +112,7 @@ module. Prints the names of the files.
 
 Example:
   microslip plot results/hertzian_contact/result.h5 --field pressure --cut 0 --stresses 0
-  microslip plot results/hertzian_contact/result.h5 --format pdf --format png --dpi 300)";
+  microslip plot results/hertzian_contact/result.h5 --style paper --format pdf --format png)";
 
 } // namespace
 
@@ -123,7 +125,10 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_option("--format pdf|png|svg", arguments.formats, "of the files; may be given again; default: png")
       .expected(1)
       .take_all();
-  command.add_option("--dpi COUNT", arguments.dpi, "pixels in an inch of PNG, 10 to 2400").capture_default_str();
+  command.add_option("--style page|paper|slides", arguments.style,
+                     "sizes for the screen, for a paper's column or page, or for slides; default: page");
+  command.add_option("--dpi COUNT", arguments.dpi,
+                     "pixels in an inch of PNG, 10 to 2400; default: 150, paper 300, slides 200");
   const auto field_option = [&](const std::string& name, std::vector<std::string>& fields, const char* what) {
     command.add_option(name + drawn_fields, fields, what).expected(1).take_all();
   };

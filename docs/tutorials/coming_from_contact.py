@@ -12,7 +12,7 @@ import math
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLACK, BLUE, GREY, ORANGE, SETTINGS, SKY_BLUE
+from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, SLIDES, STICKS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 with open("examples/sphere_on_plane.inp") as file:
@@ -50,7 +50,7 @@ figure, panels = plt.subplots(
 for axes, case, title in zip(panels, cases[1:], ("shift", "one step rolled", "steady rolling")):
     x, y = np.meshgrid(1e3 * case.grid.x, 1e3 * case.grid.y)
     state, px = np.asarray(case.tangential.state), np.asarray(case.tangential.px)
-    for kind, colour in ((microslip.CellState.adhesion, SKY_BLUE), (microslip.CellState.slip, ORANGE)):
+    for kind, colour in ((microslip.CellState.adhesion, STICKS), (microslip.CellState.slip, SLIDES)):
         here = state == kind
         axes.plot(x[here], y[here], "s", color=colour, markersize=9)
     inside = state != microslip.CellState.exterior

@@ -13,7 +13,7 @@ import microslip
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, SIZES, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 case = microslip.read_case("examples/hertzian_contact.toml")
@@ -94,10 +94,10 @@ drawn = microslip.plot.cells_of(patch.fields)
 share = np.hypot(drawn.px, drawn.py) / np.where(drawn.bound > 0, drawn.bound, np.inf)
 for axes in (left, right):
     axes.set(xlabel="x [mm], rolling to the right", aspect="equal", xlim=(-9, 9), ylim=(-8, 8))
-for axes, values, colours, label, highest in ((left, drawn.pressure, "viridis", "pressure [MPa]", drawn.pressure.max()),
-                                              (right, share, "cividis", "traction / bound: 1 is slip", 1)):
+for axes, values, colours, label, highest in ((left, drawn.pressure, SIZES, "pressure [MPa]", drawn.pressure.max()),
+                                              (right, share, SIZES, "traction / bound: 1 is slip", 1)):
     scale = ScalarMappable(Normalize(0, highest), colours)
-    drawn.draw(axes, values, cmap=colours, norm=scale.norm)
+    drawn.draw(axes, values, vanishes=axes is left, cmap=colours, norm=scale.norm)
     drawn.draw_outline(axes)
     figure.colorbar(scale, ax=axes, label=label)
 left.set_ylabel("y [mm]")

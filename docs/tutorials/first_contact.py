@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import microslip
 import numpy as np
 from matplotlib.patches import Patch
-from microslip.picture_style import BLACK, BLUE, ORANGE, SETTINGS, SKY_BLUE, VERMILION
+from microslip.picture_style import BLACK, BLUE, SETTINGS, SLIDES, STICKS, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
@@ -76,9 +76,10 @@ axes.set(xlim=(-7, 7), ylim=(-5.5, 5.5), aspect="equal")
 drawn.draw_areas(axes)
 drawn.draw_boundary(axes)
 drawn.draw_outline(axes)
-few = drawn.sample()
-axes.quiver(drawn.x[few], drawn.y[few], drawn.px[few], drawn.py[few], color=BLACK, width=0.004, pivot="middle", zorder=3)
-axes.legend(handles=[Patch(color=SKY_BLUE, label="adhesion"), Patch(color=ORANGE, label="slip")], loc="upper left",
+longest = np.hypot(drawn.px, drawn.py).max()
+axes.quiver(*drawn.arrows(drawn.px, drawn.py, longest), color=BLACK, width=0.004, pivot="middle", zorder=4, angles="xy",
+            scale_units="xy", scale=longest / drawn.arrow_length())
+axes.legend(handles=[Patch(color=STICKS, label="sticks"), Patch(color=SLIDES, label="slides")], loc="upper left",
             bbox_to_anchor=(1, 1))
 axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]")
 plt.show()

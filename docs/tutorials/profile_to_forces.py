@@ -8,8 +8,9 @@
 # %%
 import matplotlib.pyplot as plt
 import microslip
+import microslip.plot
 import numpy as np
-from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, SIZES, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 wheel = microslip.read_profile("examples/profiles/s1002.prw")
@@ -68,21 +69,17 @@ for k, (one, other) in enumerate(zip(fast.patches, exact.patches), 1):
 # The exact theory's patches hold their fields, x along the track, y along the rail's surface:
 
 # %%
-def traction_on_fine_grid(patch, across=300):
-    """x, y [mm] and the size of the traction [MPa] on a grid that is finer than the elements."""
-    cells = patch.fields
-    x0, x1, y0, y1 = cells.x.min(), cells.x.max(), cells.y.min(), cells.y.max()
-    grid = microslip.ElementGrid(mx=across, my=across, x0=x0, y0=y0, dx=(x1 - x0) / (across - 1), dy=(y1 - y0) / (across - 1))
-    size = np.hypot(patch.sampled("px", grid), patch.sampled("py", grid))
-    return 1e3 * grid.x, 1e3 * grid.y, 1e-6 * np.where(size > 0, size, np.nan)
-
-
 figure, axes = plt.subplots(len(exact.fields), 1, num="Size of the tractions in each patch, exact theory", squeeze=False,
                             figsize=(6.5, 2.4 * len(exact.fields)))
 for k, (axis, patch) in enumerate(zip(axes[:, 0], exact.fields), 1):
-    drawn = axis.pcolormesh(*traction_on_fine_grid(patch), cmap="viridis")
-    axis.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", title=f"patch {k}", aspect="equal")
-    figure.colorbar(drawn, ax=axis, label="traction [MPa]")
+    cells = microslip.plot.cells_of(patch.fields)
+    size = np.hypot(cells.px, cells.py)
+    left, right, low, high = cells.outline.limits()
+    axis.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", title=f"patch {k}", aspect="equal",
+             xlim=(left - 1, right + 1), ylim=(low - 1, high + 1))
+    cells.draw(axis, size, cmap=SIZES, vmin=0, vmax=size.max())
+    cells.draw_outline(axis)
+    figure.colorbar(axis.images[0], ax=axis, label="traction [MPa]")
 plt.show()
 
 # %% [markdown]

@@ -9,7 +9,7 @@
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, VERMILION
+from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, SIZES, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 steel = microslip.Material.from_young(210e9, 0.28)
@@ -48,7 +48,7 @@ figure, panels = plt.subplots(
     figsize=(10, 3.6), sharey=True)
 for axes, field, title in zip(panels, (alone, braked), ("pressure alone", "full sliding, friction 0.5")):
     stress = 1e-6 * field.at(x, 0.0, depth[:, None]).von_mises
-    drawn = axes.contourf(1e3 * x, -1e3 * depth, stress, levels=np.arange(0, 1051, 75), cmap="cividis", extend="max")
+    drawn = axes.contourf(1e3 * x, -1e3 * depth, stress, levels=np.arange(0, 1051, 75), cmap=SIZES, extend="max")
     axes.plot([-1e3 * hertz.a, 1e3 * hertz.a], [0, 0], color=BLACK, linewidth=4)
     axes.set(xlabel="x [mm], rolling to the right", title=title, aspect="equal")
 panels[0].set_ylabel("z [mm]")

@@ -9,8 +9,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
+from microslip.picture_style import SIZES_OF_LINES
 
-ORANGE, GREY = "#d55e00", "#777777"
+SECOND, GREY = "#a3182b", "#67747f"
 
 
 def read_profiles(folder):
@@ -52,9 +53,9 @@ def draw_course(axes, distance, rate, thickness, height):
     axes.set_ylim(0, None)
     axes.set_title("Wear rate and flange", fontsize=10, loc="left")
     other = axes.twinx()
-    other.plot(distance, height - height[0], color=ORANGE, label="height")
-    other.plot(distance, thickness - thickness[0], color=ORANGE, linestyle="--", label="thickness")
-    other.set_ylabel("change of the flange [mm]", color=ORANGE)
+    other.plot(distance, height - height[0], color=SECOND, label="height")
+    other.plot(distance, thickness - thickness[0], color=SECOND, linestyle="--", label="thickness")
+    other.set_ylabel("change of the flange [mm]", color=SECOND)
     other.legend(frameon=False, fontsize=8, loc="center right")
 
 
@@ -64,12 +65,12 @@ def main():
     profiles = read_profiles(folder)
     distance, rate, height, thickness, _ = np.genfromtxt(folder / "wear.csv", delimiter=",", skip_header=1, unpack=True)
     norm = matplotlib.colors.Normalize(0, distance[-1])
-    colours = [matplotlib.colormaps["viridis_r"](norm(km)) for km, _ in profiles]
+    colours = [SIZES_OF_LINES(norm(km)) for km, _ in profiles]
     figure, axes = plt.subplots(3, 1, figsize=(8, 9), layout="constrained", height_ratios=(1.1, 1, 1))
     draw_profiles(axes[0], profiles, colours)
     draw_depths(axes[1], profiles, colours)
     draw_course(axes[2], distance, rate, thickness, height)
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm, "viridis_r"), ax=axes[:2], label="distance [km]")
+    figure.colorbar(matplotlib.cm.ScalarMappable(norm, SIZES_OF_LINES), ax=axes[:2], label="distance [km]")
     part = picture.with_suffix(".part.png")
     figure.savefig(part, dpi=130)
     part.replace(picture)

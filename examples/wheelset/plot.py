@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
+FIRST, SECOND, GREEN, GREY = "#17212b", "#a3182b", "#1d9a86", "#67747f"
 CLEARANCE = 7.0  # mm, flange_clearance in wheelset.hpp
 
 
@@ -34,15 +34,15 @@ def draw_run(axes, time, lateral, colour, title):
 
 def draw_cycle(axes, lateral, yaw):
     last = slice(-200, None)  # the last second
-    axes.plot(1e3 * lateral[last], 1e3 * yaw[last], color=ORANGE)
+    axes.plot(1e3 * lateral[last], 1e3 * yaw[last], color=SECOND)
     for side in (-CLEARANCE, CLEARANCE):
         axes.axvline(side, color=GREY, linestyle=":", linewidth=1)
     label(axes, "Limit cycle, the last second", "lateral displacement [mm]", "yaw to the left [mrad]")
 
 
 def draw_amplitudes(axes, ratio, small, large):
-    axes.plot(ratio, 1e3 * large, "s", color=BLUE, markersize=5, fillstyle="none", label="from 7 mm")
-    axes.plot(ratio, 1e3 * small, "o", color=ORANGE, markersize=3.5, label="from 0.1 mm")
+    axes.plot(ratio, 1e3 * large, "s", color=FIRST, markersize=5, fillstyle="none", label="from 7 mm")
+    axes.plot(ratio, 1e3 * small, "o", color=SECOND, markersize=3.5, label="from 0.1 mm")
     axes.axhline(CLEARANCE, color=GREY, linestyle=":", linewidth=1)
     axes.axvline(1, color=GREY, linestyle="--", linewidth=1)
     axes.text(ratio[0], CLEARANCE, "flange", color=GREY, va="bottom", fontsize=8)
@@ -53,8 +53,8 @@ def draw_amplitudes(axes, ratio, small, large):
 
 def draw_motion(axes, folder):
     time, below, _, above, _ = read(os.path.join(folder, "motion.csv"))
-    axes.plot(time, 1e3 * below, color=BLUE, linewidth=1, label="50 m/s, from 5 mm")
-    axes.plot(time, 1e3 * above, color=ORANGE, linewidth=0.8, label="66 m/s, from 1 mm")
+    axes.plot(time, 1e3 * below, color=FIRST, linewidth=1, label="50 m/s, from 5 mm")
+    axes.plot(time, 1e3 * above, color=SECOND, linewidth=0.8, label="66 m/s, from 1 mm")
     label(axes, "Below and above the critical speed", "time [s]", "lateral displacement [mm]")
     axes.set_xlim(0, time[-1])
     axes.set_ylim(-8, 10)
@@ -63,8 +63,8 @@ def draw_motion(axes, folder):
 
 def draw_wheel_forces(axes, folder):
     time, y, _, left, _, right, _ = read(os.path.join(folder, "cycle.csv"))
-    axes.plot(time, 1e-3 * left, color=BLUE, linewidth=1, label="left wheel")
-    axes.plot(time, 1e-3 * right, color=ORANGE, linewidth=1, label="right wheel")
+    axes.plot(time, 1e-3 * left, color=FIRST, linewidth=1, label="left wheel")
+    axes.plot(time, 1e-3 * right, color=SECOND, linewidth=1, label="right wheel")
     label(axes, "Hunting at 66 m/s: force on the rail, outwards", "time [s]", "Y [kN]")
     axes.set_xlim(time[0], time[-1])
     axes.set_ylim(-30, 270)
@@ -77,8 +77,8 @@ def draw_wheel_forces(axes, folder):
 
 def draw_bifurcation(axes, folder):
     speed, up, down = read(os.path.join(folder, "bifurcation.csv"))
-    axes.plot(speed, 1e3 * down, "s-", color=BLUE, markersize=5, fillstyle="none", linewidth=0.8, label="speed decreasing")
-    axes.plot(speed, 1e3 * up, "o-", color=ORANGE, markersize=3.5, linewidth=0.8, label="speed increasing")
+    axes.plot(speed, 1e3 * down, "s-", color=FIRST, markersize=5, fillstyle="none", linewidth=0.8, label="speed decreasing")
+    axes.plot(speed, 1e3 * up, "o-", color=SECOND, markersize=3.5, linewidth=0.8, label="speed increasing")
     label(axes, "Amplitude after 8 s at each speed", "speed [m/s]", "amplitude [mm]")
     axes.set_ylim(0, 8)
     axes.legend(loc="lower right", frameon=False, fontsize=8)
@@ -87,7 +87,7 @@ def draw_bifurcation(axes, folder):
 def draw_curves(axes, folder):
     radius, deficiency, y, _, _, outer, _ = read(os.path.join(folder, "curves.csv"))
     ratio = axes.twinx()
-    colours = dict(zip(np.unique(deficiency), (GREY, GREEN, BLUE, ORANGE)))
+    colours = dict(zip(np.unique(deficiency), (GREY, GREEN, FIRST, SECOND)))
     for one, colour in colours.items():
         chosen = deficiency == one
         axes.plot(radius[chosen], 1e3 * y[chosen], "o-", color=colour, markersize=3, linewidth=1, label=f"{1e3 * one:.0f} mm")
@@ -114,8 +114,8 @@ def draw_on_profiles(folder):
 def draw_conical(folder):
     time, y_below, _, y_above, psi_above = read(os.path.join(folder, "runs.csv"))
     figure, axes = plt.subplots(2, 2, figsize=(10, 6.4), layout="constrained")
-    draw_run(axes[0, 0], time, y_below, BLUE, "0.9 of the critical speed, from 4 mm")
-    draw_run(axes[1, 0], time, y_above, ORANGE, "1.1 of the critical speed, from 0.1 mm")
+    draw_run(axes[0, 0], time, y_below, FIRST, "0.9 of the critical speed, from 4 mm")
+    draw_run(axes[1, 0], time, y_above, SECOND, "1.1 of the critical speed, from 0.1 mm")
     draw_amplitudes(axes[0, 1], *read(os.path.join(folder, "amplitudes.csv")))
     draw_cycle(axes[1, 1], y_above, psi_above)
     return figure

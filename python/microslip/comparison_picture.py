@@ -7,9 +7,9 @@ from matplotlib.colors import Normalize
 
 from microslip.contact_cells import EXTERIOR
 from microslip.cut_picture import nearest_row
-from microslip.field_picture import SEQUENTIAL, field_values
-from microslip.picture_style import (BLACK, BLUE, THEORIES, VERMILION, bodies_of, new_figure, open_axes, put_title, quantity,
-                                     shown, the, unit_for)
+from microslip.field_picture import field_values
+from microslip.picture_style import (ACROSS, ALONG, INK3, SIZES, THEORIES, bodies_of, names_above, new_figure, open_axes,
+                                     put_title, quantity, shown, the, unit_for)
 from microslip.result_file import ResultError
 from microslip.solved_contacts import by_theory, label_along_x
 
@@ -36,20 +36,20 @@ def comparison_picture(first, second):
     factor, unit = unit_for(largest, "Pa")
     scale = Normalize(0, factor * largest or 1)
     figure = new_figure(11.5, 8.2)
-    put_title(figure, "Comparison of two rolling contacts")
-    maps, rest = figure.subfigures(2, 1, height_ratios=(1.15, 1))
+    maps, rest = figure.subfigures(2, 1, height_ratios=(1.25, 1))
+    put_title(maps, "Comparison of two rolling contacts")
     panels = maps.subplots(1, 2, sharex=True, sharey=True)
     half_x, half_y = (1.12 * max(getattr(grid, axis) for grid in cells.values()) for axis in ("a", "b"))
     for axes, key in zip(panels, results):
         axes.set_aspect("equal" if cells[key].true_to_scale() else "auto")
-        cells[key].draw(axes, factor * values[key], cmap=SEQUENTIAL, norm=scale)
+        cells[key].draw(axes, factor * values[key], cmap=SIZES, norm=scale)
         cells[key].draw_outline(axes)
         axes.set_xlim(-half_x, half_x)
         axes.set_ylim(-half_y, half_y)
         axes.set_title(textwrap.fill(f"{key}: {results[key].attribute('title', 'rolling contact')}, {THEORIES[theories[key]]}", 55))
         axes.set_xlabel(label_along_x(results[key]))
     panels[0].set_ylabel("y [mm]")
-    maps.colorbar(ScalarMappable(norm=scale, cmap=SEQUENTIAL), ax=panels, label=rf"size of the traction $|\mathbf{{p}}|$ [{unit}]",
+    maps.colorbar(ScalarMappable(norm=scale, cmap=SIZES), ax=panels, label=rf"size of the traction $|\mathbf{{p}}|$ [{unit}]",
                   shrink=0.9, pad=0.02)
     cut, table = rest.subplots(1, 2, width_ratios=(1.1, 1))
     draw_cuts(cut, cells, the(bodies_of(first)[0]))
@@ -63,11 +63,11 @@ def draw_cuts(axes, cells, body):
     for (key, grid), style in zip(cells.items(), ("-", "--")):
         row = nearest_row(grid, 0)
         inside = grid.state[row] != EXTERIOR
-        for values, colour, label in ((grid.px, BLUE, "$p_x$"), (grid.py, VERMILION, "$p_y$"), (grid.bound, BLACK, "$g$")):
+        for values, colour, label in ((grid.px, ALONG, "$p_x$"), (grid.py, ACROSS, "$p_y$"), (grid.bound, INK3, "$g$")):
             axes.plot(grid.x[row, inside], values[row, inside], style, color=colour, linewidth=1.8, label=f"{key}: {label}")
     axes.set_xlabel("x [mm], along the row nearest to y = 0")
     axes.set_ylabel(f"traction on {body} [MPa]")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
+    names_above(axes, most=3, fontsize="small")
 
 
 def draw_totals(axes, results, theories):

@@ -9,12 +9,12 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 import microslip
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, THEORIES, VERMILION, bodies_of, heading,
-                                     new_figure, number, open_axes, put_title, shown, the, unit_for, with_unit)
+from microslip.picture_style import (GREEN, GRID, INK, INK3, LINE, SERIES, SIZES, THEORIES, bodies_of, heading, new_figure,
+                                     number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 from microslip.solved_contacts import label_along_x, read_contacts
 
-LINE_COLOURS = (BLUE, ORANGE, GREEN, VERMILION, SKY_BLUE, BLACK)
+LINE_COLOURS = SERIES[3:] + SERIES[:3]  # those of theories last
 CURVE_GRID, CURVE_CELLS = 16, 20  # elements and cells across: a picture needs no more
 GRIDS = (8, 12, 16, 24, 32, 48)
 LEVELS = 16
@@ -88,7 +88,7 @@ def creep_curves_picture(result, spins=()):
         axes.set_ylabel(rf"{label} on {the(bodies_of(result)[0])} / ($\mu F_n$) [-]")
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, -0.05), max(high, 0.05))  # a force that is zero is a line
-    figure.axes[1].legend(*figure.axes[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8)
+    figure.axes[1].legend(*figure.axes[0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize="small")
     return figure
 
 
@@ -107,7 +107,7 @@ def convergence_picture(result):
     figure = new_figure(7.2, 6)
     axes = figure.subplots()
     open_axes(axes)
-    for name, colour in (("second_order", BLUE), ("classical", VERMILION)):
+    for name, colour in (("second_order", INK), ("classical", GREEN)):
         how = {"discretisation": name} | ({"elements": None} if name == "second_order" else {})
         solved = [microslip.Solver(exact_method(case, grid=n, **how)).solve(problem).forces for n in GRIDS]
         for force, style, marker in (("fx", "-", "o"), ("fy", "--", "s")):
@@ -119,13 +119,13 @@ def convergence_picture(result):
     low, high = axes.get_ylim()
     for order, part in ((1, 0.9), (2, 0.9)):
         top = high * part
-        axes.loglog(GRIDS, [top * (GRIDS[0] / n) ** order for n in GRIDS], ":", color=GREY, linewidth=1.2)
-        axes.annotate(f" order {order}", (GRIDS[-1], top * (GRIDS[0] / GRIDS[-1]) ** order), ha="left", va="center", color=GREY)
+        axes.loglog(GRIDS, [top * (GRIDS[0] / n) ** order for n in GRIDS], ":", color=INK3, linewidth=1.2)
+        axes.annotate(f" order {order}", (GRIDS[-1], top * (GRIDS[0] / GRIDS[-1]) ** order), ha="left", va="center", color=INK3)
     axes.set_ylim(low, high)
     axes.set_xlim(0.92 * GRIDS[0], 1.25 * GRIDS[-1])
     axes.set_xticks(GRIDS, [str(n) for n in GRIDS])
     axes.minorticks_off()
-    axes.axhline(best.estimated_error, color=BLACK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {round(2 * contact.a / best.grid.dx)} elements")
+    axes.axhline(best.estimated_error, color=INK, linewidth=1, linestyle="-.", label=f"estimated error of the limit, {round(2 * contact.a / best.grid.dx)} elements")
     axes.set_xlabel("elements across the ellipse, in each direction [-]")
     axes.set_ylabel(r"distance to the limit / ($\mu F_n$) [-]")
     forces = best.forces
@@ -203,9 +203,9 @@ def stresses_picture(result, contact, which, y):
     bodies = bodies_of(result)
     put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result))
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
-        axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor="0.88", hatch="xxxx", edgecolor="0.75", linewidth=0)
+        axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor=GRID, hatch="xxxx", edgecolor=LINE, linewidth=0)
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
-        axes.plot([left, right], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
+        axes.plot([left, right], [0, 0], color=INK, linewidth=3, solid_capstyle="butt")
         axes.set_aspect("equal" if to_scale else "auto")
         largest = [f"{who} {with_unit(peaks[body, measure].value, 'Pa')} at {with_unit(peaks[body, measure].depth, 'm')}"
                    for body, who in zip((1, 2), bodies)]
@@ -222,6 +222,6 @@ def draw_section(figure, axes, x, depth, values, unit):
     """Both bodies' stresses as filled contours with a common scale."""
     levels = MaxNLocator(LEVELS).tick_values(0, max(value.max() for value in values.values()))
     for body, side in ((1, 1), (2, -1)):
-        fill = axes.contourf(1e3 * x, side * 1e3 * depth, values[body], levels=levels, cmap="viridis")
-        axes.contour(1e3 * x, side * 1e3 * depth, values[body], levels=levels[::3], colors="white", linewidths=0.4)
+        fill = axes.contourf(1e3 * x, side * 1e3 * depth, values[body], levels=levels, cmap=SIZES)
+        axes.contour(1e3 * x, side * 1e3 * depth, values[body], levels=levels[::3], colors=INK3, linewidths=0.4)
     figure.colorbar(fill, ax=axes, label=f"[{unit}]", shrink=0.8, pad=0.02)

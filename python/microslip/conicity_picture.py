@@ -3,9 +3,9 @@
 import numpy as np
 
 from microslip.contact_points_picture import draw_contact_points
-from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, open_axes, put_title
+from microslip.picture_style import RAIL, SERIES, heading, new_figure, open_axes, put_title
 
-COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, GREY)
+COLOURS = SERIES
 JUMP = 1e-8  # [m], displacements that are closer are the two sides of a jump of the contact
 
 
@@ -82,6 +82,6 @@ def contact_points_picture(result):
         points = [[1e3 * part[shown] for part in result.arrays([f"/gauge_0/curve/{side}_{body}_{axis}" for axis in "yz"])]
                   for body in ("rail", "wheel")]
         lines = draw_contact_points(axes, *curves, *points, 1e3 * y[shown], np.where(at_jump, 1.8, 0.8))
-        axes.text(0, -18, f"{side} rail; bold at both ends of a jump", color=GREY, ha="center")
+        axes.text(0, -18, f"{side} rail; bold at both ends of a jump", color=RAIL, ha="center")
         figure.colorbar(lines, ax=axes, label="lateral displacement [mm], to the left", shrink=0.8)
     return figure

@@ -3,26 +3,35 @@
 import math
 
 import numpy as np
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import Normalize, to_rgba
 from matplotlib.patches import PathPatch
 
-from microslip.contact_outline import ellipse, outline_of_rows, strip
-from microslip.picture_style import ORANGE, SKY_BLUE
+from microslip.contact_outline import Outline, ellipse, outline_of_rows, strip
+from microslip.picture_style import INK, SLIDING, SOFT_SLIDES, SOFT_STICKS, STICKING
 
 EXTERIOR, ADHESION, SLIP = 0, 1, 2
-HATCH = {"hatch": "////", "edgecolor": "#8a5f00"}
 # Finer grids are sampled: a picture has no pixels to show more.
 MOST_CELLS = 400
 # Along the longer side of an image.
-PIXELS = 1000
+PIXELS = 600
 # Arrows along the contact's longer axis.
-MOST_ARROWS = 20
+MOST_ARROWS = 16
+# Shorter ones, in parts of the longest, are left out.
+LEAST_ARROW = 0.02
+# Areas that are smaller, in parts of the contact, have no word in them.
+LEAST_NAMED = 0.08
 # Contacts slimmer than this are drawn with different scales along x and y.
 SLIMMEST_TRUE_TO_SCALE = 1 / 8
 # Rings and rays of the mesh of a surface.
 RINGS, RAYS = 36, 145
 # Elements so near to the edge do not tell the smooth factor of fields that vanish there.
 NEAR_EDGE = 0.97
+# A part of a contact more of whose elements lie beyond its star's edge is no star about its middle.
+MOST_BEYOND = 0.03
+# By which the border between adhesion and slip is smoothed, in elements.
+SMOOTHED = 0.7
+# Limits of the field whose zero is the border between adhesion and slip.
+LEAST_STICKINESS, MOST_STICKINESS = 0.05, 4.0
 
 
 class ContactCells:
@@ -49,7 +58,6 @@ class ContactCells:
         self.outline = ellipse(*semi_axes) if semi_axes is not None else self.outline_of_pressure()
         left, right, low, high = self.outline.limits()
         self.a, self.b = (right - left) / 2 or self.apart.max(), (high - low) / 2 or self.height
-        self.shown = self.inside & self.outline.contain(x, y)
 
     def outline_of_pressure(self):
         """Where the pressure vanishes; a single row of a regular grid has that of its elements."""
@@ -65,72 +73,119 @@ class ContactCells:
             ends = [self.x[row, i] + side * self.widths[row, i] / 2 for i in (first, last) for side in (-1, 1)]
             yield min(ends), max(ends)
 
-    def nearest(self, x, y):
-        """Indices (row, cell) of the cells in contact that are nearest to all pairs of x and y: arrays (len(y), len(x))."""
-        rows = np.flatnonzero(self.inside.any(axis=1))
-        nearest = rows[np.argmin(np.abs(self.row_y[rows] - y[:, None]), axis=1)]
-        best = np.full((len(y), len(x)), np.inf)
-        row_of, cell_of = np.zeros(best.shape, dtype=int), np.zeros(best.shape, dtype=int)
-        for row in rows:  # of its row and of both next to it
-            lines = np.flatnonzero(np.abs(nearest - row) <= 1)
-            cell, away = self._nearest_in_row(row, x)
-            aside = np.clip(np.abs(y[lines] - self.row_y[row]) / self.height - 0.5, 0, None)
-            distance = np.hypot(away[None, :], aside[:, None])
-            closer = distance < best[lines]
-            for target, values in ((best, distance), (row_of, np.full_like(cell_of[lines], row)),
-                                   (cell_of, np.broadcast_to(cell, distance.shape))):
-                target[lines] = np.where(closer, values, target[lines])
-        return row_of, cell_of
+    def images(self, values, vanishes):
+        """Values between the cells as images of the contact's parts: x and y of pixels, values, and the part's outline.
 
-    def _nearest_in_row(self, row, x):
-        """The cells of a row that hold positions or are nearest to them, and how far away they are, in widths."""
-        cells = np.flatnonzero(self.inside[row])
-        cells = cells[np.argsort(self.x[row, cells])]
-        middle, half = self.x[row, cells], self.widths[row, cells] / 2
-        borders = (middle[:-1] + half[:-1] + middle[1:] - half[1:]) / 2
-        found = np.searchsorted(borders, x)
-        return cells[found], np.clip(np.abs(x - middle[found]) / (2 * half[found]) - 0.5, 0, None)
+        They are those of `surface`: linear between cells, of fields that vanish at the edge beside the root of the distance.
+        """
+        for outline in [self.outline] if self.is_regular else [Outline([part]) for part in self.outline.parts]:
+            left, right, low, high = outline.limits()
+            x, y = np.linspace(left, right, PIXELS), np.linspace(low, high, PIXELS)
+            yield x, y, self.at(values, *np.meshgrid(x, y), vanishes, outline), outline
 
-    def pixels(self):
-        """Positions x and y of an image of the contact, some points beyond its outline."""
-        left, right, low, high = self.outline.limits()
-        along, across = (np.linspace(*ends, PIXELS) for ends in ((left, right), (low, high)))
-        return along, across
+    def at(self, values, x, y, vanishes, outline=None):
+        """Values at points of the contact, or of a part of it that an outline tells; of a single row they hold across it."""
+        outline = outline or self.outline
+        if self.is_regular or len(outline.parts) != 1:
+            return self._interpolated(values, self.inside, x, y)
+        mesh = StarMesh(outline.parts[0])
+        place = mesh.place(self.x, self.y)
+        here = self.inside & outline.contain(self.x, self.y)
+        if not vanishes or (here & (place > 1)).sum() > MOST_BEYOND * here.sum():
+            return self._interpolated(values, here if here.any() else self.inside, x, y)
+        smooth = self._smooth_factor(values, place, x, y)
+        return smooth * np.sqrt(np.clip(1 - mesh.place(x, y) ** 2, 0, None))
 
-    def draw(self, axes, values, turned=False, **how):
-        """Values of the cells as flat colours up to the outline; turned: x upwards, y to the right."""
+    def draw(self, axes, values, turned=False, vanishes=True, of_slip=False, **how):
+        """Values between the cells as colours up to the outline; turned: x upwards, y to the right. `of_slip`: they are zero where
+        it sticks, and may jump at the border."""
         if not self.inside.any():
             return
-        x, y = self.pixels()
-        image = np.ma.masked_invalid(values[self.nearest(x, y)])
+        if of_slip and self.has_boundary():
+            images = self._images_of_slip(values)
+        else:
+            images = self.images(values, vanishes)
+        for x, y, image, outline in images:
+            self._show(axes, x, y, image, outline, turned, **how)
+
+    def _images_of_slip(self, values):
+        for x, y, sticks, outline in self.borders():
+            slides = self.inside & (self.state == SLIP) & outline.contain(self.x, self.y)
+            image = self._interpolated(values, slides, *np.meshgrid(x, y)) if slides.any() else np.zeros(sticks.shape)
+            yield x, y, np.where(sticks > 0, 0.0, image), outline
+
+    def _show(self, axes, x, y, image, outline, turned, **how):
         extent = (x[0], x[-1], y[0], y[-1])
         if turned:
-            image, extent = image.T, (*extent[2:], *extent[:2])
-        drawn = axes.imshow(image, extent=extent, origin="lower", interpolation="nearest", aspect=axes.get_aspect(), **how)
-        drawn.set_clip_path(self.path(turned), axes.transData)
+            image, extent = np.swapaxes(image, 0, 1), (*extent[2:], *extent[:2])
+        drawn = axes.imshow(image, extent=extent, origin="lower", interpolation="bilinear", aspect=axes.get_aspect(), **how)
+        drawn.set_clip_path(outline.turned() if turned else outline.path, axes.transData)
 
     def draw_outline(self, axes, turned=False, **how):
         """The outline as a line, or with a facecolor as an area."""
-        how = {"fill": "facecolor" in how, "edgecolor": "black", "linewidth": 1.2, "zorder": 3, **how}
+        how = {"fill": "facecolor" in how, "edgecolor": INK, "linewidth": 1.2, "zorder": 3, **how}
         axes.add_patch(PathPatch(self.path(turned), **how))
 
-    def draw_areas(self, axes, turned=False):
-        """Slip hatched over the whole contact, adhesion over it."""
-        self.draw_outline(axes, turned, facecolor=ORANGE, zorder=1, linewidth=0, **HATCH)
-        adhesion = np.where(self.state == ADHESION, 1.0, np.nan)
-        self.draw(axes, adhesion, turned, cmap=ListedColormap([SKY_BLUE]), zorder=1.5)
+    def draw_areas(self, axes, turned=False, sizes=None, largest=1.0):
+        """Where it sticks blue, where it slides orange: both soft, or with sizes of a field from 0 to the largest darker ones."""
+        if not self.inside.any():
+            return
+        norm = Normalize(0, largest or 1)
+        for (x, y, sticks, outline), (_, _, size, _) in zip(self.borders(), self.images(
+                np.zeros(self.x.shape) if sizes is None else sizes, sizes is not None)):
+            blue, orange = ((np.array(to_rgba(colour)) for colour in (SOFT_STICKS, SOFT_SLIDES)) if sizes is None
+                            else (colours(norm(size)) for colours in (STICKING, SLIDING)))
+            self._show(axes, x, y, np.where(sticks[..., None] > 0, blue, orange), outline, turned, zorder=1.5)
+
+    def stickiness(self):
+        """A field that is positive in adhesion and negative in slip, and about linear across the border: what is left of the bound
+        in adhesion, the slip in slip, both in parts of what they are on either side of the border."""
+        rest = np.where(self.state == ADHESION, self.bound - np.hypot(self.px, self.py), 0.0)
+        slip = np.where(self.state == SLIP, np.hypot(self.sx, self.sy), 0.0)
+        borders = self.state[:, 1:] + self.state[:, :-1] == ADHESION + SLIP
+        here = np.zeros(self.state.shape, dtype=bool)
+        here[:, 1:] |= borders & self.inside[:, 1:] & self.inside[:, :-1]
+        here[:, :-1] |= borders & self.inside[:, 1:] & self.inside[:, :-1]
+        scaled = []
+        for size, state in ((rest, ADHESION), (slip, SLIP)):
+            unit = np.median(size[here & (self.state == state)]) if (here & (self.state == state)).any() else size.max(initial=0)
+            scaled.append(np.clip(size / (unit or 1.0), LEAST_STICKINESS, MOST_STICKINESS))
+        return np.where(self.state == ADHESION, scaled[0], -scaled[1])
+
+    def borders(self):
+        """Images of stickiness, as of `images`, without the steps of a part of an element that rows make in its zero line."""
+        for x, y, sticks, outline in self.images(self.stickiness(), False):
+            across, along = (SMOOTHED * size / (line[1] - line[0] or 1.0)
+                             for size, line in ((self.height, y), (float(np.median(self.apart)), x)))
+            yield x, y, blurred(blurred(sticks, across).T, along).T, outline
 
     def draw_boundary(self, axes, turned=False):
         """The line between adhesion and slip, with a white rim."""
         if not self.has_boundary():
             return
-        x, y = self.pixels()
-        adheres = (self.state[self.nearest(x, y)] == ADHESION).astype(float)
-        coordinates = (y, x, adheres.T) if turned else (x, y, adheres)
-        for colour, width in (("white", 3.2), ("black", 1.8)):
-            lines = axes.contour(*coordinates, levels=[0.5], colors=colour, linewidths=width, zorder=2.5)
-            for line in lines.collections:
-                line.set_clip_path(self.path(turned), axes.transData)
+        for x, y, sticks, outline in self.borders():
+            if not sticks.min() < 0 < sticks.max():
+                continue  # a part that all sticks or all slides
+            coordinates = (y, x, sticks.T) if turned else (x, y, sticks)
+            for colour, width in (("white", 3.6), (INK, 1.9)):
+                lines = axes.contour(*coordinates, levels=[0.0], colors=colour, linewidths=width, zorder=2.5)
+                for line in lines.collections:
+                    line.set_clip_path(outline.turned() if turned else outline.path, axes.transData)
+
+    def middles_of(self, state):
+        """Points x, y in adhesion or slip that are farthest from the area's edge, where a word stands: one in each part of the
+        contact, none in small areas."""
+        for part in self.outline.parts:
+            outline = Outline([part])
+            left, right, low, high = outline.limits()
+            x, y = (points.ravel() for points in np.meshgrid(np.linspace(left, right, 41), np.linspace(low, high, 41)))
+            inside = outline.contain(x, y)
+            there = inside & ((self.at(self.stickiness(), x, y, False, outline) > 0) == (state == ADHESION))
+            if there.sum() * (right - left) * (high - low) > LEAST_NAMED * inside.sum() * 4 * self.a * self.b:
+                # Words are broader than high: distances along x count for less.
+                away = np.min(((x[there, None] - x[~there]) / (2 * self.a)) ** 2 + ((y[there, None] - y[~there]) / self.b) ** 2, axis=1)
+                best = np.argmax(away)
+                yield x[there][best], y[there][best]
 
     def path(self, turned=False):
         """The outline as a path."""
@@ -159,12 +214,19 @@ class ContactCells:
 
     def _surface_of(self, mesh, values, vanishes):
         place = mesh.place(self.x, self.y)
-        mine = self.inside & (place < (NEAR_EDGE if vanishes else 1.0))
-        if not mine.any():
-            mine = self.inside & (place <= max(1.5, place[self.inside].min()))  # a splinter may have no centre of a cell
-        factor = np.sqrt(np.clip(1 - place**2, 1 - NEAR_EDGE**2, None)) if vanishes else np.ones(place.shape)
-        smooth = self._interpolated(values / factor, mine, mesh.x, mesh.y)
-        return mesh.x, mesh.y, smooth * mesh.edge_factor() if vanishes else smooth
+        if not vanishes:
+            return mesh.x, mesh.y, self._interpolated(values, self._within(place, 1.0), mesh.x, mesh.y)
+        return mesh.x, mesh.y, self._smooth_factor(values, place, mesh.x, mesh.y) * mesh.edge_factor()
+
+    def _within(self, place, ring):
+        """The cells within a ring; a splinter may have no centre of a cell, and has those next to it."""
+        mine = self.inside & (place < ring)
+        return mine if mine.any() else self.inside & (place <= max(1.5, place[self.inside].min()))
+
+    def _smooth_factor(self, values, place, x, y):
+        """What is left of values that vanish at the edge when the root of the distance is divided out."""
+        factor = np.sqrt(np.clip(1 - place**2, 1 - NEAR_EDGE**2, None))
+        return self._interpolated(values / factor, self._within(place, NEAR_EDGE), x, y)
 
     def _interpolated(self, values, mine, x, y):
         """Along rows and between them; beyond the outermost cells as there."""
@@ -184,22 +246,44 @@ class ContactCells:
         """Returns whether one scale along x and y shows the contact well."""
         return SLIMMEST_TRUE_TO_SCALE <= self.a / self.b <= 1 / SLIMMEST_TRUE_TO_SCALE
 
-    def sample(self):
-        """A mask of cells for arrows: far enough apart to be read, but at least 5 along each axis."""
+    def lattice(self, apart=None):
+        """Points within the outline, evenly spread about its middle: `apart` [mm], or far enough to be read, but at least 5 along
+        each axis; arrays of x and y."""
         along = 5 if self.true_to_scale() else MOST_ARROWS
-        apart_x, apart_y = (min(self._arrows_apart(), 2 * axis / along) for axis in (self.a, self.b))
-        chosen = np.zeros(self.state.shape, dtype=bool)
-        for row in every(len(self.row_y), apart_y / self.height):
-            chosen[row, every(self.state.shape[1], apart_x / self.apart[row])] = True
-        return chosen & self.shown
+        left, right, low, high = self.outline.limits()
+        lines = []
+        for first, last, axis in ((left, right, self.a), (low, high, self.b)):
+            stride = apart or min(self.arrows_apart(), 2 * axis / along)
+            each_side = math.ceil(axis / stride) - 1
+            lines.append((first + last) / 2 + stride * np.arange(-each_side, each_side + 1))
+        x, y = (values.ravel() for values in np.meshgrid(*lines))
+        inside = self.outline.contain(x, y)
+        return x[inside], y[inside]
 
-    def _arrows_apart(self):
+    def arrows(self, along, across, longest, apart=None, only=None):
+        """Arrows of a field's components that lie within the outline: arrays x, y of their middles, and the components there.
+
+        `longest` of the field is drawn as long as `arrow_length(apart)`, arrows stand as in `lattice`. `only` SLIP leaves out
+        the points that stick.
+        """
+        x, y = self.lattice(apart)
+        found = [self.at(values, x, y, only != SLIP) for values in (along, across)]
+        keep = np.hypot(*found) > LEAST_ARROW * longest
+        if only == SLIP and self.has_boundary():
+            keep &= self.at(self.stickiness(), x, y, False) < 0
+        if self.true_to_scale() and longest > 0:
+            for side in (-0.5, 0.5):
+                ends = [at + side * self.arrow_length(apart) / longest * size for at, size in zip((x, y), found)]
+                keep &= self.outline.contain(*ends)
+        return x[keep], y[keep], found[0][keep], found[1][keep]
+
+    def arrows_apart(self):
+        """The distance of arrows that suits the contact's size [mm]."""
         return 2 * max(self.a, self.b) / MOST_ARROWS
 
-    def arrow_length(self):
+    def arrow_length(self, apart=None):
         """A length for the longest arrow [mm] that suits the arrows' distance."""
-        spacing = max(self._arrows_apart(), min(self.apart.max(), self.height))
-        return min(1.35 * spacing, 0.15 * 2 * max(self.a, self.b))
+        return 1.35 * (apart or self.arrows_apart())
 
 
 class StarMesh:
@@ -232,15 +316,19 @@ class StarMesh:
         return np.broadcast_to(np.sqrt(np.clip(1 - self.rings**2, 0, None)), self.x.shape)
 
 
-def every(count, stride):
-    """Indices of evenly spaced entries, the remainder shared between both ends; the stride is rounded up."""
-    stride = min(count, max(1, math.ceil(stride - 1e-9)))
-    return np.arange((count - 1) % stride // 2, count, stride)
+def blurred(image, width):
+    """Columns of an image under a bell curve of a standard deviation in pixels, which goes on beyond its ends as there."""
+    reach = int(3 * width)
+    if reach < 1:
+        return image
+    bell = np.exp(-0.5 * (np.arange(-reach, reach + 1) / width) ** 2)
+    longer = np.pad(image, ((reach, reach), (0, 0)), mode="edge")
+    return sum(weight * longer[start:start + len(image)] for start, weight in enumerate(bell / bell.sum()))
 
 
 def cells_of(fields, semi_axes=None):
     """The cells of a solution's fields, arrays (rows, cells of a row) in SI; `semi_axes` [m] of an ellipse, else the pressures
-    tell where the contact ends. For other pictures: draw, draw_areas, draw_boundary, draw_outline, sample."""
+    tell where the contact ends. For other pictures: draw, draw_areas, draw_boundary, draw_outline, arrows."""
     names = ("x", "y", "area", "bound", "px", "py", "sx", "sy")
     x, y, area, bound, px, py, sx, sy = (np.asarray(getattr(fields, name), dtype=float) for name in names)
     axes = None if semi_axes is None else [1e3 * axis for axis in semi_axes]

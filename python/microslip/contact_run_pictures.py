@@ -3,10 +3,11 @@ the bodies where points were asked for."""
 
 import numpy as np
 
-from microslip.contact_cells import ADHESION, EXTERIOR, SLIP, ContactCells
+from microslip.contact_cells import EXTERIOR, ContactCells
+from microslip.cut_picture import shade
 from microslip.interior_picture import interior_picture
-from microslip.picture_style import (BLACK, BLUE, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes, put_title,
-                                     shown, unit_for)
+from microslip.picture_style import (ACROSS, ALONG, INK, INK3, heading, names_above, new_figure, number, open_axes,
+                                     put_title, shown, unit_for)
 from microslip.pressure_picture import pressure_picture
 from microslip.result_file import ResultError
 from microslip.solved_contacts import SolvedContact
@@ -39,7 +40,7 @@ def forces_picture(result):
     numbers, patches = (result.array(f"/cases/{name}") for name in ("number", "patch"))
     figure = new_figure(8.4, 5)
     panels = figure.subplots(2, 1, sharex=True)
-    drawn = ((panels[0], "normal_force", BLACK, "$F_n$"), (panels[1], "fx", BLUE, "$F_x$"), (panels[1], "fy", VERMILION, "$F_y$"))
+    drawn = ((panels[0], "normal_force", INK, "$F_n$"), (panels[1], "fx", ALONG, "$F_x$"), (panels[1], "fy", ACROSS, "$F_y$"))
     values = {name: result.array(f"/cases/{name}", finite=False) for _, name, _, _ in drawn}
     largest = {axes: max(np.nanmax(np.abs(values[name]), initial=0) for one, name, _, _ in drawn if one is axes) for axes in panels}
     for patch in np.unique(patches):
@@ -53,7 +54,7 @@ def forces_picture(result):
         axes.set_ylabel(f"{what} [{unit_for(largest[axes], 'N')[1]}]")
         open_axes(axes)
         axes.ticklabel_format(useOffset=False)
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        names_above(axes)
         show_noise_as_a_line(axes)
     panels[1].set_xlabel("case")
     panels[1].xaxis.get_major_locator().set_params(integer=True)
@@ -98,19 +99,16 @@ def curves_picture(result, case, contacts, grids):
     for axes, contact, grid in zip(panels, contacts, grids):
         open_axes(axes)
         x = grid.x[0]
-        for values, label, colour, style in ((grid.pressure, "$p_n$", GREY, "-"), (grid.bound, "$g$, the bound", BLACK, ":"),
-                                             (grid.px, "$p_x$", BLUE, "-"), (grid.py, "$p_y$", VERMILION, "--")):
+        for values, label, colour, style in ((grid.pressure, "$p_n$", INK3, "-"), (grid.bound, "$g$, the bound", INK, ":"),
+                                             (grid.px, "$p_x$", ALONG, "-"), (grid.py, "$p_y$", ACROSS, "--")):
             axes.plot(x, 1e6 * scale * values[0], style, color=colour, label=label, linewidth=1.8)
-        for state, colour, label in ((ADHESION, SKY_BLUE, "adhesion"), (SLIP, ORANGE, "slip")):
-            for left, right in grid.spans(state, 0):
-                axes.axvspan(left, right, color=colour, alpha=0.25, linewidth=0, label=label)
-                label = None
+        shade(axes, grid, 0)
         left, right, *_ = grid.outline.limits()
         axes.set_xlim(left - 0.15 * grid.a, right + 0.15 * grid.a)
         axes.set_xlabel("x [mm]")
-        axes.set_title(forces_text(result, contact))
+        axes.set_title(forces_text(result, contact), pad=22)
+        names_above(axes)
     panels[0].set_ylabel(f"pressure and traction on body 1 [{unit}]")
-    panels[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     put_title(figure, heading(f"Case {case}, along the row of elements", result))
     return figure
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from microslip.picture_style import (BLACK, BLUE, GREY, THEORIES, VERMILION, bodies_of, heading, new_figure, number, open_axes,
-                                     put_title, the, unit_for, with_unit)
+from microslip.picture_style import (INK2, INK3, LOOKS, THEORIES, bodies_of, halo, heading, names_above, new_figure, number,
+                                     open_axes, put_title, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 
 # Name of the varied creepage: title, symbol, factor from SI, unit for an axis and behind a number.
@@ -12,10 +12,9 @@ CREEPAGES = {
     "creepage_lateral": (r"lateral creepage $\eta$", r"$\eta$", 1e3, r"$10^{-3}$", r"$\,\cdot\,10^{-3}$"),
     "spin": (r"spin $\phi$", r"$\phi$", 1, "1/m", " 1/m"),
 }
-FORCES = {"fx": ("$F_x$", BLUE), "fy": ("$F_y$", VERMILION)}
-# For the last theory of a picture, and for those before it.
-LINE_STYLES = {True: "-", False: "--"}
-POINT_MARKERS = {"fastsim": "s", "fastsim_half_step": "^", "fastsim2": "o", "fastrip": "v", "table": "P", "exact": "D"}
+FORCES = {"fx": "$F_x$", "fy": "$F_y$"}
+# Room for the forces' names at the ends of the curves, in parts of the axis.
+ROOM_FOR_NAMES = 0.03
 
 
 def creep_curve_picture(result, theories):
@@ -25,7 +24,7 @@ def creep_curve_picture(result, theories):
         raise ResultError(f"{result.path}: /creep_curve has variable '{varied}', known: {', '.join(CREEPAGES)}")
     title, _, factor, unit, _ = CREEPAGES[varied]
     limit = result.number("/creep_curve/limit")
-    figure = new_figure(7.2, 5.4 if len(theories) == 1 else 6.4)
+    figure = new_figure(7.0, 4.9)
     axes = figure.subplots()
     open_axes(axes)
     curves = {theory: result.arrays([f"/creep_curve/{theory}/{name}" for name in ("value", *FORCES)]) for theory in theories}
@@ -33,30 +32,48 @@ def creep_curve_picture(result, theories):
     limit *= scale
     extremes = []
     for theory in theories:
+        colour, dashes = LOOKS[theory]
         value, *forces = curves[theory]
-        for (label, colour), force in zip(FORCES.values(), forces):
-            if len(theories) > 1:
-                label += f", {THEORIES[theory]}"
-            axes.plot(factor * value, scale * force, LINE_STYLES[theory == theories[-1]], color=colour, linewidth=2,
-                      label=label)
+        for number_of, force in enumerate(forces):
+            axes.plot(factor * value, scale * force, linestyle=dashes, color=colour, linewidth=1.8,
+                      label=None if number_of else THEORIES[theory])
             extremes += [scale * force.min(), scale * force.max()]
-    mark_points(axes, result, theories, varied, scale)
+    axes.axhline(0, color=INK2, linewidth=0.8)
     mark_limits(axes, limit, extremes, with_unit(limit / scale, "N"))
-    axes.axhline(0, color=BLACK, linewidth=0.8)
     if limit == 0:
         axes.set_ylim(-1, 1)  # no friction, no force
     low, high = axes.get_ylim()
     axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))  # lines stand off the frame
+    name_forces(axes, factor, scale, curves[theories[-1]])
+    mark_points(axes, result, theories, varied, scale)
     axes.set_xlabel(f"{title} [{unit}]")
     axes.set_ylabel(f"force on {the(bodies_of(result)[0])} [{force_unit}]")
     if limit > 0:
         relative = axes.secondary_yaxis("right", functions=(lambda force: force / limit, lambda ratio: ratio * limit))
         relative.set_ylabel(r"force / ($\mu F_n$) [-]")
-    put_title(figure, heading("Creep curve", result, theories))
-    who = " and ".join(THEORIES[theory] for theory in theories)
-    axes.set_title(f"{who}, held: {held_creepages(result, varied)}")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
+    put_title(figure, f"{heading('Creep curve', result, theories)}\nheld: {held_creepages(result, varied)}\n"
+                      + "\n".join(forces_of_case(result, theory) for theory in theories))
+    names_above(axes)
     return figure
+
+
+def name_forces(axes, factor, scale, curve):
+    """The name of each force at the end of its curves."""
+    value, *forces = curve
+    side = 1 if value[-1] > value[0] else -1
+    low, high = axes.get_xlim()
+    axes.set_xlim(*((low, high + ROOM_FOR_NAMES * (high - low)) if side > 0 else (low - ROOM_FOR_NAMES * (high - low), high)))
+    for name, force in zip(FORCES.values(), forces):
+        axes.annotate(name, (factor * value[-1], scale * force[-1]), xytext=(5 * side, 0), textcoords="offset points", va="center",
+                      ha="left" if side > 0 else "right", size="large", path_effects=halo())
+
+
+def forces_of_case(result, theory):
+    """Both forces of the case itself by a theory, as text."""
+    forces = {name: result.number(f"/{theory}/{name}") for name in FORCES}
+    largest = max(map(abs, forces.values()))
+    who = f"this case by {THEORIES[theory]}: " if theory != "exact" else "this case by the exact theory: "
+    return who + ",  ".join(f"{FORCES[name]} = {with_unit(force, 'N', largest)}" for name, force in forces.items())
 
 
 def creepage_of_case(result, name):
@@ -65,29 +82,29 @@ def creepage_of_case(result, name):
 
 
 def mark_points(axes, result, theories, varied, scale):
-    """The case itself as each theory has it; the last one's as filled markers."""
+    """The case itself as each theory has it."""
     here = CREEPAGES[varied][2] * creepage_of_case(result, varied)
-    largest = max(abs(result.number(f"/{theory}/{name}")) for theory in theories for name in FORCES)
+    axes.axvline(here, color=INK3, linewidth=0.9, linestyle=":")
+    right = here > np.mean(axes.get_xlim())
+    axes.annotate("this case", (here, 0.985), xycoords=("data", "axes fraction"), xytext=(-4 if right else 4, 0),
+                  textcoords="offset points", ha="right" if right else "left", va="top", color=INK2, size="small", path_effects=halo())
     for theory in theories:
-        for name, (label, colour) in FORCES.items():
-            force = result.number(f"/{theory}/{name}")
-            look = {"markersize": 8, "markerfacecolor": colour, "markeredgecolor": BLACK}
-            if theory != theories[-1]:
-                look = {"markersize": 13, "markerfacecolor": "none", "markeredgecolor": colour, "markeredgewidth": 2}
-            who = "this case" if len(theories) == 1 else f"this case, {THEORIES[theory]}"
-            axes.plot([here], [scale * force], POINT_MARKERS[theory], linestyle="none", zorder=5,
-                      label=f"{who}: {label} = {with_unit(force, 'N', largest)}", **look)
+        for name in FORCES:
+            axes.plot([here], [scale * result.number(f"/{theory}/{name}")], "o", markersize=5, zorder=5, markerfacecolor="white",
+                      markeredgecolor=LOOKS[theory][0], markeredgewidth=1.4)
 
 
 def mark_limits(axes, limit, extremes, text):
-    """Dashed lines at the Coulomb limit, on the sides where the forces come near it."""
-    label = rf"$\pm\mu F_n$ = {text}"
+    """Dotted lines at the Coulomb limit, on the sides where the forces come near it."""
     if limit == 0:
         return
     for side in (-limit, limit):
         if max(extreme / side for extreme in extremes) > 0.5:
-            axes.axhline(side, color=GREY, linestyle="--", linewidth=1.5, label=label)
-            label = None
+            axes.axhline(side, color=INK3, linestyle=(0, (1, 2)), linewidth=1.3)
+            sign = "\N{MINUS SIGN}" if side < 0 else ""
+            axes.annotate(rf"what friction can bear, {sign}$\mu F_n$ = {sign}{text}", (0.015, side), xycoords=("axes fraction", "data"),
+                          xytext=(0, 3 if side < 0 else -3), textcoords="offset points", va="bottom" if side < 0 else "top",
+                          color=INK2, size="small", path_effects=halo())
 
 
 def held_creepages(result, varied):

@@ -3,9 +3,9 @@
 import numpy as np
 
 import microslip
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, new_figure, number, open_axes
+from microslip.picture_style import INK3, SERIES, new_figure, number, open_axes, put_title
 
-LINE_COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, BLACK)
+LINE_COLOURS = SERIES
 LINE_POINTS, EXACT_POINTS = 121, 9
 FAR = 3  # times the creepage at which linear theory slides fully
 
@@ -32,7 +32,7 @@ def creep_table_picture(table, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0
     worst, statuses = 0.0, set()
     for axes, (creepage, force, values, symbol, label) in zip(figure.subplots(1, 3), panels):
         open_axes(axes)
-        axes.axhline(0, color=GREY, linewidth=0.8)
+        axes.axhline(0, color=INK3, linewidth=0.8)
         for spin, colour in zip(spins, LINE_COLOURS * len(spins)):
             found = table.solve_batch(contact, **{creepage: values}, spin=float(spin))
             statuses.update(map(int, found.status.flat))
@@ -54,5 +54,5 @@ def creep_table_picture(table, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0
         lines.append(f"largest distance to the exact theory on {elements} x {elements} elements: {worst:.4f}")
     if statuses != {int(microslip.Status.ok)}:
         lines.append("beyond the table's range: its forces are those of limits")
-    figure.suptitle("\n".join(lines))
+    put_title(figure, "\n".join(lines))
     return figure

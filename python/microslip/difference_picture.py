@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.field_picture import DIVERGING, FIELDS, check_field, colours_of, field_values, has_field
-from microslip.picture_style import bodies_of, label_of, new_figure, put_title, the, unit_for, with_unit
+from microslip.field_picture import FIELDS, OF_SLIP, check_field, colours_of, field_values, has_field
+from microslip.picture_style import SIGNED, bodies_of, label_of, new_figure, put_title, the, unit_for, with_unit
 from microslip.result_file import ResultError
 from microslip.solved_contacts import is_shift, label_along_x
 
@@ -36,16 +36,16 @@ def difference_picture(results, all_contacts, name):
     about_zero = Normalize(*(close * side * (max(largest.values()) or 1 / close) for side in (-1, 1)))
     for row, key in zip(panels, contacts):
         for axes, one, value in zip(row, cells[key], values[key]):
-            one.draw(axes, factor * value, cmap=colours, norm=scale)
+            one.draw(axes, factor * value, vanishes=FIELDS[name][3], of_slip=name in OF_SLIP, cmap=colours, norm=scale)
             one.draw_outline(axes)
-        either[key].draw(row[2], close * differences[key], cmap=DIVERGING, norm=about_zero)
+        either[key].draw(row[2], close * differences[key], vanishes=FIELDS[name][3], cmap=SIGNED, norm=about_zero)
         either[key].draw_outline(row[2])
         row[0].set_title(f"{label_of(key)}, A")
         row[1].set_title("B")
         row[2].set_title(f"B \N{MINUS SIGN} A, at most {size_text(largest[key], unit)}")
     figure.colorbar(ScalarMappable(norm=scale, cmap=colours), ax=list(panels[:, :2].flat), label=f"{title} [{printed}]", shrink=0.9,
                     pad=0.02)
-    figure.colorbar(ScalarMappable(norm=about_zero, cmap=DIVERGING), ax=list(panels[:, 2]), label=f"difference [{of_difference}]",
+    figure.colorbar(ScalarMappable(norm=about_zero, cmap=SIGNED), ax=list(panels[:, 2]), label=f"difference [{of_difference}]",
                     shrink=0.9, pad=0.02)
     return figure
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from microslip.picture_style import BLUE, VERMILION, new_figure, open_axes, round_up
+from microslip.picture_style import ACROSS, ALONG, new_figure, open_axes, put_title, round_up
 
-FORCES = {"fx": ("$F_x$", BLUE), "fy": ("$F_y$", VERMILION)}
+FORCES = {"fx": ("$F_x$", ALONG), "fy": ("$F_y$", ACROSS)}
 BOUNDS = {"parabolic": ("parabolic bound", "-"), "elliptic": ("elliptic bound", "--")}
 FLEXIBILITIES = {"three": "three flexibilities", "one": "one flexibility", "blended": "blended flexibilities"}
 # Of the printed 80 % and 95 %.
@@ -14,7 +14,7 @@ BOUND_MARKERS = {"parabolic": "o", "elliptic": "s"}
 def fastsim2_table1_pictures(result):
     """The picture of a result file of kind fastsim2-table1, by file name."""
     figure = new_figure(12, 4.6)
-    figure.suptitle("FASTSIM2 on 640 × 640 cells against exact theory: share of the cases with a smaller difference")
+    put_title(figure, "FASTSIM2 on 640 × 640 cells against exact theory: share of the cases with a smaller difference")
     panels = figure.subplots(1, len(FLEXIBILITIES), sharey=True, sharex=True)
     largest = 0
     for axes, (flexibility, title) in zip(panels, FLEXIBILITIES.items()):

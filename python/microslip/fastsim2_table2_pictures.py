@@ -1,18 +1,18 @@
 """Figures 4 and 5 of the FASTSIM2 paper: discretisation errors over the 3,220 cases, computed beside published."""
 
-import matplotlib
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, VERMILION, new_figure, open_axes, round_up
+from microslip.picture_style import (ACROSS, GREEN, GRID, INK, INK3, MAGENTA, SIZES_OF_LINES, new_figure, open_axes,
+                                     put_title, round_up)
 
 # Rms error of the simplified theory itself (table 1 of the paper, parabolic bound, three flexibilities).
 THEORY_ERROR = {"fx": 0.026, "fy": 0.039}
 FORCES = {"fx": "$F_x$", "fy": "$F_y$"}
 # Group: name, colour, marker.
 ALGORITHMS = {
-    "fastsim": ("FASTSIM", VERMILION, "o"),
+    "fastsim": ("FASTSIM", ACROSS, "o"),
     "fastsim_half_step": ("FASTSIM, half first step", GREEN, "^"),
-    "fastsim2": ("FASTSIM2", BLUE, "s"),
+    "fastsim2": ("FASTSIM2", MAGENTA, "s"),
 }
 
 
@@ -25,10 +25,10 @@ def fastsim2_table2_pictures(result):
 def distributions(result, grids):
     """Figure 4: share of the cases whose error in Fy is below a value, one line per grid."""
     figure = new_figure(10, 4.6)
-    figure.suptitle("Discretisation error in $F_y$: share of the cases below it (note the two scales)")
+    put_title(figure, "Discretisation error in $F_y$: share of the cases below it (note the two scales)")
     figure.get_layout_engine().set(wspace=0.04)
     panels = figure.subplots(1, 2, sharey=True)
-    colours = matplotlib.colormaps["viridis"](np.linspace(0, 0.92, len(grids)))
+    colours = SIZES_OF_LINES(np.linspace(0, 0.92, len(grids)))
     for axes, algorithm in zip(panels, ("fastsim", "fastsim2")):
         errors = result.array(f"/{algorithm}/error_fy", dimensions=2)
         open_axes(axes)
@@ -47,7 +47,7 @@ def distributions(result, grids):
 def convergence(result, grids):
     """Figure 5: rms errors over the number of cells along each axis."""
     figure = new_figure(10, 5)
-    figure.suptitle("Rms of the discretisation error over the cases")
+    put_title(figure, "Rms of the discretisation error over the cases")
     panels = figure.subplots(1, 2, sharey=True)
     for axes, (force, label) in zip(panels, FORCES.items()):
         open_axes(axes)
@@ -58,7 +58,7 @@ def convergence(result, grids):
             name, colour, marker = ALGORITHMS[algorithm]
             axes.loglog(grids, result.array(f"/published/{algorithm}/rms_{force}"), color=colour, marker=marker,
                         markersize=10, markerfacecolor="none", linestyle="none", label=f"{name}, published")
-        axes.axhline(THEORY_ERROR[force] / 10, color=BLACK, linestyle="--", linewidth=1.2,
+        axes.axhline(THEORY_ERROR[force] / 10, color=INK, linestyle="--", linewidth=1.2,
                      label="a tenth of the theory's own error")
         axes.set_xticks(grids, [str(grid) for grid in grids])
         axes.minorticks_off()
@@ -77,8 +77,8 @@ def slopes(panels, result, grids):
         for algorithm, order in (("fastsim", 1), ("fastsim2", 2)):
             rms = np.interp(left, grids, result.array(f"/{algorithm}/rms_{force}"))
             high, low = 2.2 * rms, 2.2 * rms / (right / left) ** order
-            axes.fill([left, right, right], [high, high, low], facecolor="0.9", edgecolor=GREY, linewidth=1)
+            axes.fill([left, right, right], [high, high, low], facecolor=GRID, edgecolor=INK3, linewidth=1)
             axes.annotate(str(order), (right, (high * low) ** 0.5), xytext=(4, 0), textcoords="offset points",
-                          va="center", fontsize=9)
+                          va="center", size="small")
             axes.annotate("1", ((left * right) ** 0.5, high), xytext=(0, 3), textcoords="offset points", ha="center",
                           fontsize=9)

@@ -3,18 +3,16 @@
 import difflib
 import math
 
-import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
 from microslip.contact_cells import MOST_CELLS
-from microslip.picture_style import bodies_of, heading, label_of, new_figure, put_title, the, unit_for
+from microslip.picture_style import INK2, SIGNED, SIZES, bodies_of, heading, label_of, new_figure, put_title, the, unit_for
 from microslip.result_file import ResultError
 from microslip.rolling_contact_pictures import contact_panels
 from microslip.solved_contacts import is_shift, rolls_backward, tells_direction
 
-SEQUENTIAL, DIVERGING = "viridis", "PuOr"
 # A sign that is smaller than this share of the other does not count.
 ONE_SIGN = 0.02
 # Name: title with {} for body 1, unit in SI, the datasets it is made of, whether it falls to zero at the edge.
@@ -37,6 +35,8 @@ FIELDS = {
 }
 
 
+# Fields that are zero where it sticks.
+OF_SLIP = ("slip", "sx", "sy", "power")
 # Fields that cells have themselves, with what makes SI units of theirs.
 OF_CELLS = {"pressure": 1e6, "bound": 1e6, "px": 1e6, "py": 1e6, "sx": 1e-3, "sy": 1e-3}
 
@@ -106,10 +106,10 @@ def colours_of(low, high):
     """Colour map and scale for values from low <= 0 to high >= 0: about zero only if both signs occur."""
     far = max(high, -low) or 1.0
     if -low < ONE_SIGN * far:
-        return SEQUENTIAL, Normalize(0, far)
+        return SIZES, Normalize(0, far)
     if high < ONE_SIGN * far:
-        return SEQUENTIAL + "_r", Normalize(-far, 0)
-    return DIVERGING, Normalize(-far, far)
+        return SIZES.reversed(), Normalize(-far, 0)
+    return SIGNED, Normalize(-far, far)
 
 
 def field_map(result, contacts, name):
@@ -117,7 +117,7 @@ def field_map(result, contacts, name):
     field = FieldOfContacts(result, contacts, name)
     figure, panels = contact_panels(result, field.cells, field.heading())
     for axes, (key, value) in zip(panels, field.values.items()):
-        field.cells[key].draw(axes, value, cmap=field.colours, norm=field.scale)
+        field.cells[key].draw(axes, value, vanishes=field.vanishes, of_slip=name in OF_SLIP, cmap=field.colours, norm=field.scale)
         axes.set_title(label_of(key))
     figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.8, pad=0.02)
     return figure
@@ -128,7 +128,7 @@ def field_surface(result, contacts, name):
     field = FieldOfContacts(result, contacts, name)
     if any(cells.is_regular and min(cells.x.shape) == 1 for cells in field.cells.values()):
         raise ResultError(f"{result.path}: a single row of elements has no surface; --field and --cut show it")
-    figure = new_figure(6.2 * len(field.values) + 1, 6.0)
+    figure = new_figure(5.0 * len(field.values) + 1, 4.9)
     put_title(figure, heading(field.heading(), result, field.cells))
     along_x = f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x" if tells_direction(result) else "x [mm]"
     panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
@@ -138,11 +138,11 @@ def field_surface(result, contacts, name):
     for axes, (key, meshes) in zip(panels, surfaces.items()):
         grid = field.cells[key]
         for x, y, height in meshes:
-            colours = matplotlib.colormaps[field.colours](field.scale(np.nan_to_num(height)))
+            colours = field.colours(field.scale(np.nan_to_num(height)))
             axes.plot_surface(x, y, height, facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False)
             axes.plot_wireframe(x, y, height, rstride=6, cstride=9, color=(0, 0, 0, 0.25), linewidth=0.5)
         for part in grid.outline.parts:
-            axes.plot(*part.T, 0, color="0.3", linewidth=1)
+            axes.plot(*part.T, 0, color=INK2, linewidth=1)
         left, right, front, back = grid.outline.limits()
         axes.set_xlim(left, right)
         axes.set_ylim(front, back)
@@ -150,7 +150,7 @@ def field_surface(result, contacts, name):
         axes.set_xlabel(along_x, labelpad=8)
         axes.set_ylabel("y [mm]", labelpad=8)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
-                            else (1, 1, 0.7), zoom=0.8)
+                            else (1, 1, 0.7), zoom=0.92)
         axes.tick_params(axis="x", labelrotation=0, pad=1)
         axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)

@@ -1,5 +1,8 @@
 """A field over a contact as a surface to turn and zoom, for notebooks and as a separate page (Debian: python3-plotly)."""
 
+import numpy as np
+from matplotlib.colors import to_hex
+
 from microslip.field_picture import FieldOfContacts
 from microslip.picture_style import THEORIES, label_of
 from microslip.result_file import ResultError, ResultFile
@@ -44,8 +47,8 @@ def figure_of(graph_objects, field, theory, title):
     """The surfaces of all parts of the contact, their outlines on the ground."""
     grid = field.cells[theory]
     label = plain(field.label())
-    scale = {"colorscale": "Viridis" if field.colours.startswith("viridis") else "PuOr", "cmin": field.scale.vmin, "cmax": field.scale.vmax,
-             "reversescale": field.colours.endswith("_r")}
+    steps = np.linspace(0, 1, 9)
+    scale = {"colorscale": [(step, to_hex(field.colours(step))) for step in steps], "cmin": field.scale.vmin, "cmax": field.scale.vmax}
     figure = graph_objects.Figure()
     for number, (x, y, height) in enumerate(grid.surface(field.values[theory], field.vanishes)):
         figure.add_trace(graph_objects.Surface(x=x, y=y, z=height, colorbar={"title": label}, showscale=number == 0, **scale,

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.picture_style import BLUE, new_figure, open_axes, put_title, unit_for
+from microslip.picture_style import INK, SIZES, new_figure, open_axes, put_title, unit_for
 
 # So many planes of a block of points are drawn.
 MOST_PLANES = 3
@@ -23,7 +23,7 @@ def interior_picture(title, blocks):
     for axes, panel in zip(drawn, panels):
         has_maps |= draw_panel(axes, panel, scale, unit, colours)
     if has_maps:
-        figure.colorbar(ScalarMappable(norm=colours, cmap="viridis"), ax=list(drawn), label=f"von Mises' stress [{unit}]", shrink=0.85)
+        figure.colorbar(ScalarMappable(norm=colours, cmap=SIZES), ax=list(drawn), label=f"von Mises' stress [{unit}]", shrink=0.85)
     return figure
 
 
@@ -65,7 +65,7 @@ def draw_panel(axes, panel, scale, unit, colours):
     if len(panel["free"]) == 1:
         open_axes(axes)
         along = panel["at"][0]
-        axes.plot(along, scale * panel["stress"], ".-", color=BLUE)
+        axes.plot(along, scale * panel["stress"], ".-", color=INK)
         axes.set_ylabel(f"von Mises' stress [{unit}]")
         return False
     rows = [np.unique(np.round(values, 9)) for values in panel["at"]]
@@ -74,8 +74,8 @@ def draw_panel(axes, panel, scale, unit, colours):
     axes.set_ylabel(f"{panel['free'][1]} [mm]" + (", > 0 in body 1" if panel["free"][1] == "z" else ""))
     if values.size == rows[0].size * rows[1].size:
         levels = np.linspace(0, colours.vmax, 25)
-        axes.contourf(*rows, values.reshape(rows[1].size, rows[0].size), levels=levels, norm=colours, cmap="viridis")
+        axes.contourf(*rows, values.reshape(rows[1].size, rows[0].size), levels=levels, norm=colours, cmap=SIZES)
     else:
-        axes.scatter(*panel["at"], c=scale * panel["stress"], norm=colours, cmap="viridis", s=9)
+        axes.scatter(*panel["at"], c=scale * panel["stress"], norm=colours, cmap=SIZES, s=9)
     axes.set_aspect("equal" if 0.2 < np.ptp(rows[0]) / np.ptp(rows[1]) < 5 else "auto")
     return True

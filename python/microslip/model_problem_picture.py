@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, VERMILION, new_figure, open_axes
+from microslip.picture_style import ACROSS, GREEN, INK, INK3, MAGENTA, new_figure, open_axes, put_title
 
 CASES = {
     "case1": "case 1: parabolic bound, small spin",
@@ -11,16 +11,16 @@ CASES = {
 }
 # Group: name, colour, marker, its size.
 STRATEGIES = {
-    "backward_euler": ("backward Euler", VERMILION, "^", 6),
+    "backward_euler": ("backward Euler", ACROSS, "^", 6),
     "theta_method": ("theta method", GREEN, "D", 5),
-    "tracked": ("tracked boundaries", BLUE, "o", 5),
+    "tracked": ("tracked boundaries", MAGENTA, "o", 5),
 }
 
 
 def model_problem_pictures(result):
     """The picture of a result file of kind model-problem, by file name."""
     figure = new_figure(12, 7)
-    figure.suptitle("1-D model problem: du/dx = s $-$ w, |u| bounded, particles enter at x = 0")
+    put_title(figure, "1-D model problem: du/dx = s $-$ w, |u| bounded, particles enter at x = 0")
     panels = figure.subplots(2, len(CASES), sharex=True)
     for column, (case, title) in enumerate(CASES.items()):
         draw_case(panels[:, column], result, case)
@@ -40,10 +40,10 @@ def draw_case(panels, result, case):
     for axes in panels:
         open_axes(axes)
     panels[0].fill_between(x, -bound, bound, color="0.93", linewidth=0)
-    panels[0].plot(x, bound, "--", color=GREY, linewidth=1.2, label="bound on |u|")
-    panels[0].plot(x, -bound, "--", color=GREY, linewidth=1.2)
+    panels[0].plot(x, bound, "--", color=INK3, linewidth=1.2, label="bound on |u|")
+    panels[0].plot(x, -bound, "--", color=INK3, linewidth=1.2)
     for axes, exact in zip(panels, (u, s)):
-        axes.plot(x, exact, color=BLACK, linewidth=1.6, label="exact")
+        axes.plot(x, exact, color=INK, linewidth=1.6, label="exact")
     slips = [np.quantile(s[np.isfinite(s)], (0.02, 0.98))]
     for strategy, (name, colour, marker, size) in STRATEGIES.items():
         x, u, s = result.arrays([f"/{case}/{strategy}/{quantity}" for quantity in ("x", "u", "s")])

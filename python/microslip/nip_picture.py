@@ -3,8 +3,8 @@
 import numpy as np
 
 from microslip.cut_picture import draw_slip, shade
-from microslip.picture_style import (BLACK, BLUE, GREY, VERMILION, bodies_of, heading, new_figure, number, open_axes, put_title,
-                                     quantity, the, unit_for)
+from microslip.picture_style import (ALONG, INK, INK2, INK3, bodies_of, heading, names_above, new_figure, number, open_axes,
+                                     put_title, quantity, the, unit_for)
 from microslip.solved_contacts import label_along_x, slip_unit
 
 
@@ -12,16 +12,15 @@ def nip_picture(result, grid):
     """The exact theory's cells with what the rollers' user asks of them in the title."""
     row = int(np.argmax(grid.bound.max(axis=1)))
     figure = new_figure(7.2, 5.8)
-    put_title(figure, heading("Nip", result))
+    put_title(figure, f"{heading('Nip', result)}\n{results(result)}")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.7, 1))
     draw_pressure(above, result, grid, row)
     draw_slip(below, grid, row)
     for axes in (above, below):
         open_axes(axes)
-        shade(axes, grid, row)
-        axes.axhline(0, color=BLACK, linewidth=0.8)
-        axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
-    above.set_title(results(result))
+        shade(axes, grid, row, named=axes is above)
+        axes.axhline(0, color=INK2, linewidth=0.8)
+        names_above(axes)
     below.set_xlabel(label_along_x(result))
     below.set_ylabel(f"slip [{slip_unit(result)[0]}]")
     return figure
@@ -34,10 +33,11 @@ def draw_pressure(axes, result, grid, row):
     pressure, bound, px = (1e6 * values[row, inside] for values in (grid.pressure, grid.bound, grid.px))
     factor, unit = unit_for(pressure.max(), "Pa")
     marker = "." if len(x) <= 40 else ""
-    axes.plot(x, factor * pressure, color=VERMILION, linewidth=2, marker=marker, label="$p_n$, pressure")
-    axes.plot(x, factor * bound, color=GREY, linewidth=1.2, label=r"$\pm g$, the bound")
-    axes.plot(x, -factor * bound, color=GREY, linewidth=1.2)
-    axes.plot(x, factor * px, color=BLUE, linewidth=2, marker=marker, label=f"$p_x$, traction on {the(bodies_of(result)[0])}")
+    axes.plot(x, factor * pressure, color=INK, linewidth=2, marker=marker, label="$p_n$, pressure")
+    axes.plot(x, factor * bound, color=INK3, linewidth=1.2, linestyle=":", label=r"$\pm g$, the bound")
+    axes.plot(x, -factor * bound, color=INK3, linewidth=1.2, linestyle=":")
+    axes.plot(x, factor * px, color=ALONG, linewidth=2, marker=marker, label=f"$p_x$, traction on {the(bodies_of(result)[0])}")
+    axes.margins(y=0.12)  # room for words
     axes.set_ylabel(f"pressure and traction [{unit}]")
 
 

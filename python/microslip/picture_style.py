@@ -1,31 +1,98 @@
-"""Style of all pictures: colours that colour-blind readers can tell apart, font sizes, axes, numbers as text."""
+"""Style of all pictures: one colour for one meaning, maps of even lightness, font sizes, axes, numbers as text.
+
+Colours are told apart by colour-blind readers; blue and orange always stand with a line or a word. A picture is drawn in one of
+STYLES: sizes in inches are those of the first one, the others scale them.
+"""
 
 import math
 import textwrap
 
+import matplotlib
 import numpy as np
+from cycler import cycler
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from matplotlib.patheffects import withStroke
+from matplotlib.text import Annotation
 
-BLACK = "#000000"
-GREY = "#767676"
-ORANGE = "#E69F00"
-SKY_BLUE = "#56B4E9"
-GREEN = "#009E73"
-BLUE = "#0072B2"
-VERMILION = "#D55E00"
+from microslip.result_file import ResultError
+
+# Text and lines: of what matters, of labels, of what is minor, of frames and grids.
+INK, INK2, INK3, LINE, GRID = "#17212b", "#4a5865", "#67747f", "#c4cbd2", "#dfe3e7"
+STICKS, SLIDES, SOFT_STICKS, SOFT_SLIDES = "#4d8fd1", "#cf7a1e", "#dbe9f8", "#fbe6cf"
+WHEEL, WHEEL_FILL, RAIL, RAIL_FILL = "#3d5166", "#c3cedb", "#66543f", "#e0d5c6"
+ROLLING = "#0b6b78"  # the rolling direction, and points to look at
+# Components along and across the rolling direction.
+ALONG, ACROSS = "#4b3fb0", "#8a6a00"
+# Curves that stand for nothing of the above, and the same colours by the names of hues.
+MAGENTA, GREEN = "#a3267f", "#1d9a86"
+SERIES = (INK, MAGENTA, GREEN, ALONG, ACROSS, "#a3182b")
+BLACK, GREY, ORANGE, SKY_BLUE, BLUE, VERMILION = INK, INK3, SLIDES, STICKS, "#33529c", "#a3182b"
+
+# Maps of even steps of lightness: sizes, friction where it sticks and where it slides, and values of both signs.
+SIZES = LinearSegmentedColormap.from_list("microslip_sizes", ("#faf9de", "#cfe6be", "#93d6b2", "#5dc0b4", "#2ca6b8", "#1589b0",
+                                                              "#1e6ca4", "#22518f", "#243779"))
+STICKING = LinearSegmentedColormap.from_list("microslip_sticks", ("#edf5fb", "#d6e7f5", "#bfd9ee", "#a9cbe8", "#94bde2", "#7eafdb",
+                                                                  "#69a1d5", "#5493ce", "#3e84c8"))
+SLIDING = LinearSegmentedColormap.from_list("microslip_slides", ("#faf3e5", "#f1e2ca", "#e9d2b0", "#e3c096", "#dcae7c", "#d69c63",
+                                                                 "#d0894a", "#ca7630", "#c3610d"))
+SIZES_OF_LINES = LinearSegmentedColormap.from_list("microslip_sizes_of_lines", SIZES(np.linspace(0.3, 1, 9)))  # seen on white
+SIGNED = matplotlib.colormaps["PuOr"]
 
 SETTINGS = {
+    "figure.figsize": (6.4, 4.8),
     "font.size": 10,
-    "axes.titlesize": 10,
     "figure.titlesize": 12,
-    "legend.fontsize": 9,
+    "figure.titleweight": "bold",
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "axes.titlecolor": INK,
+    "axes.labelcolor": INK2,
+    "axes.edgecolor": LINE,
+    "axes.linewidth": 0.8,
+    "axes.prop_cycle": cycler(color=SERIES),
+    "grid.color": GRID,
+    "grid.linewidth": 0.7,
+    "text.color": INK,
+    "xtick.color": LINE,
+    "ytick.color": LINE,
+    "xtick.labelcolor": INK2,
+    "ytick.labelcolor": INK2,
     "xtick.labelsize": 9,
     "ytick.labelsize": 9,
+    "lines.dash_joinstyle": "round",
+    "legend.fontsize": 9,
     "legend.frameon": False,
     "hatch.linewidth": 0.6,
     "savefig.dpi": 150,
+    "savefig.bbox": "tight",  # no empty margins
+    "savefig.pad_inches": 0.08,
 }
+
+# What each style changes. A paper's pictures of one panel fit a column of 90 mm, those of two panels the page; slides are read
+# from afar.
+STYLES = {
+    "page": {},
+    "paper": {"figure.figsize": (4.2, 3.15), "font.size": 8, "figure.titlesize": 9, "axes.titlesize": 8, "xtick.labelsize": 7,
+              "ytick.labelsize": 7, "legend.fontsize": 7, "axes.linewidth": 0.6, "savefig.dpi": 300},
+    "slides": {"figure.figsize": (7.2, 5.4), "font.size": 14, "figure.titlesize": 17, "axes.titlesize": 14, "xtick.labelsize": 13,
+               "ytick.labelsize": 13, "legend.fontsize": 13, "axes.linewidth": 1.2, "savefig.dpi": 200},
+}
+
+
+def settings_of(style):
+    """The settings of matplotlib of one of STYLES."""
+    return {**SETTINGS, **STYLES[style]}
+
+
+def style(name="page"):
+    """A context in which figures get a style: `with style("paper"): ...`. Throws for a name that is not in STYLES."""
+    if name not in STYLES:
+        raise ResultError(f"style '{name}': must be one of {', '.join(STYLES)}")
+    return matplotlib.rc_context(settings_of(name))
+
 
 # The groups that a theory's results may stand in, and what pictures call them.
 THEORIES = {
@@ -36,6 +103,15 @@ THEORIES = {
     "table": "creep-force table",
     "exact": "exact theory",
 }
+# Colour and dashes of each theory's curves.
+LOOKS = {
+    "fastsim": (INK3, (0, (1, 1.2))),
+    "fastsim_half_step": (INK3, (0, (4, 1.2, 1, 1.2, 1, 1.2))),
+    "fastsim2": (MAGENTA, "--"),
+    "fastrip": (ALONG, (0, (6, 1.5, 1, 1.5))),
+    "table": (GREEN, "-."),
+    "exact": (INK, "-"),
+}
 
 
 # What forces are smaller than, in parts of the largest one, is rounding.
@@ -43,6 +119,10 @@ NOISE = 1e-9
 PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 # Prefixes that engineers use with these units, and the least number that they write with the first of them.
 PREFIXES_OF = {"Pa": ("Mk", 0.1), "m": ("mµn", 1.0), "N": ("Mkmµn", 1.0)}
+# Heights of lines of an explanation, in parts of a title's line at the same size.
+LINE_OF_TEXT, LINE_WITH_SYMBOLS = 1.05, 1.3
+# Letters in a line of an explanation, in parts of those of a title: without symbols, and with some, whose names are longer than they.
+LETTERS_OF_TEXT, LETTERS_OF_SYMBOLS = 1.15, 1.8
 # Letters in a line of a title, in inches of the figure's width.
 LETTERS_PER_INCH = 9.5
 
@@ -60,9 +140,20 @@ def heading(what, result, theories=()):
 
 
 def put_title(figure, text):
-    """The title of a figure, broken into lines that fit its width."""
-    width = max(24, int(LETTERS_PER_INCH * figure.get_figwidth()))
-    figure.suptitle("\n".join(part for line in text.split("\n") for part in (textwrap.wrap(line, width) or [""])))
+    """The title of a figure, or of a part of one, at its left: the first line in bold, the others below it as its explanation, broken to the width."""
+    size = FontProperties(size=matplotlib.rcParams["figure.titlesize"]).get_size_in_points()
+    letters = LETTERS_PER_INCH * figure.bbox.width / figure.dpi * SETTINGS["figure.titlesize"] / size
+    first, *others = text.split("\n")
+    title = textwrap.wrap(first, max(24, int(letters))) or [""]
+    below = [part for line in others
+             for part in textwrap.wrap(line, max(24, int(letters * (LETTERS_OF_SYMBOLS if "$" in line else LETTERS_OF_TEXT))))]
+    height = sum(LINE_WITH_SYMBOLS if "$" in line else LINE_OF_TEXT for line in below) * matplotlib.rcParams["font.size"] / size
+    figure.suptitle("\n".join(title + [" "] * math.ceil(height)), x=0.008, ha="left")
+    if below:
+        explanation = Annotation("\n".join(below), (0, 1), xycoords=figure._suptitle, va="top", color=INK2, annotation_clip=False,
+                                 xytext=(0, -1.25 * size * len(title)), textcoords="offset points")
+        explanation.set_in_layout(False)
+        figure.add_artist(explanation)
 
 
 def bodies_of(result):
@@ -111,16 +202,36 @@ def with_unit(value, unit, largest=None):
 
 
 def new_figure(width, height, layout="constrained"):
-    """An empty figure of a size in inches, drawn without a window system. Layout `compressed` suits equal scales."""
-    figure = Figure(figsize=(width, height), layout=layout)
+    """An empty figure, drawn without a window system, of a size in inches that the style in force scales. Layout `compressed`
+    suits equal scales."""
+    scale = matplotlib.rcParams["figure.figsize"][0] / SETTINGS["figure.figsize"][0]
+    figure = Figure(figsize=(scale * width, scale * height), layout=layout)
     FigureCanvasAgg(figure)
     return figure
+
+
+def names_above(axes, most=4, **how):
+    """A legend in a row above the axes."""
+    handles, labels = axes.get_legend_handles_labels()
+    if handles:
+        axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=min(most, len(handles)), borderaxespad=0.1,
+                    handlelength=2.6, **how)
+
+
+def vanishing(values, largest):
+    """Returns whether a curve is nothing but rounding beside the largest value, as a component that is zero by symmetry."""
+    return bool(np.nanmax(np.abs(values), initial=0) <= NOISE * abs(largest))
+
+
+def halo(width=2.6):
+    """A white rim around text or lines that stand on colours."""
+    return [withStroke(linewidth=width, foreground="white")]
 
 
 def open_axes(axes):
     """Removes the frame's upper and right side and draws a faint grid."""
     axes.spines[["top", "right"]].set_visible(False)
-    axes.grid(True, color="0.9", linewidth=0.6)
+    axes.grid(True)
     axes.set_axisbelow(True)
 
 

@@ -23,7 +23,8 @@ from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.model_problem_picture import model_problem_pictures
-from microslip.picture_style import SETTINGS
+from microslip.picture_style import STYLES, settings_of
+from microslip.picture_style import style as in_style
 from microslip.profile_picture import profile_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import DAMAGED, ResultError, ResultFile
@@ -171,10 +172,10 @@ def computed(name, function, *arguments):
         raise ResultError(f"{name}.png: {error}") from None
 
 
-def figures(path, **chosen):
+def figures(path, style="page", **chosen):
     """The figures of a result file by file name: all of its kind, or those that are asked for, see chosen_pictures; `other`
-    is a path too. For notebooks: figures("result.h5", fields=["pressure"])["field_pressure.png"]."""
-    with contextlib.ExitStack() as files, matplotlib.rc_context(SETTINGS):
+    is a path too. `style`: page, paper or slides. For notebooks: figures("result.h5", fields=["pressure"])["field_pressure.png"]."""
+    with contextlib.ExitStack() as files, in_style(style):
         result = files.enter_context(ResultFile(path))
         if chosen.get("other"):
             chosen["other"] = files.enter_context(ResultFile(chosen["other"]))
@@ -190,9 +191,9 @@ def is_creep_table(path):
         return False
 
 
-def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0)):
+def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0), style="page"):
     """The picture of a creep-force table for an ellipse, by file name."""
-    with matplotlib.rc_context(SETTINGS):
+    with in_style(style):
         try:
             import microslip
             from microslip.creep_table_picture import creep_table_picture
@@ -266,32 +267,32 @@ def remove_older(folder, drawn):
                 os.remove(path)
 
 
-def draw(path, folder, chosen, formats=("png",), dpi=SETTINGS["savefig.dpi"]):
+def draw(path, folder, chosen, formats=("png",), dpi=None, style="page"):
     """Draws all pictures of a result file, or those that are asked for, into a folder and prints their paths. Where all of
     result.h5 are drawn beside it none of an earlier case stays."""
     if is_creep_table(path):
-        save_all(table_figures(path, **chosen), folder, formats, dpi, ("creep-force table", "microslip"))
+        save_all(table_figures(path, style=style, **chosen), folder, formats, dpi, ("creep-force table", "microslip"), style)
         return
     with ResultFile(path) as result:
         source = f"microslip {result.attribute('version', '')} ({result.attribute('commit', '')})"
         metadata = (result.attribute("title", ""), source)
-    drawn = figures(path, **chosen)
-    save_all(drawn, folder, formats, dpi, metadata)
+    drawn = figures(path, style, **chosen)
+    save_all(drawn, folder, formats, dpi, metadata, style)
     if not chosen and os.path.basename(path) == "result.h5" and os.path.samefile(folder, os.path.dirname(path) or "."):
         remove_older(folder, drawn)
 
 
-def save_all(drawn, folder, formats, dpi, metadata):
+def save_all(drawn, folder, formats, dpi, metadata, style="page"):
     """Writes pictures into a folder, in each format, and prints their paths. `metadata`: title and program."""
     try:
         os.makedirs(folder, exist_ok=True)
     except FileExistsError:
         raise ResultError(f"{folder}: is a file, no folder for pictures") from None
-    with matplotlib.rc_context({**SETTINGS, **SETTINGS_OF_FILES}):
+    with matplotlib.rc_context({**settings_of(style), **SETTINGS_OF_FILES}):
         for name, figure in drawn.items():
             for form in formats:
                 target = os.path.join(folder, f"{os.path.splitext(name)[0]}.{form}")
-                save(figure, target, dpi, metadata)
+                save(figure, target, dpi or matplotlib.rcParams["savefig.dpi"], metadata)
                 print(target, flush=True)
 
 
@@ -311,7 +312,8 @@ def parse(arguments):
     parser.add_argument("-o", "--output", metavar="DIR", help="folder for the pictures (default: beside RESULT.h5)")
     parser.add_argument("--format", metavar="FORMAT", action="append", default=[],
                         help=f"of the files: {', '.join(FORMATS)}; may be given again (default: png)")
-    parser.add_argument("--dpi", type=int, default=SETTINGS["savefig.dpi"], help="pixels in an inch of PNG (default: %(default)s)")
+    parser.add_argument("--style", default="page", help=f"sizes of letters and pictures: {', '.join(STYLES)}")
+    parser.add_argument("--dpi", type=int, help="pixels in an inch of PNG (default: 150, paper 300, slides 200)")
     parser.add_argument("--field", metavar="NAME", action="append", default=[], help=f"a field as a map: {', '.join(FIELDS)}")
     parser.add_argument("--surface", metavar="NAME", action="append", default=[], help="a field as a surface")
     parser.add_argument("--cut", metavar="Y", type=float, help="tractions with their bound and slip along the row at y [mm]")
@@ -347,7 +349,7 @@ def main(arguments=None):
         options = parse(arguments)
         require_formats(options.format)
         draw(options.result, options.output or os.path.dirname(options.result) or ".", choice(options),
-             dict.fromkeys(options.format or ["png"]), options.dpi)
+             dict.fromkeys(options.format or ["png"]), options.dpi, options.style)
     except (ResultError, OSError) as error:
         print(f"microslip.plot: {error}", file=sys.stderr)
         return 2

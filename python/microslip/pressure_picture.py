@@ -4,8 +4,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.field_picture import SEQUENTIAL
-from microslip.picture_style import BLACK, new_figure, number, put_title, unit_for
+from microslip.picture_style import INK, SIZES, halo, new_figure, number, put_title, unit_for
 
 
 def pressure_picture(title, grids, titles):
@@ -23,7 +22,7 @@ def pressure_picture(title, grids, titles):
         draw_panel(axes, grid, scale, colours, longest)
         axes.set_title(f"{text}\n$|\\mathbf{{p}}|$ at most {number(scale * np.hypot(grid.px, grid.py).max())} {unit}")
     panels[0].set_ylabel("y [mm]")
-    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=list(panels), label=f"pressure [{unit}]", shrink=0.85)
+    figure.colorbar(ScalarMappable(norm=colours, cmap=SIZES), ax=list(panels), label=f"pressure [{unit}]", shrink=0.85)
     return figure
 
 
@@ -34,10 +33,9 @@ def draw_panel(axes, grid, scale, colours, longest):
     axes.set_ylim(low - 0.1 * grid.b, high + 0.1 * grid.b)
     axes.set_aspect("equal" if grid.true_to_scale() else "auto")
     axes.set_xlabel("x [mm]" if grid.true_to_scale() else "x [mm] (not to the scale of y)")
-    grid.draw(axes, scale * grid.pressure, cmap=SEQUENTIAL, norm=colours)
+    grid.draw(axes, scale * grid.pressure, cmap=SIZES, norm=colours)
     grid.draw_boundary(axes)
     grid.draw_outline(axes)
-    chosen = grid.sample()
     if longest > 0:
-        axes.quiver(grid.x[chosen], grid.y[chosen], grid.px[chosen], grid.py[chosen], color="white", edgecolor=BLACK, linewidth=0.4,
-                    pivot="mid", angles="uv", scale_units="width", scale=longest / 0.07, width=0.006, zorder=4)
+        axes.quiver(*grid.arrows(grid.px, grid.py, longest), color=INK, pivot="mid", angles="uv", scale_units="width",
+                    scale=longest / 0.07, width=0.005, zorder=4, path_effects=halo(1.6))

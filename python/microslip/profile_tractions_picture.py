@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, VERMILION, heading, new_figure, open_axes, put_title, unit_for
+from microslip.lateral_axis import lateral_axis
+from microslip.picture_style import (ACROSS, ALONG, INK, INK3, RAIL, RAIL_FILL, WHEEL, WHEEL_FILL, heading, names_above,
+                                     new_figure, open_axes, put_title, unit_for)
 
 # Lengths in parts of the picture's width: the longest arrow, and how far apart the bodies are drawn.
 LONGEST, APART = 0.14, 0.38
@@ -17,11 +19,14 @@ def profile_tractions_picture(result, rail, wheel, patches):
     u = np.concatenate([at[normal != 0] for at, normal, _, _ in lines])
     largest = max(np.hypot(line[1], line[3]).max(initial=0) for line in lines) or 1.0
     factor, unit = unit_for(1e3 * largest, "N/m")
-    figure = new_figure(10, 9.5)
+    figure = new_figure(9, 10)
     put_title(figure, heading("Forces of the rows of elements, on the profiles", result))
-    shape, loads = figure.subplots(2, 1, height_ratios=(2.2, 1))
+    shape, loads = figure.subplots(2, 1, height_ratios=(2.6, 1))
+    loads.set_box_aspect(0.33)
     draw_profiles(shape, rail, wheel, u, lines, largest)
     draw_components(loads, lines, 1e3 * factor, unit)
+    lateral_axis(shape, result, "across the track from the rail's highest point [mm]")
+    lateral_axis(loads, result, "along the rail's surface from its highest point [mm]", named=False)
     return figure
 
 
@@ -39,24 +44,25 @@ def draw_profiles(axes, rail, wheel, u, lines, largest):
     y, z, _, _ = rail.at(np.linspace(u.min(), u.max(), 50))
     middle, half = (y.min() + y.max()) / 2, (y.max() - y.min()) / 2 + MARGIN
     lift, longest = APART * 2 * half, LONGEST * 2 * half
-    axes.plot(rail.y, rail.z, color=GREY, linewidth=1.8)
-    axes.plot(wheel[0], wheel[1] + lift, color=BLUE, linewidth=1.8)
+    zero = rail.y[np.argmax(rail.z)]
+    low, high = rail.at(u)[1].max() - 0.45 * half, rail.at(u)[1].max() + lift + 0.45 * half
+    for y, z, end, fill, outline in ((rail.y, rail.z, low, RAIL_FILL, RAIL), (wheel[0], wheel[1] + lift, high, WHEEL_FILL, WHEEL)):
+        axes.fill_between(y - zero, z, end, where=(z < end) == (end == high), facecolor=fill, edgecolor="none", zorder=1.5)
+        axes.plot(y - zero, z, color=outline, linewidth=1.8, zorder=2)
     for at, normal, _, left in ([values[line[1] != 0] for values in line] for line in lines):
         chosen = spread(at, ARROWS_APART * 2 * half)
         y, z, normal_y, normal_z = (values[chosen] for values in rail.at(at))
         force_y = normal[chosen] * normal_y + left[chosen] * normal_z  # the tangent to the left is (normal_z, -normal_y)
         force_z = normal[chosen] * normal_z - left[chosen] * normal_y
         arrows = {"angles": "xy", "scale_units": "xy", "scale": largest / longest, "pivot": "tip", "width": 0.0022, "zorder": 3}
-        axes.quiver(y, z + lift, force_y, force_z, color=BLUE, **arrows)
-        axes.quiver(y, z, -force_y, -force_z, color=BLACK, **arrows)
-    top = rail.at(u)[1].max()
+        axes.quiver(y - zero, z + lift, force_y, force_z, color=WHEEL, **arrows)
+        axes.quiver(y - zero, z, -force_y, -force_z, color=RAIL, **arrows)
     axes.set_aspect("equal")
-    axes.set_xlim(middle + half, middle - half)
-    axes.set_ylim(top - 0.45 * half, top + lift + 0.45 * half)
-    axes.set_xlabel("y [mm], to the left of the track's centre")
+    axes.set_xlim(middle + half - zero, middle - half - zero)
+    axes.set_ylim(low, high)
     axes.set_ylabel("z [mm], up")
-    axes.text(0.01, 0.98, "on the wheel, drawn higher", transform=axes.transAxes, va="top", color=BLUE)
-    axes.text(0.01, 0.02, "on the rail", transform=axes.transAxes, va="bottom", color=BLACK)
+    axes.text(0.01, 0.97, "on the wheel, drawn higher", transform=axes.transAxes, va="top", weight="bold")
+    axes.text(0.01, 0.03, "on the rail", transform=axes.transAxes, va="bottom", weight="bold")
     open_axes(axes)
 
 
@@ -68,13 +74,11 @@ def spread(at, apart):
 
 def draw_components(axes, lines, factor, unit):
     """Forces on the wheel per length across the track."""
-    labels = (("normal", BLACK), ("forward", VERMILION), ("to the left", GREEN))
+    labels = (("normal", INK), ("forward", ALONG), ("to the left", ACROSS))
     for number, (at, *forces) in enumerate(lines):
         for force, (label, colour) in zip(forces, labels):
             axes.plot(at, factor * force, color=colour, linewidth=1.4, label=label if number == 0 else None)
-    axes.axhline(0, color=GREY, linewidth=0.8)
-    axes.invert_xaxis()
-    axes.set_xlabel("length along the rail's surface from its highest point [mm], to the left")
+    axes.axhline(0, color=INK3, linewidth=0.8)
     axes.set_ylabel(f"force on the wheel per length [{unit}]")
     open_axes(axes)
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    names_above(axes)

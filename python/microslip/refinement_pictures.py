@@ -4,27 +4,28 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, new_figure, open_axes
+from microslip.picture_style import (ACROSS, ALONG, GREEN, INK, INK3, MAGENTA, SLIDES, SOFT_STICKS, new_figure, open_axes,
+                                     put_title)
 
 FORCE = r"$-F_x\,/\,(\mu F_n)$ [-]"
-GRID_COLOURS = (ORANGE, GREEN, BLUE, VERMILION)
+GRID_COLOURS = (ACROSS, GREEN, ALONG, MAGENTA)
 MARKERS = "o^sDvP"
 # Group: label, colour, dashes.
 TRACTIONS = {
-    "plain_1": (r"$\delta q = \delta x$", VERMILION, "-"),
-    "plain_5": (r"$\delta q = 5\,\delta x$", BLUE, "-"),
+    "plain_1": (r"$\delta q = \delta x$", MAGENTA, "-"),
+    "plain_5": (r"$\delta q = 5\,\delta x$", ALONG, "-"),
     "corrected_1": (r"$\delta q = \delta x$, corrected", GREEN, "-"),
-    "corrected_5": (r"$\delta q = 5\,\delta x$, corrected", BLUE, "--"),
+    "corrected_5": (r"$\delta q = 5\,\delta x$, corrected", ALONG, "--"),
 }
 EDGES = {
-    "plain": ("without correction", BLACK),
-    "theta_35": (r"$\theta = .35$", ORANGE),
-    "theta_50": (r"$\theta = .5$", BLUE),
-    "theta_65": (r"$\theta = .65$", VERMILION),
-    "theta_80": (r"$\theta = .8$", GREEN),
-    "true_edge": ("true edge", SKY_BLUE),
+    "plain": ("without correction", INK),
+    "theta_35": (r"$\theta = 0.35$", ACROSS),
+    "theta_50": (r"$\theta = 0.5$", ALONG),
+    "theta_65": (r"$\theta = 0.65$", MAGENTA),
+    "theta_80": (r"$\theta = 0.8$", GREEN),
+    "true_edge": ("true edge", INK3),
 }
-STATES = {1: ("adhesion", "0.85"), 2: ("slip", VERMILION)}
+STATES = {1: ("sticks", SOFT_STICKS), 2: ("slides", SLIDES)}
 
 
 def refinement_pictures(result):
@@ -44,12 +45,12 @@ def draw_creep_curve(result):
     axes = figure.subplots()
     open_axes(axes)
     scaled = result.array("/creep_curve/scaled")
-    for group, label, colour, dashes in (("plain", "exact theory", VERMILION, "-"),
-                                         ("corrected", "exact theory, leading edge corrected", BLUE, "--"),
-                                         ("fastsim2", "FASTSIM2, 50 × 50 cells", GREY, ":")):
+    for group, label, colour, dashes in (("plain", "exact theory", INK, "-"),
+                                         ("corrected", "exact theory, leading edge corrected", GREEN, "-."),
+                                         ("fastsim2", "FASTSIM2, 50 × 50 cells", MAGENTA, "--")):
         axes.plot(scaled, result.array(f"/creep_curve/{group}"), color=colour, linestyle=dashes, linewidth=1.7,
                   label=label)
-    axes.plot(0.7, result.number("/limit"), "o", color=BLACK, markerfacecolor="none", label="the test: limit")
+    axes.plot(0.7, result.number("/limit"), "o", color=INK, markerfacecolor="none", label="the test: limit")
     axes.set_title("Figure 1: longitudinal creepage, 51 elements across")
     axes.set_xlabel("scaled creepage $V_p$ [-]")
     axes.set_ylabel(FORCE)
@@ -65,12 +66,12 @@ def draw_steps(result):
     panels = figure.subplots(1, 2, sharey=True)
     steps, grids = result.array("/steps/step"), result.array("/steps/grids")
     for axes, group, title in zip(panels, ("plain", "corrected"), ("Figure 2: without the correction at the leading edge",
-                                                                   r"Figure 6: with it, $\theta = .5$")):
+                                                                   r"Figure 6: with it, $\theta = 0.5$")):
         open_axes(axes)
         for row, across, colour, marker in zip(result.array(f"/steps/{group}", dimensions=2), grids, GRID_COLOURS,
                                                MARKERS):
             axes.plot(steps, row, color=colour, marker=marker, markersize=5, label=f"{across:.0f} × {across:.0f}")
-        axes.axhline(result.number("/limit"), color=GREY, linestyle="--", linewidth=1.2, label="limit")
+        axes.axhline(result.number("/limit"), color=INK3, linestyle="--", linewidth=1.2, label="limit")
         axes.set_title(title)
         axes.set_xlabel(r"$\delta q\,/\,\delta x$ [-]")
         axes.set_xlim(0)
@@ -87,7 +88,7 @@ def draw_tractions(result):
     for axes, groups, title in zip(panels, (("plain_5", "plain_1"), ("plain_1", "corrected_1", "corrected_5")),
                                    ("Figure 3: without the correction at the leading edge", "Figure 4: with it")):
         open_axes(axes)
-        axes.plot(1e3 * x, bound, color=GREY, linewidth=1, linestyle=":", label="traction bound")
+        axes.plot(1e3 * x, bound, color=INK3, linewidth=1, linestyle=":", label="traction bound")
         for group in groups:
             label, colour, dashes = TRACTIONS[group]
             axes.plot(1e3 * x, -result.array(f"/fields/{group}/px"), color=colour, linestyle=dashes, linewidth=1.5,
@@ -115,7 +116,7 @@ def draw_divisions(result):
         axes.set_title(f"{title}\n{slip_ahead(state)} elements of slip ahead of adhesion")
         axes.set_xlabel("$x$ [mm], rolling to the right")
     panels[0].set_ylabel("$y$ [mm]")
-    figure.suptitle(r"Figure 5: element divisions, $\delta q = \delta x$")
+    put_title(figure, r"Figure 5: element divisions, $\delta q = \delta x$")
     panels[0].legend(handles=[Patch(color=colour, label=label) for label, colour in STATES.values()], loc="lower left")
     panels[0].set_ylim(1.25 * extent[2], 1.05 * extent[3])
     return figure
@@ -131,8 +132,8 @@ def draw_convergence(result):
     figure = new_figure(11, 4.6)
     load, force = figure.subplots(1, 2)
     grids = result.array("/load/grids")
-    for group, label, colour, marker in (("tight", "tight grid", BLUE, "o"),
-                                         ("shifted", "shifted by half an element", VERMILION, "^")):
+    for group, label, colour, marker in (("tight", "tight grid", ALONG, "o"),
+                                         ("shifted", "shifted by half an element", MAGENTA, "^")):
         load.loglog(grids, result.array(f"/load/{group}"), color=colour, marker=marker, markersize=5, label=label)
         load.loglog(grids, result.array(f"/load/bilinear_{group}"), color=colour, marker=marker, markersize=5,
                     linestyle=":", fillstyle="none", label=f"{label}, bilinear")
@@ -146,7 +147,7 @@ def draw_convergence(result):
         force.plot(size, result.array(f"/edge/{group}"), color=colour, marker=marker, markersize=5, label=label)
         force.plot(size, result.array(f"/edge/bilinear_{group}"), color=colour, marker=marker, markersize=5,
                    linestyle=":", fillstyle="none")
-    force.axhline(result.number("/limit"), color=GREY, linestyle="--", linewidth=1.2, label="limit")
+    force.axhline(result.number("/limit"), color=INK3, linestyle="--", linewidth=1.2, label="limit")
     force.set_title(r"Figure 8: longitudinal force, $\delta q = \delta x$; dotted: bilinear elements")
     force.set_ylabel(FORCE)
     force.set_xlabel("1 / elements across [-]")
@@ -162,6 +163,6 @@ def draw_convergence(result):
 def draw_order(axes, grids, order, start):
     """A line that falls with an order."""
     falling = start * (grids / grids[0]) ** -order
-    axes.loglog(grids, falling, color=GREY, linestyle=":", linewidth=1)
+    axes.loglog(grids, falling, color=INK3, linestyle=":", linewidth=1)
     axes.annotate(f"order {order:g}", (grids[-1], falling[-1]), xytext=(-12, 0), textcoords="offset points",
-                  ha="right", va="center", color=GREY, fontsize=9)
+                  ha="right", va="center", color=INK3, size="small")

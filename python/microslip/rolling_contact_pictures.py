@@ -3,22 +3,17 @@
 import matplotlib
 import numpy as np
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import ListedColormap, Normalize
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.colors import Normalize
 
-from microslip.contact_cells import HATCH, SLIP, is_line_contact, read_cells
+from microslip.contact_cells import ADHESION, SLIP, is_line_contact, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.history_picture import history_picture
 from microslip.nip_picture import nip_picture
 from microslip.interior_picture import interior_picture, interior_points
-from microslip.picture_style import (BLACK, GREY, ORANGE, SKY_BLUE, THEORIES, bodies_of, heading, new_figure, number, put_title,
-                                     quantity, round_down, the, unit_for, with_unit)
+from microslip.picture_style import (INK, LOOKS, ROLLING, SLIDING, STICKING, THEORIES, bodies_of, halo, heading, new_figure,
+                                     number, put_title, quantity, round_down, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 from microslip.solved_contacts import rolls_backward, slip_unit, tells_direction
-
-# The light part of a map of one hue: black arrows stand out on all of it.
-BOUND_COLOURS = ListedColormap(matplotlib.colormaps["YlGnBu"](np.linspace(0.1, 0.58, 256)))
 
 
 def rolling_contact_pictures(result):
@@ -44,22 +39,19 @@ def rolling_contact_pictures(result):
 
 
 def tractions_picture(result, cells):
-    """Traction vectors on body 1 over the traction bound."""
-    figure, panels = contact_panels(result, cells, f"Tractions on {the(bodies_of(result)[0])}")
-    highest = max(grid.bound.max() for grid in cells.values())
-    factor, unit = unit_for(1e6 * highest, "Pa")
-    scale = Normalize(0, 1e6 * factor * highest or 1)
+    """Tractions as arrows and as colours: blue where it sticks, orange where it slides, darker where they are larger."""
+    wheel = the(bodies_of(result)[0])
+    figure, panels = contact_panels(result, cells, f"Tractions on {wheel}")
     longest = max(np.hypot(grid.px, grid.py).max() for grid in cells.values())
+    factor, unit = unit_for(1e6 * longest, "Pa")
     for axes, (theory, grid) in zip(panels, cells.items()):
-        grid.draw(axes, 1e6 * factor * grid.bound, cmap=BOUND_COLOURS, norm=scale)
+        grid.draw_areas(axes, sizes=np.hypot(grid.px, grid.py), largest=longest)
         grid.draw_boundary(axes)
-        draw_arrows(axes, cells, grid, (grid.px, grid.py), grid.sample(), longest,
-                    lambda size: f"traction {number(1e6 * factor * size)} {unit}")
-        axes.set_title(totals(result, theory))
-        if grid.has_boundary():
-            line = Line2D([], [], color=BLACK, linewidth=2, label="between adhesion\nand slip")
-            axes.legend(handles=[line], loc="lower right")
-    figure.colorbar(ScalarMappable(norm=scale, cmap=BOUND_COLOURS), ax=panels, label=f"traction bound [{unit}]", shrink=0.8, pad=0.02)
+        draw_arrows(axes, cells, grid, grid.arrows(grid.px, grid.py, longest), longest,
+                    lambda size: f"{number(1e6 * factor * size)} {unit}")
+        name_areas(axes, grid)
+        axes.set_title(totals(result, theory), color=LOOKS[theory][0])
+    bars_of_areas(figure, panels, Normalize(0, 1e6 * factor * longest or 1), f"friction per area [{unit}], on {wheel}")
     return figure
 
 
@@ -70,27 +62,44 @@ def areas_picture(result, cells):
     for axes, (theory, grid) in zip(panels, cells.items()):
         grid.draw_areas(axes)
         grid.draw_boundary(axes)
-        draw_arrows(axes, cells, grid, (grid.sx, grid.sy), grid.sample() & (grid.state == SLIP), longest,
+        draw_arrows(axes, cells, grid, grid.arrows(grid.sx, grid.sy, longest, only=SLIP), longest,
                     lambda size: f"slip {number(size)}{slip_unit(result)[1]}")
-        axes.set_title(THEORIES[theory])
-        axes.legend(handles=area_patches(result, theory), loc="lower right")
+        name_areas(axes, grid)
+        axes.set_title(f"{THEORIES[theory]}\n{sizes_of_areas(result, theory)}", color=LOOKS[theory][0])
     return figure
 
 
-def area_patches(result, theory):
-    """Legend entries with the size of each area."""
+def sizes_of_areas(result, theory):
+    """How large both areas are."""
     sizes = {name: 1e6 * result.number(f"/{theory}/{name}_area") for name in ("adhesion", "slip")}
     whole = sum(sizes.values())
-    looks = {"adhesion": {"facecolor": SKY_BLUE}, "slip": {"facecolor": ORANGE, **HATCH}}
-    return [Patch(label=f"{name} {quantity(size, 'mm²')} ({100 * size / whole if whole else 0:.1f} %)", **looks[name])
-            for name, size in sizes.items()]
+    return ", ".join(f"{quantity(size, 'mm²')} ({100 * size / whole if whole else 0:.1f} %) {word}"
+                     for size, word in zip(sizes.values(), ("stick", "slide")))
+
+
+def bars_of_areas(figure, panels, norm, label):
+    """Two bars of colours beside each other: friction where it sticks and where it slides."""
+    slides = figure.colorbar(ScalarMappable(norm=norm, cmap=SLIDING), ax=list(panels), shrink=0.75, pad=0.01, aspect=22, label=label)
+    sticks = figure.colorbar(ScalarMappable(norm=norm, cmap=STICKING), ax=list(panels), shrink=0.75, pad=0.01, aspect=22)
+    sticks.ax.set_yticks([])
+    for bar, word in ((sticks, "sticks"), (slides, "slides")):
+        bar.ax.set_xlabel(word, rotation=90, size="small")
+        bar.outline.set_visible(False)
+
+
+def name_areas(axes, grid, turned=False):
+    """The words sticks and slides in the middle of their areas, where these are large."""
+    for state, word in ((ADHESION, "sticks"), (SLIP, "slides")):
+        for middle in grid.middles_of(state):
+            axes.text(*(middle[::-1] if turned else middle), word, ha="center", va="center", weight="bold", zorder=6,
+                      path_effects=halo(3))
 
 
 def contact_panels(result, cells, what):
     """A figure with one panel per theory or patch: axes in mm, the ellipse's outline and the rolling direction."""
     true_to_scale = all(grid.true_to_scale() for grid in cells.values())
     limits = np.abs([grid.outline.limits() for grid in cells.values()])
-    half_x, half_y = 1.1 * limits[:, :2].max(), 1.42 * limits[:, 2:].max()
+    half_x, half_y = 1.1 * limits[:, :2].max(), 1.16 * limits[:, 2:].max()
     if true_to_scale:
         half_x, half_y = max(half_x, half_y / 1.25), max(half_y, half_x / 1.6)
     width = 4.8
@@ -111,30 +120,27 @@ def contact_panels(result, cells, what):
 
 
 def rolling_arrow(axes, backward):
-    """The big arrow above the contact that shows the rolling direction."""
-    tail, head = (0.72, 0.28) if backward else (0.28, 0.72)
-    axes.annotate("", xy=(head, 0.945), xytext=(tail, 0.945), xycoords="axes fraction",
-                  arrowprops={"arrowstyle": "simple,head_length=1.1,head_width=1.5,tail_width=0.95",
-                              "mutation_scale": 16, "facecolor": GREY, "edgecolor": "none"})
-    axes.text(0.5, 0.943, "rolling direction", transform=axes.transAxes, ha="center", va="center", fontsize=9,
-              color="white", fontweight="bold")
+    """The arrow in the corner above the contact that shows the rolling direction."""
+    tail, head = (0.17, 0.03) if backward else (0.03, 0.17)
+    axes.annotate("", xy=(head, 0.95), xytext=(tail, 0.95), xycoords="axes fraction",
+                  arrowprops={"arrowstyle": "-|>", "color": ROLLING, "linewidth": 2, "mutation_scale": 13, "shrinkA": 0, "shrinkB": 0})
+    axes.text(0.19, 0.95, "rolls", transform=axes.transAxes, va="center", color=ROLLING, weight="bold")
 
 
-def draw_arrows(axes, cells, grid, vectors, chosen, longest, key_text):
-    """Vectors as arrows at the chosen cells, to one scale for all theories, with a key."""
-    if longest <= 0 or not chosen.any():
+def draw_arrows(axes, cells, grid, arrows, longest, key_text):
+    """Arrows x, y with their components, to one scale for all theories, with a key in the corner below the contact."""
+    if longest <= 0 or not len(arrows[0]):
         return
     length = max(other.arrow_length() for other in cells.values())
     if not grid.true_to_scale():
         scaling = {"angles": "uv", "scale_units": "width", "scale": longest / 0.08}
     else:
         scaling = {"angles": "xy", "scale_units": "xy", "scale": longest / length}
-    drawn = axes.quiver(grid.x[chosen], grid.y[chosen], vectors[0][chosen], vectors[1][chosen], pivot="middle",
-                        color=BLACK, units="dots", width=2.2, headwidth=4, headlength=5, headaxislength=4.5,
-                        minlength=0.6, zorder=4, **scaling)
+    drawn = axes.quiver(*arrows, pivot="middle", color=INK, units="width", width=0.0045, headwidth=3.6, headlength=4.2,
+                        headaxislength=3.9, minlength=0.6, zorder=4, **scaling)
     key = round_down(longest)
-    axes.quiverkey(drawn, 0.12, 0.06, key, key_text(key), labelpos="E", coordinates="axes",
-                   fontproperties={"size": 9})
+    axes.quiverkey(drawn, 0.8, 0.05, key, key_text(key), labelpos="E", coordinates="axes",
+                   fontproperties={"size": matplotlib.rcParams["legend.fontsize"]})
 
 
 def totals(result, theory):
@@ -142,5 +148,5 @@ def totals(result, theory):
     fx, fy, mz = (result.number(f"/{theory}/{name}") for name in ("fx", "fy", "mz"))
     largest = max(abs(fx), abs(fy))
     moment = largest * np.sqrt(result.number("/hertz/a") * result.number("/hertz/b"))
-    return (f"{THEORIES[theory]}\n$F_x$ = {with_unit(fx, 'N', largest)},  $F_y$ = {with_unit(fy, 'N', largest)},  "
+    return (f"{THEORIES[theory]}\n$F_x$ = {with_unit(fx, 'N', largest)},  $F_y$ = {with_unit(fy, 'N', largest)}\n"
             f"$M_z$ = {with_unit(mz, 'N m', max(abs(mz), 1e-3 * moment))}")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from microslip.picture_style import (BLUE, GREY, ORANGE, VERMILION, heading, new_figure, open_axes, put_title, unit_for)
+from microslip.picture_style import ACROSS, ALONG, INK3, MAGENTA, heading, new_figure, open_axes, put_title, unit_for
 from microslip.sweep_picture import FORCES
 
 MOST_QUANTITIES = 4
@@ -54,14 +54,14 @@ def draw_bands(axes, result, name):
     low = [k for k, p in enumerate(probabilities) if p < 0.5 and np.isclose(1 - p, probabilities).any()]
     for rank, k in enumerate(sorted(low, key=lambda k: probabilities[k])):
         other = int(np.argmin(np.abs(probabilities - (1 - probabilities[k]))))
-        axes.fill_between(at, factor * values[:, k], factor * values[:, other], color=BLUE, alpha=0.2 + 0.2 * rank, linewidth=0,
+        axes.fill_between(at, factor * values[:, k], factor * values[:, other], color=ALONG, alpha=0.2 + 0.2 * rank, linewidth=0,
                           label=f"{100 * probabilities[k]:.3g} to {100 * probabilities[other]:.3g} %")
     for k, p in enumerate(probabilities):
         if np.isclose(p, 0.5):
-            axes.plot(at, factor * values[:, k], color=BLUE, linewidth=2, label="median")
-    axes.plot(at, factor * result.array(f"{name}/mean", finite=False), color=VERMILION, linewidth=1.2, linestyle="--", label="mean")
+            axes.plot(at, factor * values[:, k], color=ALONG, linewidth=2, label="median")
+    axes.plot(at, factor * result.array(f"{name}/mean", finite=False), color=MAGENTA, linewidth=1.2, linestyle="--", label="mean")
     axes.set_ylabel(f"{name} [{unit}]")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize=8)
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize="small")
 
 
 def draw_bars(axes, result, name):
@@ -71,18 +71,18 @@ def draw_bars(axes, result, name):
     factor, unit = unit_for(np.nanmax(np.abs(values), initial=0), result.unit(f"{name}/quantiles"))
     words = result.text("groups").split("\n") if "groups" in result else ["all cases"]
     for group, word in enumerate(words):
-        axes.plot(factor * values[group, [0, -1]], [group, group], color=GREY, linewidth=6, solid_capstyle="butt")
+        axes.plot(factor * values[group, [0, -1]], [group, group], color=INK3, linewidth=6, solid_capstyle="butt")
         for k, p in enumerate(probabilities):
-            axes.plot(factor * np.array([low[group, k], high[group, k]]), [group, group], color=BLUE, linewidth=6,
+            axes.plot(factor * np.array([low[group, k], high[group, k]]), [group, group], color=ALONG, linewidth=6,
                       solid_capstyle="butt")
             axes.annotate(f"{100 * p:.3g} %", (factor * values[group, k], group), textcoords="offset points", xytext=(0, 9),
-                          ha="center", fontsize=8)
-        axes.plot(factor * result.array(f"{name}/mean", finite=False)[group], group, marker="D", color=VERMILION, linestyle="none",
+                          ha="center", fontsize="small")
+        axes.plot(factor * result.array(f"{name}/mean", finite=False)[group], group, marker="D", color=MAGENTA, linestyle="none",
                   label="mean" if group == 0 else None)
     axes.set_yticks(range(len(words)), words)
     axes.set_ylim(-0.7, len(words) - 0.3)
     axes.set_xlabel(f"{name} [{unit}], the intervals of 95 % in blue")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize=8)
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), fontsize="small")
 
 
 def sensitivities_picture(result, quantities):
@@ -97,12 +97,12 @@ def sensitivities_picture(result, quantities):
                                                   for one in ("first", "first_error", "total", "total_error"))
         order = np.argsort(np.nan_to_num(total))
         at = np.arange(len(names))
-        axes.barh(at + 0.2, first[order], 0.36, xerr=1.96 * first_error[order], color=BLUE, label="alone", error_kw={"ecolor": GREY})
-        axes.barh(at - 0.2, total[order], 0.36, xerr=1.96 * total_error[order], color=ORANGE, label="with all others",
-                  error_kw={"ecolor": GREY})
+        axes.barh(at + 0.2, first[order], 0.36, xerr=1.96 * first_error[order], color=ALONG, label="alone", error_kw={"ecolor": INK3})
+        axes.barh(at - 0.2, total[order], 0.36, xerr=1.96 * total_error[order], color=ACROSS, label="with all others",
+                  error_kw={"ecolor": INK3})
         axes.set_yticks(at, [names[k] for k in order])
-        axes.set_title(quantity, fontsize=10)
+        axes.set_title(quantity)
     panels[-1].set_xlabel("share of the variance, with intervals of 95 %")
-    panels[0].legend(loc="lower right", fontsize=8)
+    panels[0].legend(loc="lower right", fontsize="small")
     put_title(figure, heading("What the scatter comes from", result))
     return figure

@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, GREY, new_figure, number
+from microslip.picture_style import INK, INK3, SIZES, new_figure, number, put_title
 
 CASES = {"free": "no traction", "partial": "partial slip", "full": "full sliding"}
-COLOURS = "YlGnBu"
 LEVEL_STEP = 0.05
 
 
@@ -25,10 +24,10 @@ def draw_section(result):
     figure = new_figure(12.4, 4.7, layout="compressed")
     panels = figure.subplots(1, len(CASES), sharey=True)
     for axes, (case, field) in zip(panels, fields.items()):
-        fill = axes.contourf(x, z, field, levels=levels, cmap=COLOURS)
-        axes.contour(x, z, field, levels=levels[::2], colors=GREY, linewidths=0.4)
-        axes.axhline(0, color=BLACK, linewidth=0.8)
-        axes.plot([-a, a], [0, 0], color=BLACK, linewidth=3, solid_capstyle="butt")
+        fill = axes.contourf(x, z, field, levels=levels, cmap=SIZES)
+        axes.contour(x, z, field, levels=levels[::2], colors=INK3, linewidths=0.4)
+        axes.axhline(0, color=INK, linewidth=0.8)
+        axes.plot([-a, a], [0, 0], color=INK, linewidth=3, solid_capstyle="butt")
         mark_peaks(axes, result, case)
         axes.set_aspect("equal")
         axes.set_title(title(result, case))
@@ -38,7 +37,7 @@ def draw_section(result):
         panels[0].text(0.03, height, text, transform=panels[0].transAxes, va="top" if height > 0.5 else "bottom")
     figure.colorbar(fill, ax=panels, label=r"von Mises' stress / $p_0$ [-]", shrink=0.85, pad=0.02)
     pressure, friction = 1e-6 * result.number("/peak_pressure"), result.number("/friction")
-    figure.suptitle("Stresses in wheel and rail, y = 0; crosses: largest below the surface; "
+    put_title(figure, "Stresses in wheel and rail, y = 0; crosses: largest below the surface; "
                     rf"$p_0$ = {number(pressure)} MPa, $\mu$ = {number(friction)}")
     return figure
 
@@ -53,7 +52,7 @@ def mark_peaks(axes, result, case):
     """Crosses at each body's largest value."""
     for body, side in (("wheel", 1), ("rail", -1)):
         x, _, depth = 1e3 * result.array(f"/{case}/{body}/peak_point")
-        for colour, width in (("white", 3), (BLACK, 1.4)):
+        for colour, width in (("white", 3), (INK, 1.4)):
             axes.plot(x, side * depth, linestyle="none", marker="x", color=colour, markersize=8, markeredgewidth=width)
 
 

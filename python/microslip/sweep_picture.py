@@ -4,14 +4,13 @@ import math
 
 import numpy as np
 
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
-                                     put_title, shown, unit_for)
+from microslip.picture_style import INK, INK3, SERIES, heading, new_figure, number, open_axes, put_title, shown, unit_for
 from microslip.result_file import ResultError
 
 # What is drawn, of which there are the first three.
 FORCES = ("contact/fx", "contact/fy", "contact/mz", "wheel/force_x", "wheel/force_y", "wheel/moment_z", "wheelset/force_x",
           "wheelset/force_y", "wheelset/moment_z")
-COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, BLACK)
+COLOURS = SERIES
 MOST_LINES = 12
 
 
@@ -36,7 +35,7 @@ def sweep_pictures(result):
         axes.set_ylabel(f"{name} [{unit}]")
     panels[-1].set_xlabel(f"{axis} [{scale_of(result, axis)[1]}]")
     if panels[0].get_legend_handles_labels()[0]:
-        panels[-1].legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.0, -0.2), ncols=2, fontsize=8)
+        panels[-1].legend(*panels[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.0, -0.2), ncols=2, fontsize="small")
     put_title(figure, heading("Sweep", result))
     return {"sweep.png": figure}
 
@@ -65,7 +64,7 @@ def draw_grid(axes, result, names, force):
                           if one != name and shape[place] > 1)
         axes.plot(x, force[line], color=COLOURS[count % len(COLOURS)], linestyle="-" if count < len(COLOURS) else "--", label=label)
     if len(lines) < len(force):
-        axes.set_title(f"{len(lines)} of {len(force)} combinations", fontsize=9)
+        axes.set_title(f"{len(lines)} of {len(force)} combinations")
     if is_logarithmic(x):
         axes.set_xscale("log")
     return name
@@ -92,6 +91,6 @@ def draw_points(axes, result, names, force):
     name = next((one for one in names if result.is_number(f"parameters/{one}")), None)
     if name is None:
         raise ResultError(f"{result.path}: no parameter is a number")
-    axes.plot(scale_of(result, name)[0] * result.array(f"parameters/{name}"), force, ".", markersize=3, color=BLUE)
-    axes.axhline(0, color=GREY, linewidth=0.8)
+    axes.plot(scale_of(result, name)[0] * result.array(f"parameters/{name}"), force, ".", markersize=3, color=INK)
+    axes.axhline(0, color=INK3, linewidth=0.8)
     return name

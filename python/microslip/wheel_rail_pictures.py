@@ -6,18 +6,25 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, to_rgba
 from matplotlib.patches import Patch
 
-from microslip.contact_cells import ADHESION, EXTERIOR
 from microslip.contact_points_picture import draw_contact_points
-from microslip.field_picture import SEQUENTIAL
+from microslip.lateral_axis import lateral_axis
 from microslip.interior_picture import interior_picture, interior_points
-from microslip.picture_style import (BLACK, BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, number, open_axes,
-                                     put_title, unit_for, with_unit)
+from microslip.picture_style import (ACROSS, ALONG, INK, INK2, INK3, MAGENTA, RAIL, RAIL_FILL, ROLLING, SIZES, SLIDES,
+                                     STICKS, WHEEL, WHEEL_FILL, halo, heading, names_above, new_figure, number, open_axes,
+                                     put_title, shown, unit_for, with_unit)
 from microslip.profile_tractions_picture import profile_tractions_picture
+from microslip.rolling_contact_pictures import name_areas
 from microslip.solved_contacts import patch_cells
 
 LENGTHS = {"m": ("mm", 1e3)}
+# Sweeps of more states are drawn without dots.
+MOST_MARKED = 120
 # What lies around the patches on pictures of the rail head [mm].
-MARGIN = 6.0
+MARGIN = 3.0
+# What is drawn of the bodies below and above the rail's top, and beside its highest point [mm].
+DEEP, HIGH, BESIDE = 34.0, 30.0, 62.0
+# Of sticks and slides, in parts of a picture's width.
+WIDTH_OF_A_WORD = 0.07
 # The height that stands for the largest pressure on pictures in space [mm].
 HIGHEST = 6.0
 
@@ -84,63 +91,59 @@ def frame_of(patches):
 def patches_picture(result, patches):
     """Pressure, and adhesion with slip, on the unrolled rail head."""
     x, u = frame_of(patches)
-    x = (x[0] + MARGIN / 2, x[1] + 0.15 * (x[1] - x[0]))  # space for the texts
     wide = u[1] - u[0] > 1.3 * (x[1] - x[0])
-    scale = (9 if wide else 5) / (u[1] - u[0])
+    scale = (9 if wide else 4.4) / (u[1] - u[0])
     height = scale * (x[1] - x[0])
-    figure = new_figure(10.5 if wide else 12.5, (2 * height + 2.2) if wide else height + 1.6, layout="compressed")
-    put_title(figure, heading("Patches on the unrolled rail head", result))
+    figure = new_figure(10.5 if wide else 10.5, (2 * height + 2.4) if wide else height + 1.8, layout="compressed")
+    texts = [patch_text(result, k, len(cells.outline.parts)) for k, cells in enumerate(patches)]
+    put_title(figure, "\n".join([heading("Patches on the unrolled rail head", result), *texts]))
     pressure, areas = figure.subplots(2, 1) if wide else figure.subplots(1, 2)
     highest = max(cells.pressure.max() for cells in patches)
     scale_of_stress, unit = unit_for(1e6 * highest, "Pa")
     colours = Normalize(0, 1e6 * scale_of_stress * highest or 1)
-    longest = max(np.hypot(cells.px, cells.py).max() for cells in patches) or 1
+    longest = max(np.hypot(cells.px, cells.py).max() for cells in patches)
     for k, cells in enumerate(patches):
         for axes in (pressure, areas):
             axes.set_aspect("equal")
-        cells.draw(pressure, 1e6 * scale_of_stress * cells.pressure, turned=True, cmap=SEQUENTIAL, norm=colours)
-        cells.draw_outline(pressure, turned=True, linewidth=0.8)
+        cells.draw(pressure, 1e6 * scale_of_stress * cells.pressure, turned=True, cmap=SIZES, norm=colours)
+        cells.draw_outline(pressure, turned=True, linewidth=1)
         cells.draw_areas(areas, turned=True)
         cells.draw_boundary(areas, turned=True)
-        cells.draw_outline(areas, turned=True, linewidth=0.8)
-        draw_tractions(areas, cells, longest)
-        pressure.annotate(patch_text(result, k), (np.mean(cells.outline.limits()[2:]), x[1]), ha="center", va="top",
-                          xytext=(0, -4), textcoords="offset points", fontsize=8)
-    figure.colorbar(ScalarMappable(norm=colours, cmap=SEQUENTIAL), ax=pressure, label=f"pressure [{unit}]", shrink=0.8)
-    areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right",
-                 ncols=2, frameon=True, edgecolor="none")
-    tractions = f"Adhesion, slip, and tractions on the wheel, at most {with_unit(1e6 * longest, 'Pa')}"
+        cells.draw_outline(areas, turned=True, linewidth=1)
+        draw_tractions(areas, cells, longest, max(one.arrows_apart() for one in patches))
+        if cells.outline.limits()[3] - cells.outline.limits()[2] > WIDTH_OF_A_WORD * (u[1] - u[0]):
+            name_areas(areas, cells, turned=True)
+        for part in cells.outline.parts:
+            top = part[np.argmax(part[:, 0])]
+            pressure.annotate(f"patch {k + 1}", (top[1], top[0]), xytext=(0, 4), textcoords="offset points", ha="center", size="small")
+    figure.colorbar(ScalarMappable(norm=colours, cmap=SIZES), ax=pressure, label=f"pressure [{unit}]", shrink=0.9)
+    tractions = f"Friction on the wheel, at most {with_unit(1e6 * longest, 'Pa')}"
     for axes, title in ((pressure, "Pressure"), (areas, tractions)):
-        axes.set_title(title)
+        axes.set_title(title, pad=18)
         axes.set_xlim(u[1], u[0])
         axes.set_ylim(*x)
         axes.set_aspect("equal")
         axes.set_ylabel("x [mm], forward")
-        axes.axvline(0, color=GREY, linestyle=":", linewidth=1)
-    for axes in (areas,) if wide else (pressure, areas):
-        axes.set_xlabel("length along the rail's surface from its highest point [mm], to the left")
+        axes.axvline(0, color=INK3, linestyle=":", linewidth=1)
+        lateral_axis(axes, result, "along the rail's surface from its highest point [mm]" if axes is areas or not wide else "")
     return figure
 
 
-def draw_tractions(axes, cells, longest):
-    """Arrows some 1.5 mm apart, about the contact's middle."""
-    inside = cells.state != EXTERIOR
-    chosen = np.zeros(inside.shape, dtype=bool)
-    if inside.any():
-        rows, columns = (max(1, round(1.5 / size)) for size in (cells.height, np.median(cells.apart)))
-        row, column = (int(np.median(indices)) for indices in np.nonzero(inside))
-        chosen[row % rows::rows, column % columns::columns] = True
-    chosen &= cells.shown
-    axes.quiver(cells.y[chosen], cells.x[chosen], cells.py[chosen], cells.px[chosen], angles="xy", scale_units="xy",
-                scale=longest / 2.0, width=0.003, color=BLACK, zorder=3)
+def draw_tractions(axes, cells, longest, apart):
+    """Arrows of the tractions on an unrolled rail head, `apart` [mm] from each other."""
+    if longest > 0:
+        x, u, along, across = cells.arrows(cells.px, cells.py, longest, apart)
+        axes.quiver(u, x, across, along, angles="xy", scale_units="xy", scale=longest / cells.arrow_length(apart), pivot="mid",
+                    width=0.0022, color=INK, zorder=4)
 
 
-def patch_text(result, k):
-    """Force and creepages of a patch."""
+def patch_text(result, k, parts):
+    """Force and creepages of a patch, in a line."""
     force, xi, eta, phi = (result.array(f"/patches/{name}", finite=False)[k]
                            for name in ("normal_force", "creepage_longitudinal", "creepage_lateral", "spin"))
-    return (f"$F_n$ = {with_unit(force, 'N')}\n$\\xi$ = {number(1e3 * xi)}, $\\eta$ = {number(1e3 * eta)} $\\cdot 10^{{-3}}$\n"
-            f"$\\phi$ = {number(phi)} /m")
+    which = f"patch {k + 1}" + (f" ({parts} parts)" if parts > 1 else "")
+    return (f"{which}:  $F_n$ = {with_unit(force, 'N')},  $\\xi$ = {number(1e3 * xi)},  $\\eta$ = {number(1e3 * eta)} "
+            f"$\\cdot\\,10^{{-3}}$,  $\\phi$ = {number(phi)} 1/m")
 
 
 def rail_head_picture(result, rail, patches):
@@ -149,31 +152,51 @@ def rail_head_picture(result, rail, patches):
     u = max(u[0] - MARGIN, rail.u[0]), min(u[1] + MARGIN, rail.u[-1])
     largest = max(cells.pressure.max() for cells in patches) or 1
     scale, unit = unit_for(1e6 * largest, "Pa")
-    figure = new_figure(9, 10)
-    put_title(figure, heading("Patches on the rail head", result))
-    pressed, areas = panels = figure.subplots(2, 1, subplot_kw={"projection": "3d", "computed_zorder": False})
-    for axes, title in ((pressed, "Pressure"), (areas, "Adhesion and slip")):
-        draw_rail_head(axes, x, u, rail, result.text("/inputs/wheel/side") == "left")
-        axes.set_title(title, y=0.95)
+    figure = new_figure(9, 9.4, layout="none")
+    figure.text(0.06, 0.965, heading("Patches on the rail head", result), size=matplotlib.rcParams["figure.titlesize"], weight="bold")
+    field_is_left = result.text("/inputs/wheel/side") == "left"
+    panels = [figure.add_axes((0.03, bottom, 0.86, 0.44), projection="3d", computed_zorder=False) for bottom in (0.5, 0.03)]
+    pressed, areas = panels
+    for axes, title, top in ((pressed, "Pressure, drawn as a height, too", 0.935), (areas, "Where it sticks and where it slides", 0.47)):
+        draw_rail_head(axes, x, u, rail, field_is_left)
+        figure.text(0.06, top, title)
     for order, cells in enumerate(sorted(patches, key=lambda one: -one.outline.limits()[2]), start=2):
         draw_pressure(pressed, rail, cells, largest, order)
         draw_states(areas, rail, cells, order)
-    figure.colorbar(ScalarMappable(norm=Normalize(0, 1e6 * scale * largest), cmap=SEQUENTIAL), ax=panels, label=f"pressure [{unit}]",
-                    shrink=0.35, pad=0.16, anchor=(0, 0.85))
-    areas.legend(handles=[Patch(label="adhesion", facecolor=SKY_BLUE), Patch(label="slip", facecolor=ORANGE)], loc="upper right")
+    bar = figure.add_axes((0.89, 0.6, 0.02, 0.28))
+    figure.colorbar(ScalarMappable(norm=Normalize(0, 1e6 * scale * largest), cmap=SIZES), cax=bar, label=f"pressure [{unit}]")
+    areas.legend(handles=[Patch(label="sticks", facecolor=STICKS), Patch(label="slides", facecolor=SLIDES)], loc="upper right",
+                 bbox_to_anchor=(0.97, 0.48), bbox_transform=figure.transFigure)
     return figure
 
 
 def draw_rail_head(axes, x, u, rail, field_is_left):
-    """The rail's surface, seen from behind and from the gauge side."""
+    """The rail's surface, seen from behind and from the gauge side, with the rolling direction and a length on it."""
     grid_x, grid_u = np.meshgrid(np.linspace(*x, 41), np.linspace(*u, 181))
     y, z, _, _ = rail.at(grid_u)
-    axes.plot_surface(grid_x, y, z, color=(0.86, 0.87, 0.88), rstride=1, cstride=1, linewidth=0, antialiased=False, zorder=1)
-    axes.set_box_aspect((np.ptp(grid_x), np.ptp(y), np.ptp(z)), zoom=1.1)
-    axes.set_xlabel("x [mm], forward", labelpad=6)
-    axes.set_ylabel("y [mm], to the left", labelpad=14)
-    axes.set_zticks([])
-    axes.view_init(elev=35, azim=-145 if field_is_left else 145)
+    axes.plot_surface(grid_x, y, z, color=RAIL_FILL, shade=False, rstride=1, cstride=1, linewidth=0, clip_on=False, antialiased=False, zorder=1)
+    for edge in (0, -1):
+        axes.plot(grid_x[:, edge], y[:, edge], z[:, edge], color=RAIL, linewidth=1.2, clip_on=False, zorder=1.5)
+        axes.plot(grid_x[edge], y[edge], z[edge], color=RAIL, linewidth=0.8, clip_on=False, zorder=1.5)
+    axes.set_box_aspect((np.ptp(grid_x), np.ptp(y), np.ptp(z)), zoom=1.62)
+    axes.set_axis_off()
+    axes.view_init(elev=38, azim=-152 if field_is_left else 152)
+    field, gauge = (u[1], u[0]) if field_is_left else (u[0], u[1])
+    inwards = 1.5 if field_is_left else -1.5
+    tip = np.array([[x[0] + 2, x[0] + 9], [x[0] + 7.4, x[0] + 9]]), np.array([[0, 0], [0.7, 0]])
+    for along, aside in zip(*tip):
+        for side in (1, -1):
+            y, z, _, _ = rail.at(field - inwards + side * aside)
+            axes.plot(along, y, z, color=ROLLING, linewidth=2, clip_on=False, zorder=1.8)
+    y, z, _, _ = rail.at(field)
+    axes.text(x[0] + 5, y + 0.6 * inwards, z, "rolls", color=ROLLING, weight="bold", ha="right", va="bottom", zorder=1.8)
+    for at, name in ((field, "field side"), (gauge, "gauge side")):
+        name_y, name_z, _, _ = rail.at(at)
+        axes.text(x[0] - 1, name_y, name_z - 1.8, name, color=INK2, ha="left" if at == field else "center", va="top", zorder=1.8)
+    middle = (u[0] + u[1]) / 2
+    line = rail.at(np.linspace(middle - 5, middle + 5, 20))
+    axes.plot(np.full(20, x[0] + 0.8), line[0], line[1] + 0.02, color=INK2, linewidth=2, clip_on=False, zorder=1.8)
+    axes.text(x[0] - 1.5, line[0][10], line[1][10] - 1, "10 mm", color=INK2, ha="center", va="top", zorder=1.8)
 
 
 def raised(rail, u, height):
@@ -185,19 +208,18 @@ def raised(rail, u, height):
 def draw_pressure(axes, rail, cells, largest, order):
     """The pressure as a height, the largest one 6 mm high."""
     for x, u, pressure in cells.surface(cells.pressure, vanishes=True):
-        colours = matplotlib.colormaps[SEQUENTIAL](np.clip(pressure / largest, 0, 1))
+        colours = SIZES(np.clip(pressure / largest, 0, 1))
         axes.plot_surface(x, *raised(rail, u, HIGHEST / largest * pressure), facecolors=colours, rstride=1, cstride=1, linewidth=0,
-                          antialiased=False, shade=False, zorder=order)
+                          clip_on=False, antialiased=False, shade=False, zorder=order)
 
 
 def draw_states(axes, rail, cells, order):
     """Adhesion and slip as colours of the surface, outlined."""
-    adheres = (cells.state == ADHESION).astype(float)
-    for (x, u, adhesion), part in zip(cells.surface(adheres, vanishes=False), cells.outline.parts):
-        colours = np.where(adhesion[..., None] > 0.5, to_rgba(SKY_BLUE), to_rgba(ORANGE))
-        axes.plot_surface(x, *raised(rail, u, 0), facecolors=colours, rstride=1, cstride=1, linewidth=0, antialiased=False, shade=False,
+    for (x, u, sticks), part in zip(cells.surface(cells.stickiness(), vanishes=False), cells.outline.parts):
+        colours = np.where(sticks[..., None] > 0, to_rgba(STICKS), to_rgba(SLIDES))
+        axes.plot_surface(x, *raised(rail, u, 0), facecolors=colours, rstride=1, cstride=1, linewidth=0, clip_on=False, antialiased=False, shade=False,
                           zorder=order)
-        axes.plot(part[:, 0], *raised(rail, part[:, 1], 0), color=BLACK, linewidth=0.6, zorder=order + 0.5)
+        axes.plot(part[:, 0], *raised(rail, part[:, 1], 0), color=INK, linewidth=1, clip_on=False, zorder=order + 0.5)
 
 
 def envelope(y, z, at, upper):
@@ -213,38 +235,52 @@ def envelope(y, z, at, upper):
 
 
 def gap_picture(result):
-    """Both outlines along the track, and the vertical distance between them with its minima."""
+    """Both bodies cut open across the track, and below the vertical distance between them with its minima; seen forward."""
     (rail_y, rail_z), (wheel_y, wheel_z) = (
         [1e3 * values for values in result.arrays([f"/outlines/{body}/y", f"/outlines/{body}/z"])] for body in ("rail", "wheel"))
     at = np.linspace(rail_y.min(), rail_y.max(), 4001)
     gap = envelope(wheel_y, wheel_z, at, False) - envelope(rail_y, rail_z, at, True)
-    figure = new_figure(10, 7.5)
-    put_title(figure, heading("Wheel and rail, seen forward", result))
-    shape, distance = figure.subplots(2, 1, height_ratios=(1.6, 1))
-    shape.plot(rail_y, rail_z, color=GREY, linewidth=1.6, label="rail")
-    shape.plot(wheel_y, wheel_z, color=BLUE, linewidth=1.6, label="wheel")
-    shape.set_aspect("equal", adjustable="datalim")
-    middle, top = (rail_y.min() + rail_y.max()) / 2, rail_z.max()
-    shape.set_xlim(middle + 65, middle - 65)
-    shape.set_ylim(top - 30, top + 34)
+    top_y = rail_y[np.argmax(rail_z)]
+    figure = new_figure(9, 8.8)
+    put_title(figure, heading("Wheel and rail cut open, seen forward", result))
+    shape, distance = figure.subplots(2, 1, height_ratios=(2.1, 1), sharex=True)
+    draw_section(shape, (rail_y - top_y, rail_z), (wheel_y - top_y, wheel_z))
     shape.set_ylabel("z [mm], up")
-    distance.plot(at, gap, color=BLUE, linewidth=1.4)
-    distance.axhline(0, color=BLACK, linewidth=0.8)
-    shown = [k for k in minima(gap, 25) if gap[k] < 1.0]
-    distance.plot(at[shown], gap[shown], "o", color=VERMILION, markersize=6, label="minima")
-    for k in shown:
-        distance.annotate(f"{number(1e3 * gap[k])} µm", (at[k], gap[k]), xytext=(0, -14), textcoords="offset points", ha="center",
-                          fontsize=8)
-    mark_patches(result, shape)
-    distance.set_xlim(rail_y.max(), rail_y.min())
+    distance.plot(at - top_y, gap, color=INK, linewidth=1.6)
+    distance.axhline(0, color=INK2, linewidth=0.8)
+    found = [k for k in minima(gap, 25) if gap[k] < 1.0]
+    distance.plot(at[found] - top_y, gap[found], "o", color=ROLLING, markersize=5)
+    for k in found:
+        distance.annotate(f"{number(1e3 * gap[k])} µm", (at[k] - top_y, gap[k]), xytext=(0, -6), textcoords="offset points", ha="center",
+                          va="top", size="small", path_effects=halo())
+    mark_patches(result, shape, distance, top_y)
     deepest = np.nanmin(gap) if np.isfinite(gap).any() else 0
-    distance.set_ylim(min(3 * deepest, -0.15), 0.8)
-    distance.set_ylabel("gap [mm]")
-    distance.set_xlabel("y [mm], to the left of the track's centre")
+    distance.set_ylim(min(3.4 * deepest, -0.15), 0.8)
+    distance.set_box_aspect(0.3)
+    distance.set_ylabel("distance of the\nbodies [mm]")
+    lateral_axis(shape, result, "")
+    distance.set_xlabel("across the track from the rail's highest point [mm]")
     for axes in (shape, distance):
         open_axes(axes)
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     return figure
+
+
+def draw_section(axes, rail, wheel):
+    """Rail and wheel as filled bodies with their names, cut off below and above by wavy lines; pairs of y and z [mm]."""
+    top = rail[1].max()
+    low, high = max(rail[1].min(), top - DEEP), top + HIGH
+    for (y, z), end, fill, outline in ((rail, low, RAIL_FILL, RAIL), (wheel, high, WHEEL_FILL, WHEEL)):
+        across = np.linspace(y[-1], y[0], 300)
+        wave = end + 0.5 * np.sin(0.6 * across)
+        axes.fill(np.concatenate((y, across)), np.concatenate((z, wave)), facecolor=fill, edgecolor="none", zorder=1.5)
+        axes.plot(y, z, color=outline, linewidth=1.6, zorder=2)
+        axes.plot(across, wave, color=INK2, linewidth=0.6, zorder=2)
+    axes.set_aspect("equal")
+    left, right = max(rail[0].max(), min(wheel[0].max(), BESIDE)), min(rail[0].min(), max(wheel[0].min(), -BESIDE))
+    axes.set_xlim(left + 3, right - 3)
+    axes.set_ylim(low - 2, high + 2)
+    for y, z, name in ((0.0, top - 0.6 * DEEP, "Rail"), (0.0, top + 0.55 * HIGH, "Wheel")):
+        axes.text(y, z, name, ha="center", va="center", weight="bold", size="large", zorder=3)
 
 
 def minima(values, reach):
@@ -255,15 +291,25 @@ def minima(values, reach):
     return [k for k, before in zip(found, np.concatenate(([-2 * reach], found))) if k - before > reach]
 
 
-def mark_patches(result, axes):
-    """The origin of each patch with its normal."""
+def mark_patches(result, shape, distance, top_y):
+    """Each part of each patch as a thick line on the rail, with its width shaded below; without fields the origins of patches."""
     if "patches" not in result:
         return
-    y, z, angle = result.arrays(["/patches/place_y", "/patches/place_z", "/patches/angle"])
-    for k, (one_y, one_z, one_angle) in enumerate(zip(1e3 * y, 1e3 * z, angle)):
-        axes.annotate(f"patch {k + 1}", (one_y, one_z), xytext=(one_y + 14 * np.sin(one_angle), one_z - 14 * np.cos(one_angle)),
-                      fontsize=9, ha="center", va="center", color=VERMILION,
-                      arrowprops={"arrowstyle": "-|>", "color": VERMILION, "linewidth": 1.2})
+    rail = RailHead(result)
+    if "fields" in result:
+        patches = read_patches(result, rail)
+        parts = [(k, part[:, 1].min(), part[:, 1].max()) for k, cells in enumerate(patches) for part in cells.outline.parts]
+    else:
+        y, z = (1e3 * values for values in result.arrays(["/patches/place_y", "/patches/place_z"]))
+        parts = [(k, *[rail.nearest(*place)] * 2) for k, place in enumerate(zip(y, z))]
+    for k, first, last in parts:
+        y, z, normal_y, normal_z = rail.at(np.linspace(first, last, 30))
+        shape.plot(y - top_y, z, "-" if last > first else "o", color=ROLLING, linewidth=4.5, solid_capstyle="butt", zorder=4)
+        at, up = (normal_y[15], normal_z[15])
+        shape.annotate(f"patch {k + 1}", (y[15] - top_y, z[15]), xytext=(y[15] - top_y - 9 * at, z[15] - 9 * up), ha="center", va="center",
+                       color=ROLLING, size="small", weight="bold", zorder=5, path_effects=halo())
+        if last > first:
+            distance.axvspan(y.min() - top_y, y.max() - top_y, color=ROLLING, alpha=0.12, linewidth=0)
 
 
 def varied(result):
@@ -292,7 +338,7 @@ def contact_points_picture(result):
     axes = figure.subplots()
     lines = draw_contact_points(axes, (rail_y, rail_z), (wheel_y, wheel_z), (on_rail, envelope_at(rail_y, rail_z, on_rail, True)),
                                 (on_wheel, envelope_at(wheel_y, wheel_z, on_wheel, False)), values[state], width)
-    axes.text(0, -18, "rail; lines as strong as the normal force", color=GREY, ha="center")
+    axes.text(0, -18, "rail; lines as strong as the normal force", color=RAIL, ha="center")
     figure.colorbar(lines, ax=axes, label=label, shrink=0.8)
     return figure
 
@@ -305,36 +351,49 @@ def envelope_at(y, z, points, upper):
     return found
 
 
+def plot_states(axes, values, results, dashes, color, label):
+    """A result over the states of a sweep: a line, or where they are few dots, since nothing is known between them."""
+    if len(values) >= MOST_MARKED:
+        axes.plot(values, results, dashes, color=color, label=label)
+        return
+    axes.plot(values, results, "o" if dashes == "-" else "s", color=color, markersize=3.5, fillstyle="full" if dashes == "-" else "none",
+              label=label)
+    axes.plot(values, results, dashes, color=color, linewidth=0.8, alpha=0.4)
+
+
 def forces_picture(result):
     """Forces on the wheel, their split on patches, contact angles, T-gamma and power over what a sweep varies."""
     label, values = varied(result)
-    figure = new_figure(10, 9)
+    figure = new_figure(7.6, 9)
     put_title(figure, heading("Forces on the wheel", result))
     forces, loads, angles, wear = figure.subplots(4, 1, sharex=True)
     both = {name: result.array(f"/wheel/{name}", finite=False) for name in ("force_x", "force_y")}
-    scale, unit = unit_for(max(np.nanmax(np.abs(one), initial=0) for one in both.values()), "N")
-    for (name, force), colour, text in zip(both.items(), (BLUE, VERMILION), ("$F_x$, forward", "$F_y$, to the left")):
-        forces.plot(values, scale * force, ".-", color=colour, label=text)
+    largest = max(np.nanmax(np.abs(one), initial=0) for one in both.values())
+    scale, unit = unit_for(largest, "N")
+    for (name, force), colour, dashes, text in zip(both.items(), (ALONG, ACROSS), ("-", "--"), ("$F_x$, forward", "$F_y$, to the left")):
+        plot_states(forces, values, scale * shown(force, largest), dashes, color=colour, label=text)
     forces.set_ylabel(f"force [{unit}]")
-    wear.plot(values, result.array("/wheel/t_gamma", finite=False), ".-", color=BLUE, label=r"$T\gamma$")
-    wear.plot(values, result.array("/wheel/t_gamma_with_spin", finite=False), ".--", color=SKY_BLUE, label=r"$T\gamma$ with spin")
+    for name, colour, dashes, text in (("t_gamma", INK, "-", r"$T\gamma$"), ("t_gamma_with_spin", MAGENTA, "--", r"$T\gamma$ with spin")):
+        plot_states(wear, values, result.array(f"/wheel/{name}", finite=False), dashes, color=colour, label=text)
     wear.set_ylabel(r"$T\gamma$ [N]")
     power = wear.twinx()
     # Often proportional to T-gamma with spin: a broad pale line below it.
-    power.plot(values, 1e-3 * result.array("/wheel/frictional_power", finite=False), color=ORANGE, linewidth=5, alpha=0.4)
+    power.plot(values, 1e-3 * result.array("/wheel/frictional_power", finite=False), color=SLIDES, linewidth=5, alpha=0.4)
     wear.set_zorder(power.get_zorder() + 1)
     wear.patch.set_visible(False)
-    power.set_ylabel("frictional power [kW]", color=ORANGE)
+    power.set_ylabel("frictional power [kW]", color=SLIDES)
     power.spines["top"].set_visible(False)
     if "patches" in result:
         at = values[result.array("/patches/state").astype(int)]
-        loads.plot(at, 1e-3 * result.array("/patches/normal_force", finite=False), "o", color=GREEN, markersize=4)
-        angles.plot(at, np.degrees(result.array("/patches/angle", finite=False)), "o", color=BLACK, markersize=4)
-    loads.set_ylabel("$F_n$ of each patch [kN]")
-    angles.set_ylabel("contact angle [deg]")
+        loads.plot(at, 1e-3 * result.array("/patches/normal_force", finite=False), "o", color=INK, markersize=3.5)
+        angles.plot(at, np.degrees(result.array("/patches/angle", finite=False)), "o", color=INK, markersize=3.5)
+    loads.set_ylabel("$F_n$ of each\npatch [kN]")
+    angles.set_ylabel("contact\nangle [deg]")
     wear.set_xlabel(label)
     for axes in (forces, loads, angles, wear):
         open_axes(axes)
-    for axes, right in ((forces, 1.0), (wear, 1.12)):
-        axes.legend(loc="center left", bbox_to_anchor=(right, 0.5))
+    for axes in (forces, wear):
+        names_above(axes)
     return figure
+
+

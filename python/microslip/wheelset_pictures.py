@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, VERMILION, heading, new_figure, number, open_axes, put_title, unit_for, with_unit
+from microslip.picture_style import (INK, SERIES, heading, names_above, new_figure, number, open_axes, put_title, unit_for,
+                                     with_unit)
 from microslip.pressure_picture import pressure_picture
 from microslip.solved_contacts import patch_cells
-from microslip.wheel_rail_pictures import varied
+from microslip.wheel_rail_pictures import plot_states, varied
 
 
 def wheelset_pictures(result):
@@ -25,18 +26,18 @@ def wheelset_pictures(result):
 def wheelset_picture(result):
     """Over what a sweep varies."""
     label, values = varied(result)
-    figure = new_figure(10, 6.4)
+    figure = new_figure(9.4, 6.4)
     put_title(figure, heading("Forces on a wheelset", result))
     axes = figure.subplots(2, 2, sharex=True).ravel()
     for one, force, text in ((axes[0], "force_y", "lateral force, to the left"), (axes[1], "force_z", "vertical force")):
         of_sides = {side: result.array(f"/{side}/wheel/{force}", finite=False) for side in ("left", "right")}
         scale, unit = unit_for(max(np.nanmax(np.abs(forces), initial=0) for forces in of_sides.values()), "N")
-        for (side, forces), colour in zip(of_sides.items(), (BLUE, VERMILION)):
-            one.plot(values, scale * forces, ".-", color=colour, label=f"{side} wheel")
+        for (side, forces), colour, dashes in zip(of_sides.items(), (INK, SERIES[5]), ("-", "--")):
+            plot_states(one, values, scale * forces, dashes, color=colour, label=f"{side} wheel")
         one.set_ylabel(f"{text} [{unit}]")
-    axes[1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        names_above(one)
     for one, name, factor, text in ((axes[2], "roll", 1e3, "roll [mrad]"), (axes[3], "pitch_velocity", 1, "pitch velocity [rad/s]")):
-        one.plot(values, factor * result.array(f"/wheelset/{name}", finite=False), ".-", color=BLACK)
+        plot_states(one, values, factor * result.array(f"/wheelset/{name}", finite=False), "-", color=INK, label=None)
         one.set_ylabel(text)
         one.set_xlabel(label)
     for one in axes:

@@ -4,6 +4,7 @@ import tempfile
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 from microslip import plot
 from microslip.picture_style import SETTINGS
@@ -14,6 +15,20 @@ def figures_of(path):
     """The figures of a result file, by the names of their files."""
     with ResultFile(path) as result, matplotlib.rc_context(SETTINGS):
         return plot.pictures(result)
+
+
+def title_of(figure):
+    """The title of a figure with its explanation."""
+    return "\n".join([figure._suptitle.get_text().strip(), *(text.get_text() for text in figure.artists)])
+
+
+def shown_at(axes, x, y):
+    """The values of the pixels of a picture's first image at points, those beyond it as at its edge."""
+    image = axes.images[0]
+    values, (left, right, low, high) = np.asarray(image.get_array()), image.get_extent()
+    column, row = (np.clip(np.round((at - first) / (last - first) * (count - 1)), 0, count - 1).astype(int)
+                   for at, first, last, count in ((x, left, right, values.shape[1]), (y, low, high, values.shape[0])))
+    return values[row, column]
 
 
 def figures_written_by(write, *arguments, **named):

@@ -12,6 +12,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from microslip import plot
 from microslip.result_file import ResultError
 from tests.synthetic_results import write_contact_run, write_rolling_contact
+from tests.figures import shown_at, title_of
 from tests.test_plot import PYTHON_FOLDER, FolderTest
 
 
@@ -34,13 +35,16 @@ class ChosenPicturesTest(FolderTest):
     def test_maps_have_the_files_values(self):
         with h5py.File(self.path) as file:
             fields = {name: file[f"/fastsim2/fields/{name}"][()] for name in ("px", "py", "sx", "sy", "bound")}
+            centres = [1e3 * file[f"/fastsim2/fields/{name}"][()] for name in "xy"]
         power = -2e-6 * (fields["px"] * fields["sx"] + fields["py"] * fields["sy"])
         wanted = {"px": 1e-6 * fields["px"], "traction": 1e-6 * np.hypot(fields["px"], fields["py"]),
                   "slip": 1e3 * np.hypot(fields["sx"], fields["sy"]), "power": power, "bound": 1e-6 * fields["bound"]}
         for name, values in wanted.items():
-            panel = self.chosen(fields=[name]).axes[0]
-            drawn = np.unique(panel.images[0].get_array())
-            np.testing.assert_allclose(drawn, np.unique(values), rtol=1e-12, atol=1e-12)
+            drawn = shown_at(self.chosen(fields=[name]).axes[0], *centres)
+            away = np.abs(drawn - values) / np.abs(values).max()
+            self.assertLess(np.median(away), 0.01)
+            # Beside the border of slip it is smoothed by a part of an element.
+            self.assertGreater(np.mean(away < 0.06), 0.85)
 
     def test_colours_are_about_zero_where_both_signs_occur(self):
         def limits(name):
@@ -73,7 +77,7 @@ class ChosenPicturesTest(FolderTest):
             y = file["/fastsim2/fields/y"][:, 0]
             row = np.argmin(abs(y - 2e-3))
             np.testing.assert_allclose(lines["$p_x$"][:, 1], 1e-6 * file["/fastsim2/fields/px"][row])
-        self.assertIn("y = 2 mm", above.get_title())
+        self.assertIn("y = 2 mm", above.get_title(loc="left"))
         self.assertTrue(np.all(lines[r"$|\mathbf{p}|$"][:, 1] <= lines[r"$\pm g$, the bound"][:, 1] * (1 + 1e-9)))
 
     def test_comparison_has_the_totals_of_both(self):
@@ -98,8 +102,11 @@ class ChosenPicturesTest(FolderTest):
         with h5py.File(self.path) as one, h5py.File(other) as two:
             for row, theory in enumerate(("fastsim2", "exact")):
                 a, b = (1e-6 * file[f"{theory}/fields/px"][()] for file in (one, two))
+                centres = [1e3 * one[f"{theory}/fields/{name}"][()] for name in "xy"]
                 for axes, wanted in zip(panels[3 * row:], (a, b, b - a)):
-                    np.testing.assert_allclose(np.unique(axes.images[0].get_array()), np.unique(wanted), rtol=1e-12, atol=1e-12)
+                    away = np.abs(shown_at(axes, *centres) - wanted) / np.abs(wanted).max()
+                    self.assertLess(np.median(away), 0.01)
+                    self.assertLess(away.max(), 0.1)
         same = plot.figures(self.path, fields=["px"], other=self.path)["difference_px.png"]
         self.assertEqual(np.abs([axes.images[0].get_array() for axes in same.axes[2:3]]).max(), 0)
 
@@ -123,7 +130,7 @@ class ChosenPicturesTest(FolderTest):
         panels = figures["difference_px_0002.png"].axes
         largest = [np.abs(axes.images[0].get_array()).max() for axes in panels[:6]]
         np.testing.assert_allclose(largest, [200, 200, 0, 400, 500, 100], err_msg="MPa: A, B, B - A of two patches")
-        self.assertIn("case 2", figures["difference_px_0002.png"]._suptitle.get_text())
+        self.assertIn("case 2", title_of(figures["difference_px_0002.png"]))
         self.assertEqual(sorted(plot.figures(one, other=other)), ["difference_pressure_0002.png", "difference_traction_0002.png"])
         with self.assertRaisesRegex(ResultError, "'gap'"):
             plot.figures(one, other=other, fields=["gap"])
@@ -139,7 +146,7 @@ class ChosenPicturesTest(FolderTest):
         px, sx = (figures[f"field_{name}_0002.png"].axes for name in ("px", "sx"))
         for axes, largest in zip(px, (-200, -400)):
             self.assertEqual(axes.images[0].get_array().min(), largest, "MPa, of a patch")
-        self.assertIn("A run, case 2", figures["field_px_0002.png"]._suptitle.get_text())
+        self.assertIn("A run, case 2", title_of(figures["field_px_0002.png"]))
         self.assertIn("[mm]", sx[-1].get_ylabel(), "slip of a shift is a length")
         surface = figures["surface_pressure_0002.png"].axes[0]
         self.assertAlmostEqual(surface.get_zlim()[1], 2000, msg="MPa, of the second patch")

@@ -12,6 +12,7 @@ import microslip
 from microslip import plot
 from microslip.result_file import ResultError, ResultFile
 from tests.compiled import load_tests_if_compiled
+from tests.figures import title_of
 from tests.test_case_files import CASE
 
 
@@ -61,7 +62,7 @@ class ComputedPicturesTest(unittest.TestCase):
         self.assertAlmostEqual(moment, self.result.exact.forces.mz, delta=0.02 * 300 * self.result.hertz.a)
 
     def test_stresses_have_hertzs_maximum(self):
-        title = self.chosen(stresses=0.0).axes[0].get_title()
+        title = self.chosen(stresses=0.0).axes[0].get_title(loc="left")
         peak = float(re.search(r"largest for all y: .*? ([\d.]+) MPa at", title)[1])
         # Without traction 0.62 p0 for nu = 0.3; traction raises it a little.
         self.assertAlmostEqual(peak / (1e-6 * self.result.hertz.peak_pressure), 0.65, delta=0.04)
@@ -95,7 +96,7 @@ class ComputedPicturesTest(unittest.TestCase):
             creepage, force = points[name]
             moved = problem.replace(creepage_longitudinal=1e-3 * creepage, creepage_lateral=0, spin=0)
             self.assertAlmostEqual(force, microslip.Solver(method).solve(moved).fx / limit, places=6)
-        return figure._suptitle.get_text(), points
+        return title_of(figure), points
 
     def test_creep_curves_are_of_the_case_with_all_it_says(self):
         plain = self.curves(self.path)[1]
@@ -125,7 +126,7 @@ class ComputedPicturesTest(unittest.TestCase):
     def test_convergence_is_at_the_creepage_found(self):
         _, path = self.solved(("creepage_longitudinal = 0.001", "force_longitudinal = -150.0"))
         (figure,) = plot.figures(path, convergence=True).values()
-        limit = re.search(r"\$F_x\$ = (\S+) N", figure.axes[0].get_title())
+        limit = re.search(r"\$F_x\$ = (\S+) N", figure.axes[0].get_title(loc="left"))
         self.assertAlmostEqual(float(limit[1].replace("\N{MINUS SIGN}", "-")), -150, delta=5)
 
     def test_what_is_not_steady_is_refused(self):

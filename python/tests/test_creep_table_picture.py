@@ -12,6 +12,7 @@ import microslip
 from microslip import plot
 from microslip.creep_table_picture import creep_table_picture, unit_contact
 from tests.compiled import load_tests_if_compiled
+from tests.figures import title_of
 
 SHIPPED = Path(microslip.__file__).resolve().parent / "hertz.creep"
 
@@ -34,10 +35,10 @@ class CreepTablePictureTest(unittest.TestCase):
             self.assertAlmostEqual(getattr(exact.solve(contact).forces, force), value, places=6)
 
     def test_says_how_far_it_is_from_the_exact_theory_and_what_is_out_of_range(self):
-        inside = creep_table_picture(self.table, spins=(0.0,), elements=12)._suptitle.get_text()
+        inside = title_of(creep_table_picture(self.table, spins=(0.0,), elements=12))
         self.assertIn("largest distance to the exact theory on 12 x 12 elements: 0.00", inside)
         self.assertNotIn("beyond", inside)
-        self.assertIn("beyond the table's range", creep_table_picture(self.table, 0.02, spins=(0.0,), elements=0)._suptitle.get_text())
+        self.assertIn("beyond the table's range", title_of(creep_table_picture(self.table, 0.02, spins=(0.0,), elements=0)))
 
     def test_the_file_is_drawn(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as printed:

@@ -141,7 +141,7 @@ class EveryFileTest(unittest.TestCase):
                                            "stresses_patch_2.png", "surface_traction.png"])
         for figure in figures.values():
             figure.canvas.draw()
-        titles = [axes.get_title() for axes in figures["field_pressure.png"].axes]
+        titles = [axes.get_title(loc="left") for axes in figures["field_pressure.png"].axes]
         self.assertEqual(titles[:2], ["patch 1", "patch 2"])
         with ResultFile(path) as result:
             drawn = figures["field_pressure.png"].axes[0].images[0].norm.vmax
@@ -197,7 +197,7 @@ class EveryFileTest(unittest.TestCase):
         self.expect("a/result.h5", "wheelset.png")
         self.run_program("solve", self.text("a.toml", text[:text.index("[sweep]")]), "-o", "b", "--no-pictures")
         self.expect("b/result.h5", "patches.png")
-        titles = [axes.get_title() for axes in plot.figures(self.folder / "b/result.h5", fields=["slip"])["field_slip.png"].axes]
+        titles = [axes.get_title(loc="left") for axes in plot.figures(self.folder / "b/result.h5", fields=["slip"])["field_slip.png"].axes]
         self.assertEqual(titles[:2], ["left wheel, patch 1", "right wheel, patch 1"])
 
     def test_sweeps_of_any_quantities(self):
@@ -222,7 +222,7 @@ class EveryFileTest(unittest.TestCase):
         self.run_program("sweep", self.text("a.toml", case), "-o", "a.h5")
         axes = plot.figures(self.folder / "a.h5")["sweep.png"].axes[0]
         self.assertEqual(axes.get_xlabel(), "load.normal_force [kN]")
-        self.assertEqual(axes.get_title(), "12 of 30 combinations")
+        self.assertEqual(axes.get_title(loc="left"), "12 of 30 combinations")
         self.assertEqual([len(line.get_xdata()) for line in axes.lines], [16] * 12)
 
     def test_measured_creep_curves(self):

@@ -74,7 +74,7 @@ class RefinementPicturesTest(unittest.TestCase):
 
     def test_slip_ahead_of_adhesion_is_counted(self):
         self.assertEqual(slip_ahead(np.array([[2, 2, 1, 2, 0], [2, 2, 2, 2, 2], [0, 1, 1, 2, 2]])), 3)
-        title = self.figures()["refinement_figure5.png"].axes[0].get_title()
+        title = self.figures()["refinement_figure5.png"].axes[0].get_title(loc="left")
         self.assertIn("1 elements of slip", title)
 
 

@@ -46,7 +46,7 @@ class SubsurfacePicturesTest(unittest.TestCase):
             self.assertEqual(crosses, {(number, 2), (number - 1, -2)})
 
     def test_titles_have_force_and_largest_values(self):
-        titles = [axes.get_title() for axes in self.panels()]
+        titles = [axes.get_title(loc="left") for axes in self.panels()]
         self.assertIn("no traction: $F_x$ = 0\n", titles[0])
         self.assertIn(r"$F_x$ = 0.5 $\mu F_n$", titles[1])
         for text in titles:

@@ -30,7 +30,7 @@ class ReferenceTest(unittest.TestCase):
         self.assertIn("| `fx` | `float` | ", self.made)
 
     def test_the_pictures_are_there(self):
-        self.assertIn("### microslip.plot.figures\n\n```python\nfigures(path, **chosen)\n```\n\nThe figures", self.made)
+        self.assertIn("### microslip.plot.figures\n\n```python\nfigures(path, style='page', **chosen)\n```\n\nThe figures", self.made)
 
     def test_texts_are_without_signatures(self):
         text = text_of(microslip.hertz_from_load)
