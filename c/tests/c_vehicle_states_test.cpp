@@ -53,7 +53,8 @@ TEST(CVehicleStates, EveryStateInRangeHasFiniteForces) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   Rows states = first_states(handle.pointer, count);
   for (std::size_t k = 0; k < count; ++k) {
-    const double size = std::pow(10, -0.8 * static_cast<double>(k % 5)); // of the whole range to what happens on a track
+    const double size =
+        std::pow(10, -0.8 * static_cast<double>(k % 5)); // of the whole range to what happens on a track
     states.at(k, "lateral") = size * uniform(random);
     states.at(k, "vertical") = 0.1 * size * uniform(random);
     states.at(k, "roll") = size * uniform(random);
