@@ -72,7 +72,7 @@ void write_cycles(const std::vector<LimitCycle>& cycles, double linear_critical_
 /// Lowest speed at which a limit cycle lives on [m/s].
 double lowest_speed(const std::vector<LimitCycle>& cycles) {
   for (const LimitCycle& cycle : cycles)
-    if (cycle.amplitude >= 1e-3) return cycle.speed;
+    if (cycle.lives()) return cycle.speed;
   throw std::runtime_error("no limit cycle");
 }
 
