@@ -45,7 +45,8 @@ BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f
 ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
              "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md",
              "adapters/dytsi/critical_speed.cpp": "examples/adapters/dytsi/tests/bogies_test.sh",
-             "adapters/dytsi/plot.py": "docs/critical-speed.md"}
+             "adapters/dytsi/plot.py": "examples/adapters/dytsi/critical_speeds.sh",
+             "adapters/dytsi/critical_speeds.sh": "docs/making/images.py"}
 
 # What is run before an example, for the files that it reads.
 BEFORE = {

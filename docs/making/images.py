@@ -63,6 +63,10 @@ SOURCES = (
            {"wheelset_on_profiles.png": "wheelset.png"}, slow=True),
     Source("/usr/bin/python3 examples/wear/wear.py {folder} && /usr/bin/python3 examples/wear/plot.py {folder}",
            {"wear.png": "wear.png"}, slow=True),
+    Source("cmake --install build/release --prefix {folder}/microslip --component libraries && "
+           "MICROSLIP_CREEP_TABLE=$PWD/python/microslip/hertz.creep "
+           "sh examples/adapters/dytsi/critical_speeds.sh ../shared/peers/dytsi {folder}/microslip {folder}",
+           {"critical_speed.png": "critical_speed.png"}, slow=True),
     Source("tools/explorer && SCREENSHOTS={folder} sh explorer/tests/page.sh build/release/bin/microslip "
            "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Wheel_on_rail_1400.png"}, slow=True),
     study("model-problem", "model_problem.png"),

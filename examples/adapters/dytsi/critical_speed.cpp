@@ -1,10 +1,10 @@
 /// Critical speeds of DYTSI's bogies with a creep law:
 ///   critical_speed INPUT.xml LAW [SHEAR_MODULUS [CYCLES.csv]]
-/// prints the linear critical speed, the derivatives of forces in straight running over those of linear theory (of the
-/// longitudinal force by the longitudinal creepage, of the lateral one by the lateral creepage and by the spin) and the
-/// time of a call; with a file for the limit cycles (speed [m/s], amplitude [m]) the nonlinear critical speed, too. LAW
-/// is one of creep_law.hpp, or `dytsi`: DYTSI's law, untouched. SHEAR_MODULUS [Pa] replaces DYTSI's; 0: does not. To be
-/// run in the folder from which INPUT.xml names its table of contact geometry.
+/// prints the linear critical speed and, with a file for the limit cycles (speed [m/s], amplitude [m]), the nonlinear
+/// one; the slopes of the law's forces in straight running over those of linear theory, with the linear critical speed
+/// of a linear law that has them; and the time of a call. LAW is one of creep_law.hpp, or `dytsi`: DYTSI's law,
+/// untouched. SHEAR_MODULUS [Pa] replaces DYTSI's; 0: does not. To be run in the folder from which INPUT.xml names its
+/// table of contact geometry.
 
 #include "creep_law.hpp"
 #include "stability.hpp"
@@ -49,15 +49,45 @@ double slope(CreepLaw& law, const WheelContact& contact, double WheelContact::*c
   return (law.forces(more).*force - law.forces(less).*force) / (2 * step);
 }
 
-/// Prints what the derivatives of the forces in straight running are over those of linear theory.
-void print_slopes(CreepLaw& law, double shear_modulus) {
+/// Derivatives of the forces in straight running over those of linear theory: of the longitudinal force by the
+/// longitudinal creepage, of the lateral one by the lateral creepage and by the spin.
+struct Slopes {
+  double longitudinal, lateral, spin;
+};
+
+Slopes slopes(CreepLaw& law, double shear_modulus) {
   const WheelContact contact = straight_running(shear_modulus);
   const double stiffness = -shear_modulus * contact.a * contact.b, c = std::sqrt(contact.a * contact.b);
   const double fx = slope(law, contact, &WheelContact::longitudinal, &CreepForces::longitudinal, 1e-6);
   const double fy = slope(law, contact, &WheelContact::lateral, &CreepForces::lateral, 1e-6);
   const double fy_spin = slope(law, contact, &WheelContact::spin, &CreepForces::lateral, 1e-4);
-  std::printf(", slopes %.3f %.3f %.3f", fx / (stiffness * contact.c11), fy / (stiffness * contact.c22),
-              fy_spin / (stiffness * contact.c23 * c));
+  return {fx / (stiffness * contact.c11), fy / (stiffness * contact.c22), fy_spin / (stiffness * contact.c23 * c)};
+}
+
+/// Linear theory with other slopes, to see what of a law decides where small motions grow.
+class LinearLaw : public CreepLaw {
+public:
+  explicit LinearLaw(const Slopes& slopes) : slopes_(slopes) {}
+
+  CreepForces forces(const WheelContact& contact) override {
+    const double stiffness = -contact.shear_modulus * contact.a * contact.b, c = std::sqrt(contact.a * contact.b);
+    return {stiffness * slopes_.longitudinal * contact.c11 * contact.longitudinal,
+            stiffness *
+                (slopes_.lateral * contact.c22 * contact.lateral + slopes_.spin * contact.c23 * c * contact.spin)};
+  }
+
+private:
+  Slopes slopes_;
+};
+
+/// Prints the slopes of a law, the linear critical speed that they alone make, and the time of a call.
+void print_law(Vehicle& vehicle, const std::string& name, double shear_modulus) {
+  const std::unique_ptr<CreepLaw> law = make_creep_law(name);
+  const double modulus = shear_modulus > 0 ? shear_modulus : dytsi_shear_modulus;
+  const Slopes found = slopes(*law, modulus);
+  use_creep_law(std::make_unique<LinearLaw>(found), modulus);
+  std::printf(", %.3f by its slopes %.3f %.3f %.3f, %.2f us a call", linear_critical_speed(vehicle, 40, 180).speed,
+              found.longitudinal, found.lateral, found.spin, call_time(*law, modulus));
 }
 
 void write_cycles(const std::vector<LimitCycle>& cycles, double linear_critical_speed, const std::string& file) {
@@ -72,7 +102,7 @@ void write_cycles(const std::vector<LimitCycle>& cycles, double linear_critical_
 /// Lowest speed at which a limit cycle lives on [m/s].
 double lowest_speed(const std::vector<LimitCycle>& cycles) {
   for (const LimitCycle& cycle : cycles)
-    if (cycle.amplitude >= 1e-3) return cycle.speed;
+    if (cycle.lives()) return cycle.speed;
   throw std::runtime_error("no limit cycle");
 }
 
@@ -81,17 +111,12 @@ void run(const std::string& input, const std::string& law, double shear_modulus,
   if (law != "dytsi") use_creep_law(make_creep_law(law), shear_modulus);
   const LinearCriticalSpeed linear = linear_critical_speed(vehicle, 40, 180);
   std::printf("%s: linear critical speed %.3f m/s at %.3f Hz", law.c_str(), linear.speed, linear.frequency);
-  if (law != "dytsi") {
-    const std::unique_ptr<CreepLaw> other = make_creep_law(law);
-    const double modulus = shear_modulus > 0 ? shear_modulus : dytsi_shear_modulus;
-    print_slopes(*other, modulus);
-    std::printf(", %.2f us a call", call_time(*other, modulus));
-  }
   if (cycles_file != nullptr) {
     const std::vector<LimitCycle> cycles = limit_cycles(vehicle, 110);
     write_cycles(cycles, linear.speed, cycles_file);
     std::printf(", nonlinear %.1f m/s", lowest_speed(cycles));
   }
+  if (law != "dytsi") print_law(vehicle, law, shear_modulus);
   std::printf("\n");
 }
 

@@ -98,7 +98,6 @@ private:
   State at_;
 };
 
-constexpr double dead = 1e-3;        // amplitude of no limit cycle [m]
 constexpr double observed = 2;       // time over which an amplitude is taken [s]
 constexpr double disturbance = 8e-3; // to begin with [m]: wheels touch their flanges
 
@@ -113,11 +112,11 @@ public:
     double amplitude = 0;
     for (double passed = 0; passed < time; passed += observed) {
       amplitude = simulation_.run(state, observed);
-      if (amplitude < dead) break;
+      if (amplitude < least_amplitude) break;
     }
     amplitudes_[speed] = amplitude;
-    if (amplitude >= dead) living_[speed] = state;
-    return amplitude >= dead;
+    if (amplitude >= least_amplitude) living_[speed] = state;
+    return amplitude >= least_amplitude;
   }
 
   /// Goes on at the lowest speed and forgets its motion if that dies.

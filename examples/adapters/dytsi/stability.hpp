@@ -29,10 +29,14 @@ struct LinearCriticalSpeed {
 /// Finds it by Brent's method. Throws std::runtime_error unless the mode decays at `low` and grows at `high` [m/s].
 LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double high);
 
+/// Amplitude below which a motion dies [m]: limit cycles reach flanges, 5 mm and more.
+constexpr double least_amplitude = 3e-3;
+
 /// Motion that is left at a speed.
 struct LimitCycle {
   double speed;     ///< [m/s]
-  double amplitude; ///< largest lateral displacement of the first wheelset over two seconds [m]; below 1 mm: none
+  double amplitude; ///< largest lateral displacement of the first wheelset over two seconds [m]
+  bool lives() const { return amplitude >= least_amplitude; }
 };
 
 /// Limit cycles as the speed [m/s] falls, 5 m/s and 6 s at a time, until they die, in order of speed. At the highest
