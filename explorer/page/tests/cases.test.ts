@@ -253,7 +253,7 @@ test("numbers are read as people write them, in any unit of case files, as slope
     const found = parse(text, si, unit);
     assert.ok(found === wanted || Math.abs(Number(found) - wanted) <= 1e-12 * Math.abs(wanted), `${text}: ${String(found)}`);
   }
-  for (const [text, si, unit, why] of [["55 t", "N", "kN", /"t" is not one of its units: N, kN/], ["1:0", "rad", "mrad", /not a number/], ["1:40", "N", "kN", /not a number/], ["abc", "m", "mm", /not a number/]] as const)
+  for (const [text, si, unit, why] of [["55 t", "N", "kN", /"t" is not one of its units: N, kN/], ["1:0", "rad", "mrad", /not one of its units/], ["1:40", "N", "kN", /not one of its units/], ["abc", "m", "mm", /not a number/]] as const)
     assert.match(String(parse(text, si, unit)), why);
 });
 
