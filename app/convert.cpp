@@ -8,6 +8,7 @@
 #include "io/csv_tables.hpp"
 #include "io/input_file.hpp"
 #include "io/output_file.hpp"
+#include "io/vtk_surfaces.hpp"
 #include "microslip/error.hpp"
 
 #include <filesystem>
@@ -48,11 +49,14 @@ void print_document(const ConvertArguments& arguments, const io::Json& written, 
 }
 
 int convert_result(const ConvertArguments& arguments) {
-  const fs::path csv =
+  const fs::path output =
       arguments.output.empty() ? fs::path(arguments.input).replace_extension(".csv") : arguments.output;
-  if (!io::is_csv(csv)) throw Error(csv.string() + ": tables of a result file need a name that ends with .csv");
+  if (!io::is_csv(output) && !io::is_vtk(output))
+    throw Error(output.string() + ": needs a name that ends with .csv, for tables, or .vtp, for surfaces with fields");
   std::vector<std::string> names;
-  for (const fs::path& table : io::write_csv_tables(arguments.input, csv)) names.push_back(table.string());
+  for (const fs::path& file : io::is_csv(output) ? io::write_csv_tables(arguments.input, output)
+                                                 : io::write_vtk_surfaces(arguments.input, output))
+    names.push_back(file.string());
   if (arguments.json)
     print_document(arguments, names, io::Json::array());
   else
@@ -90,24 +94,27 @@ int convert(const ConvertArguments& arguments) {
 
 constexpr const char* footer =
     R"(Of a result file (.h5) of any command writes all numbers as tables of CSV, as exactly as they are: NAME.csv with a
-row for each case or number, and NAME.GROUP.csv for patches, fields and curves. Of an input file of the program CONTACT
-writes a case file for microslip solve for each case that is an independent contact with an elliptic area. Cases
-that go on from others, and other areas, are named; microslip run runs them. Exit code 1: some are not written.
+row for each case or number, and NAME.GROUP.csv for patches, fields and curves; or its fields as surfaces for ParaView,
+NAME.GROUP.vtp for each contact. Of an input file of the program CONTACT writes a case file for microslip solve for
+each case that is an independent contact with an elliptic area. Cases that go on from others, and other areas, are
+named; microslip run runs them. Exit code 1: some are not written.
 
 Example:
   microslip convert results/wheel/result.h5 -o wheel.csv
+  microslip convert results/wheel/result.h5 -o wheel.vtp
   microslip convert examples/sphere_on_plane.inp -o results)";
 
 } // namespace
 
 void add_convert_command(Command& program, int& exit_code) {
   Command command = program.add_subcommand(
-      "convert", "Write a result file as tables (CSV), or cases of the program CONTACT as TOML", footer);
+      "convert", "Write a result file as tables (CSV) or surfaces (VTK), or cases of the program CONTACT as TOML",
+      footer);
   ConvertArguments& arguments = command.arguments(exit_code, convert);
   command.add_option("FILE", arguments.input, "result file (.h5), or input file of module 3").required();
   command.add_option(
       "-o,--output PATH", arguments.output,
-      "NAME.csv; default: FILE.csv beside FILE.h5. Of cases the folder for FILE.0001.toml, ...; default: "
+      "NAME.csv or NAME.vtp; default: FILE.csv beside FILE.h5. Of cases the folder for FILE.0001.toml, ...; default: "
       "results");
   add_json_flag(command, arguments.json);
 }

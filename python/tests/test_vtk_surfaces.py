@@ -1,0 +1,94 @@
+"""Surfaces that `microslip convert -o NAME.vtp` writes: their tractions times areas are the forces, in track axes on rails."""
+
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from pathlib import Path
+
+import numpy as np
+
+from microslip.result_file import ResultFile
+from tests.test_every_file import EXAMPLES, HERTZ, PROGRAM
+
+EXACT = '[solution]\ntheory = "exact"\ngrid = [8, 8]\n'
+
+
+def read(path):
+    """The corners (elements, 4, 3) of a surface, and its numbers and vectors by name."""
+    piece = xml.etree.ElementTree.parse(path).getroot().find("PolyData/Piece")
+    arrays = {array.get("Name"): np.array(array.text.split(), dtype=float).reshape(-1, int(array.get("NumberOfComponents", "1")))
+              for array in piece.iter("DataArray")}
+    points = arrays.pop("corners [m]")
+    return points[arrays.pop("connectivity").astype(int).reshape(-1, 4)], {name: np.squeeze(values) for name, values in arrays.items()}
+
+
+def areas_of(corners):
+    """Areas of the rectangles."""
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]), axis=1)
+
+
+@unittest.skipUnless(PROGRAM.is_file(), f"no program: {PROGRAM}")
+class VtkSurfacesTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, capture_output=True, check=False)
+
+    def surfaces(self, case):
+        """Solves a case; its result file and the surfaces by the end of their names."""
+        self.run_program("solve", case, "-o", "a", "--no-pictures")
+        done = self.run_program("convert", "a/result.h5", "-o", "b.vtp")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(done.stdout.split()), sorted(path.name for path in self.folder.glob("b.*.vtp")))
+        return self.folder / "a" / "result.h5", {path.name[2:-4]: read(path) for path in self.folder.glob("b.*.vtp")}
+
+    def test_two_bodies_lie_in_a_plane_with_all_their_fields(self):
+        (self.folder / "case.toml").write_text(HERTZ + EXACT)
+        path, surfaces = self.surfaces("case.toml")
+        self.assertEqual(sorted(surfaces), ["exact.fields", "fastsim2.fields"])
+        with ResultFile(path) as result:
+            for theory in ("exact", "fastsim2"):
+                corners, values = surfaces[f"{theory}.fields"]
+                for name in ("x", "px", "state", "area"):
+                    heading = name if name == "state" else f"{name} [{result.unit(f'/{theory}/fields/{name}')}]"
+                    np.testing.assert_array_equal(values[heading], result.array(f"/{theory}/fields/{name}", dimensions=2).ravel())
+                np.testing.assert_allclose(corners.mean(axis=1)[:, 0], values["x [m]"], atol=1e-12)
+                np.testing.assert_allclose(areas_of(corners), values["area [m^2]"], rtol=1e-9)
+                self.assertEqual(np.abs(corners[..., 2]).max(), 0)
+                force = values["traction on body 1 [Pa]"].T @ areas_of(corners)
+                np.testing.assert_allclose(force[:2], [result.number(f"/{theory}/{name}") for name in ("fx", "fy")], rtol=1e-9, atol=1e-9)
+                if theory == "exact":
+                    self.assertAlmostEqual(force[2] / 1e3, 1, delta=1e-6)
+
+    def test_patches_on_a_rail_add_up_to_the_force_on_the_wheel(self):
+        text = (EXAMPLES / "wheel_on_rail.toml").read_text().replace('"profiles/', f'"{EXAMPLES}/profiles/')
+        (self.folder / "rail.toml").write_text(text.replace('\n# shape = "flat"', '\nshape = "flat"'))  # surfaces that do not turn
+        path, surfaces = self.surfaces("rail.toml")
+        self.assertEqual(sorted(surfaces), ["fields.0", "fields.1"])
+        total = sum(values["traction on body 1 [Pa]"].T @ areas_of(corners) for corners, values in surfaces.values())
+        with ResultFile(path) as result:
+            force = [float(result.array(f"/wheel/force_{axis}")[0]) for axis in "xyz"]
+            places = np.array([result.array(f"/patches/place_{axis}") for axis in "xyz"]).T
+        np.testing.assert_allclose(total, force, rtol=1e-6)
+        for number, place in enumerate(places):
+            centres = surfaces[f"fields.{number}"][0].mean(axis=1)
+            self.assertLess(np.linalg.norm(centres - place, axis=1).min(), 1e-3)
+
+    def test_what_has_no_fields_and_other_names_are_refused(self):
+        (self.folder / "case.toml").write_text(HERTZ + '[solution]\ntheory = "fastsim2"\n')
+        self.run_program("solve", "case.toml", "-o", "a", "--no-pictures")
+        done = self.run_program("convert", "a/result.h5", "-o", "b.vti")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("needs a name that ends with .csv, for tables, or .vtp", done.stderr)
+        self.run_program("conicity", EXAMPLES / "profiles/s1002.prw", EXAMPLES / "profiles/60e1.prr", "-o", "c", "--no-pictures")
+        done = self.run_program("convert", "c/result.h5", "-o", "b.vtp")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has no fields", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
