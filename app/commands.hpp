@@ -39,7 +39,7 @@ void add_manual_command(Command& program);
 void add_plot_command(Command& program, int& exit_code);
 
 /// Adds `microslip profile`, which reads, checks, draws and converts the profile of a wheel or rail.
-void add_profile_command(Command& program);
+void add_profile_command(Command& program, int& exit_code);
 
 /// Adds `microslip report`, which solves a case and writes a report of it; sets `exit_code` to 1 if the result is not
 /// one.

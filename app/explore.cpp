@@ -36,7 +36,8 @@ io::Json profiles_of(const std::string& text, const fs::path& file) {
   const toml::table table = io::parse_toml(text, file.string());
   io::Json files = io::Json::object();
   for (const std::string_view section : io::profile_sections)
-    if (const auto name = table[section]["profile"].value<std::string>())
+    if (const auto name = table[section]["profile"].value<std::string>();
+        name && !io::names_standard(io::profile_path(file.parent_path(), *name)))
       files[*name] = io::read_profile_text(file.parent_path() / *name);
   return files;
 }

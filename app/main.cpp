@@ -22,7 +22,7 @@ void add_commands(Command& program, int& exit_code) {
 #endif
   add_init_command(program);
   add_run_command(program, exit_code);
-  add_profile_command(program);
+  add_profile_command(program, exit_code);
   add_conicity_command(program);
   add_fit_command(program);
   add_plot_command(program, exit_code);

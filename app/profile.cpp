@@ -1,11 +1,13 @@
 #include "app/commands.hpp"
 
 #include "app/command_line.hpp"
+#include "app/exit_code.hpp"
 #include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/option_text.hpp"
 #include "app/pictures.hpp"
+#include "app/profile_folder.hpp"
 #include "app/profile_options.hpp"
 #include "app/profile_slices.hpp"
 #include "app/quantity_table.hpp"
@@ -36,17 +38,22 @@ struct ProfileArguments {
   ProfileOptions options;
   std::vector<double> tape_line; ///< one value, if given
   InputOptions inputs{description::conicity_inputs()};
+  PartnerOptions partner;
   double gauge_height = 0;
   bool no_pictures = false, json = false;
 };
 
-cases::ProfileFindings find(const ProfileArguments& arguments) {
+io::ProfileFileOptions options_of(const ProfileArguments& arguments) {
   std::optional<ProfileRole> role;
   if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
+  return file_options(arguments.options, role);
+}
+
+cases::ProfileMeasures measures_of(const ProfileArguments& arguments) {
   arguments.inputs.require();
   cases::ProfileMeasures measures{.gauge_height = arguments.gauge_height};
   if (!arguments.tape_line.empty()) measures.tape_line = arguments.tape_line.front();
-  return cases::find_dimensions(io::read_profile(arguments.file, file_options(arguments.options, role)), measures);
+  return measures;
 }
 
 // The table
@@ -58,6 +65,7 @@ void add_length(QuantityTable& table, const std::string& name, const std::option
 void add_dimensions(QuantityTable& table, const cases::ProfileFindings& findings) {
   if (findings.wheel) {
     table.add("y of the tape line", findings.wheel->tape_line * 1e3, "mm");
+    add_length(table, "z of the tape circle", findings.wheel->tape_circle);
     add_length(table, "flange height Sh", findings.wheel->flange_height);
     add_length(table, "flange thickness Sd", findings.wheel->flange_thickness);
     add_length(table, "flange gradient qR", findings.wheel->flange_gradient);
@@ -77,6 +85,7 @@ void print_table(const cases::ProfileFindings& findings) {
   const auto& profile = findings.prepared.profile;
   const auto& report = findings.prepared.report;
   QuantityTable table(fmt::format("{}, {}", to_string(profile.role()), report.format));
+  table.round_to_zero("mm", 1e6); // 0.1 nm
   table.add("points read", static_cast<double>(report.points_read), "-");
   table.add("points of the spline", static_cast<double>(report.points), "-");
   table.add("length of the curve", profile.length() * 1e3, "mm");
@@ -164,23 +173,33 @@ std::vector<std::string> write_files(const ProfileArguments& arguments, const ca
 void run_slices(const ProfileArguments& arguments) {
   if (!arguments.converted.empty())
     throw Error(arguments.file.string() + ": --convert needs the file of one profile, not of slices");
-  std::optional<ProfileRole> role;
-  if (!arguments.role.empty()) role = io::from_word<ProfileRole>("--role", arguments.role);
   show_slices({.file = arguments.file,
-               .options = file_options(arguments.options, role),
+               .options = options_of(arguments),
                .folder = arguments.folder,
                .no_pictures = arguments.no_pictures,
                .json = arguments.json});
 }
 
-void run(const ProfileArguments& arguments) {
-  if (io::names_slices(arguments.file)) return run_slices(arguments);
+int run_folder(const ProfileArguments& arguments) {
+  if (!arguments.converted.empty())
+    throw Error(arguments.file.string() + ": --convert needs the file of one profile, not a folder");
+  return show_profile_folder({.input = arguments.file,
+                              .options = options_of(arguments),
+                              .measures = measures_of(arguments),
+                              .partner = &arguments.partner,
+                              .folder = arguments.folder,
+                              .no_pictures = arguments.no_pictures,
+                              .json = arguments.json});
+}
+
+void run_profile(const ProfileArguments& arguments) {
   if (!arguments.converted.empty()) {
     io::require_other_file(arguments.converted, arguments.file);
     io::require_writable_file(arguments.converted);
   }
   if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
-  const auto findings = find(arguments);
+  const auto findings =
+      cases::find_dimensions(io::read_profile(arguments.file, options_of(arguments)), measures_of(arguments));
   if (!arguments.json) print_text(findings);
   const auto files = write_files(arguments, findings);
   if (arguments.json)
@@ -190,24 +209,38 @@ void run(const ProfileArguments& arguments) {
   print_warnings(arguments.file.string(), findings.prepared.report.warnings);
 }
 
+int run(const ProfileArguments& arguments) {
+  if (fs::is_directory(arguments.file) && !io::names_standard(arguments.file)) return run_folder(arguments);
+  if (!arguments.partner.file.empty())
+    throw Error("--partner: needs a folder; microslip conicity WHEEL RAIL is for two profiles");
+  io::names_slices(arguments.file) ? run_slices(arguments) : run_profile(arguments);
+  return ExitCode::done;
+}
+
 constexpr const char* footer =
     R"(Prints what was read and done to the points, what was assumed, kinks, the scatter of the points, and the flange's
 dimensions (EN 15313) or the gauge point [mm]; warnings name what looks wrong. Points that scatter are smoothed, unless
 --smoothing-length 0 is given. With --json the same in SI units.
-Axes of a profile: y to the field side, z up.
+Axes of a profile: y to the field side, z up. A name in place of FILE, S1002, 60E1, 54E1, cone-1:20 or cone-1:40, is the
+profile of a standard, if there is no such file. Of a FOLDER all files are measured: a table of them, profiles.csv and all
+of them in profiles.png; the exit code is 1 if one could not be read.
 
-Example:
-  microslip profile examples/profiles/s1002.prw -o results/s1002)";
+Examples:
+  microslip profile examples/profiles/s1002.prw -o results/s1002
+  microslip profile S1002 --flange-thickness 0.0305 --convert thin.prw
+  microslip profile measured --partner 60E1 --cant 0.025 -o results/measured)";
 
 } // namespace
 
-void add_profile_command(Command& program) {
+void add_profile_command(Command& program, int& exit_code) {
   Command command =
       program.add_subcommand("profile", "Read, check, draw and convert the profile of a wheel or rail", footer);
-  ProfileArguments& arguments = command.arguments(run);
+  ProfileArguments& arguments = command.arguments(exit_code, run);
   command
       .add_option("FILE", arguments.file,
-                  "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw")
+                  "Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, slices .slcs .slcw, the name of a "
+                  "standard's "
+                  "profile, or a folder of files")
       .required();
   command.add_option("-o,--output FOLDER", arguments.folder,
                      "folder for result.h5 and profile.png, of slices surface.png; default: none is written");
@@ -220,6 +253,7 @@ void add_profile_command(Command& program) {
   command.add_option("--tape-line Y", arguments.tape_line, "y of a wheel's tape line [m], 70 mm from the flange's back")
       .expected(1);
   arguments.inputs.add(command, "gauge_height", arguments.gauge_height);
+  add_partner_options(command, arguments.partner);
   add_json_flag(command, arguments.json);
 }
 

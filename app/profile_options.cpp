@@ -16,6 +16,9 @@ void add_profile_options(Command& command, ProfileOptions& options) {
   inputs.add(command, "scale", options.scale);
   inputs.add(command, "y_axis", options.y_axis);
   inputs.add(command, "z_axis", options.z_axis);
+  inputs.add(command, "side", options.side);
+  inputs.add(command, "columns", options.columns, "z,y");
+  inputs.add(command, "flange_thickness", options.flange_thickness);
   inputs.add(command, "section", options.section, "COUNT");
   inputs.add(command, "trim", options.trim, "Y1 Y2").expected(2);
   inputs.add(command, "smoothing_length", options.smoothing_length);
@@ -31,6 +34,9 @@ io::ProfileFileOptions file_options(const ProfileOptions& options, std::optional
   read("format", options.format, result.format);
   read("y_axis", options.y_axis, result.y_axis);
   read("z_axis", options.z_axis, result.z_axis);
+  read("side", options.side, result.side);
+  result.columns = options.columns;
+  result.flange_thickness = options.flange_thickness;
   if (!options.unit.empty()) result.unit = io::length_of_unit(options.inputs.name("unit"), options.unit);
   result.scale = options.scale;
   result.section = options.section;

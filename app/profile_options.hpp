@@ -17,9 +17,9 @@ struct ProfileOptions {
   ProfileOptions& operator=(const ProfileOptions&) = delete;
 
   InputOptions inputs;
-  std::string format = {}, unit = {}, y_axis = {}, z_axis = {}; ///< empty: not given
+  std::string format = {}, unit = {}, y_axis = {}, z_axis = {}, side = {}, columns = {}; ///< empty: not given
   double scale = 1;
-  std::optional<double> smoothing_length = {};
+  std::optional<double> smoothing_length = {}, flange_thickness = {};
   int section = 1;
   std::vector<double> trim = {}; ///< none or two values
 };

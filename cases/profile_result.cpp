@@ -24,6 +24,7 @@ io::Json dimensions_document(const ProfileFindings& findings) {
     document["flange_thickness"] = json_optional(findings.wheel->flange_thickness);
     document["flange_gradient"] = json_optional(findings.wheel->flange_gradient);
     document["flange_angle"] = json_optional(findings.wheel->flange_angle);
+    document["tape_circle"] = json_optional(findings.wheel->tape_circle);
   }
   if (findings.gauge) {
     document["gauge_point"] = json_point(findings.gauge->point);
@@ -82,17 +83,21 @@ void write_points_of_interest(const ProfileFindings& findings, io::ResultWriter&
     write("flange_thickness", wheel.flange_thickness, "flange thickness Sd (EN 15313)");
     write("flange_gradient", wheel.flange_gradient, "flange gradient qR (EN 15313)");
     write("flange_angle", wheel.flange_angle, "largest inclination of the flange's flank", "rad");
+    write("tape_circle", wheel.tape_circle, "z of the tread at the tape line");
   }
   if (findings.gauge) {
     file.scalar("dimensions/gauge_y", findings.gauge->point.y, "m", "y of the gauge point");
     file.scalar("dimensions/gauge_z", findings.gauge->point.z, "m", "z of the gauge point");
+    file.scalar("dimensions/gauge_height", findings.gauge_height, "m", "depth below the top that counts for the gauge");
+    file.scalar("dimensions/top_y", findings.gauge->top.y, "m", "y of the top");
+    file.scalar("dimensions/top_z", findings.gauge->top.z, "m", "z of the top");
   }
 }
 
 } // namespace
 
 ProfileFindings find_dimensions(PreparedProfile prepared, const ProfileMeasures& measures) {
-  ProfileFindings findings{std::move(prepared), {}, {}};
+  ProfileFindings findings{std::move(prepared), {}, {}, measures.gauge_height};
   const Profile& profile = findings.prepared.profile;
   if (profile.role() == ProfileRole::wheel)
     findings.wheel = wheel_dimensions(profile, measures.tape_line ? *measures.tape_line : default_tape_line(profile));

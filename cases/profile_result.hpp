@@ -14,6 +14,7 @@ struct ProfileFindings {
   PreparedProfile prepared;
   std::optional<WheelDimensions> wheel;
   std::optional<GaugePoint> gauge;
+  double gauge_height = 0; ///< at which that was looked for [m]
 };
 
 /// Heights [m] at which profiles are measured.

@@ -8,6 +8,7 @@ set(public_headers
   microslip/railway/derailment.hpp microslip/railway/geometry/conicity.hpp microslip/railway/profile/profile.hpp
   microslip/railway/profile/profile_dimensions.hpp microslip/railway/profile/profile_preparation.hpp
   microslip/railway/profile/profile_slices.hpp microslip/railway/profile/profile_smoothing.hpp
+  microslip/railway/profile/standard_profile.hpp
   microslip/railway/vehicle/wheelset_on_track.hpp microslip/railway/vehicle/wheelset_quantities.hpp
   microslip/railway/wheel_rail.hpp microslip/railway/wheel_rail_quantities.hpp
   microslip/rolling/*.hpp microslip/simplified/*.hpp microslip/table/creep_force_table.hpp

@@ -351,7 +351,8 @@ def wheel_rail(draw):
 
 def wheelset_geometry(draw):
     """S1002 on 60E1 at any lateral displacement, and its conicity."""
-    rail, wheel = (microslip.read_profile(PROFILES / name) for name in ("60e1.prr", "s1002.prw"))
+    rail = microslip.read_profile(PROFILES / "60e1.prr")
+    wheel = microslip.read_profile("S1002", **draw.some(flange_thickness=lambda: draw.number(0.0285, 0.0325)))
     geometry = microslip.WheelsetGeometry(track=microslip.Track(cant=draw.number(0, 0.06)), rail=rail,
                                           wheelset=microslip.Wheelset(nominal_radius=draw.number(0.3, 0.6)), wheel=wheel,
                                           contact_distance=draw.number(1, 2))

@@ -6,6 +6,7 @@
 #include "io/text_line.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/profile/report_text.hpp"
+#include "microslip/railway/profile/standard_profile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,6 +159,12 @@ private:
              (role == ProfileRole::wheel ? "the position of the flange" : "the side that reaches further down"));
       return sense > 0 ? LateralSense::field : LateralSense::gauge;
     }
+    if (options_.side) {
+      const bool left = *options_.side == TrackSide::left;
+      assume(std::string("y runs to the left seen along the track, to the ") +
+             (left ? "field side on the left" : "gauge side on the right"));
+      return left ? LateralSense::field : LateralSense::gauge;
+    }
     const bool to_gauge = format_ == ProfileFormat::miniprof;
     assume(to_gauge ? "y runs to the gauge side, as is usual for MiniProf's right rails" : "y runs to the field side");
     return to_gauge ? LateralSense::gauge : LateralSense::field;
@@ -177,6 +184,51 @@ std::string_view without_mark(std::string_view text, const std::string& name) {
     throw Error(name + ": is empty");
   if (text.find('\0') != std::string_view::npos) throw Error(name + ": is not a text file: it has NUL bytes");
   return text;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+/// The standard's profile that a path without folder names, in letters of either case.
+std::optional<StandardProfile> standard_named(const fs::path& path) {
+  const auto same = [&](std::string_view name) { return lower_case(name) == lower_case(path.string()); };
+  const auto found = std::find_if(standard_profile_names.begin(), standard_profile_names.end(), same);
+  if (found == standard_profile_names.end()) return {};
+  return static_cast<StandardProfile>(found - standard_profile_names.begin());
+}
+
+/// Error for a name that is neither that of a file nor of a standard.
+void require_known_name(const fs::path& path) {
+  std::error_code ignored;
+  if (path.has_extension() || fs::exists(path, ignored)) return;
+  throw Error(path.string() + ": there is no such file, nor a standard profile of that name, as " +
+              listed(standard_profile_names, "and") + suggestion(path.filename().string(), standard_profile_names));
+}
+
+void refuse_options_of_files(const std::string& name, const ProfileFileOptions& options) {
+  const ProfileFileOptions none;
+  const auto refuse = [&](const char* option, bool given) {
+    if (given) throw Error(name + " is the profile of a standard, not a file: " + option + " does not apply");
+  };
+  refuse("format", options.format != none.format);
+  refuse("unit", options.unit != none.unit);
+  refuse("scale", options.scale != none.scale);
+  refuse("y_axis", options.y_axis != none.y_axis);
+  refuse("z_axis", options.z_axis != none.z_axis);
+  refuse("side", options.side != none.side);
+  refuse("columns", options.columns != none.columns);
+  refuse("section", options.section != none.section);
+}
+
+PreparedProfile read_standard(StandardProfile standard, const ProfileFileOptions& options) {
+  const std::string name(standard_profile_names[static_cast<std::size_t>(standard)]);
+  refuse_options_of_files(name, options);
+  if (options.role && *options.role != role_of(standard))
+    throw Error(name + ": is the profile of a " + std::string(to_string(role_of(standard))) + ", not of a " +
+                std::string(to_string(*options.role)));
+  return standard_profile(standard, options.flange_thickness, options.treatment);
 }
 
 } // namespace
@@ -231,7 +283,8 @@ std::string_view unquoted(std::string_view text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, const std::string& name, int section) {
+ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, const std::string& name, int section,
+                               const std::string& columns) {
   ProfileLines lines(without_mark(text, name), name);
   switch (format) {
   case ProfileFormat::simpack:
@@ -241,13 +294,17 @@ ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, cons
   case ProfileFormat::columns:
     break;
   }
-  return parse_columns(std::move(lines));
+  return parse_columns(std::move(lines), columns);
 }
 
 PreparedProfile parse_profile(std::string_view text, const std::string& name, const ProfileFileOptions& options) {
   text = without_mark(text, name);
   const auto format = options.format.value_or(detect_format(text, name));
-  FileInterpretation interpretation(parse_profile_file(format, text, name, options.section), name, format, options);
+  if (options.flange_thickness) throw Error(name + ": flange_thickness is for the wheel of a standard, not of a file");
+  if (!options.columns.empty() && format != ProfileFormat::columns)
+    throw Error(name + ": columns is for files of columns, not of " + std::string(name_of(format)));
+  ProfileFile file = parse_profile_file(format, text, name, options.section, options.columns);
+  FileInterpretation interpretation(std::move(file), name, format, options);
   return interpretation.profile();
 }
 
@@ -270,7 +327,17 @@ std::string read_profile_text(const fs::path& path) {
   return text;
 }
 
+fs::path profile_path(const fs::path& folder, const std::string& text) {
+  return standard_named(text) && !is_file(folder / text) ? fs::path(text) : folder / text;
+}
+
+bool names_standard(const fs::path& path) {
+  return standard_named(path) && !is_file(path);
+}
+
 PreparedProfile read_profile(const fs::path& path, const ProfileFileOptions& options) {
+  if (names_standard(path)) return read_standard(*standard_named(path), options);
+  require_known_name(path);
   return parse_profile(read_profile_text(path), path.string(), options);
 }
 

@@ -56,12 +56,14 @@ std::string_view unquoted(std::string_view text);
 
 /// The text of a file of at most 16 MiB. Throws Error if it cannot be read, is no text or changes meanwhile.
 std::string read_profile_text(const std::filesystem::path& path);
-/// `section` as in ProfileFileOptions.
-ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, const std::string& name, int section = 1);
+/// `section` and `columns` as in ProfileFileOptions.
+ProfileFile parse_profile_file(ProfileFormat format, std::string_view text, const std::string& name, int section = 1,
+                               const std::string& columns = {});
 
 ProfileFile parse_simpack(ProfileLines lines);
 /// `section` as in ProfileFileOptions.
 ProfileFile parse_miniprof(ProfileLines lines, int section);
-ProfileFile parse_columns(ProfileLines lines);
+/// `columns` as in ProfileFileOptions.
+ProfileFile parse_columns(ProfileLines lines, const std::string& columns);
 
 } // namespace microslip::io

@@ -75,6 +75,9 @@ ProfileFileOptions profile_options(const TomlSection& section, const std::string
   options.scale = section.number("scale");
   if (section.has("y_axis")) options.y_axis = section.option<LateralSense>("y_axis");
   if (section.has("z_axis")) options.z_axis = section.option<VerticalSense>("z_axis");
+  if (section.has("side")) options.side = section.option<TrackSide>("side");
+  options.columns = section.text("columns", "");
+  options.flange_thickness = section.optional_number("flange_thickness");
   options.section = section.whole("section");
   ProfileTreatment& treatment = options.treatment;
   if (section.has("trim")) {
@@ -92,7 +95,7 @@ ProfileFileOptions profile_options(const TomlSection& section, const std::string
 /// The profile that a section names, with a path from the case file's folder.
 PlacedProfile read_profile(const TomlSection& section, const std::string& name, ProfileRole role,
                            ProfileFiles* profiles) {
-  const auto path = std::filesystem::path(section.file()).parent_path() / section.required_text("profile");
+  const auto path = profile_path(std::filesystem::path(section.file()).parent_path(), section.required_text("profile"));
   const ProfileFileOptions options = profile_options(section, name, role);
   std::optional<PlacedProfile> profile;
   section.at("profile", [&] {

@@ -47,7 +47,7 @@ ALLOWED = {
                           RAILWAY + "profile", RAILWAY + "rows"],
     RAILWAY + "vehicle": ["microslip/numerics", "microslip/railway", RAILWAY + "geometry", RAILWAY + "problem"],
     "microslip/description": ["microslip/contact", "microslip/elasticity", "microslip/friction", "microslip/railway",
-                              RAILWAY + "geometry", RAILWAY + "problem", RAILWAY + "vehicle"],
+                              RAILWAY + "geometry", RAILWAY + "problem", RAILWAY + "profile", RAILWAY + "vehicle"],
 }
 
 

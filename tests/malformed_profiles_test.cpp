@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -27,6 +28,17 @@ std::string head(const Point& point = plain) {
     text += point(k, y, -y * y / 600);
   }
   return text;
+}
+
+Point with(const std::string& separator) {
+  return [=](int, double y, double z) { return fmt::format("{:.4f}{}{:.4f}\n", y, separator, z); };
+}
+
+std::string decimal_commas(double y, const std::string& separator, double z) {
+  std::string first = fmt::format("{:.3f}", y), second = fmt::format("{:.3f}", z);
+  std::replace(first.begin(), first.end(), '.', ',');
+  std::replace(second.begin(), second.end(), '.', ',');
+  return first + separator + second + "\n";
 }
 
 /// The head with another line in the middle.
@@ -74,6 +86,22 @@ std::vector<Malformed> malformed() {
       {"a.prr", "header.begin\n type = 7\nheader.end\nspline.begin\npoint.begin\n" + points + "point.end\nspline.end\n",
        "type = 7 in the header: must be 0 or 1"},
       {"a.ban", "Title=a\nColumnDef=X,Q\n\n" + points, "ColumnDef = \"X,Q\" has no X or no Y"},
+      // exports of lasers
+      {"rail.csv", "y;y\n" + head(with(";")), "1: two columns are headed \"y\""},
+      {"rail.csv", "y [mm];z [inch]\n" + head(with(";")), "1: the headings give y and z different units"},
+      {"rail.csv", "x;y;quality;z\n" + head(with(";")), "2: 2 numbers, but y or z is in column 4"},
+      {"rail.csv", "y;z\n" + head([](int k, double y, double z) {
+                     return k == 70 ? std::string("0,0;;\n") : decimal_commas(y, ";", z);
+                   }),
+       "72: z: \"\" is not a finite number"},
+      {"rail.csv", "y;z\n" + head([](int k, double y, double z) {
+                     return k == 70 ? std::string("0,0;---\n") : decimal_commas(y, ";", z);
+                   }),
+       "72: z: \"---\" is not a finite number"},
+      {"rail.csv", "y,z\n" + head([](int, double y, double z) { return decimal_commas(y, ",", z); }),
+       "commas are both decimal points and separators; separate the columns by semicolons"},
+      {"rail.csv", "y;z\n" + head(with(";")) + "End of scan\n", "143: y: \"End\" is not a finite number"},
+      {"rail.csv", "Scanner;L2\nNo;Height;Lateral\n", "there are no lines with two numbers, y and z"},
       {"a.mpt", "[FileInfo]\na=1\n[Profile1Info]\nx=1\n", "there are no points"},
   };
 }
@@ -84,6 +112,16 @@ TEST(MalformedProfiles, AreAnsweredInWords) {
     EXPECT_TRUE(message.starts_with(file.name + ":")) << message;
     EXPECT_NE(message.find(file.words), std::string::npos) << file.words << "\nis not in\n" << message;
   }
+}
+
+TEST(MalformedProfiles, ColumnsMustNameYAndZOnceEach) {
+  for (const std::string columns : {"y", "y,y", "z,z,y", "a,b", ",", "y;z;y"}) {
+    const std::string message = error_of([&] { io::parse_profile(head(), "rail.txt", {.columns = columns}); });
+    EXPECT_EQ(message, "rail.txt: columns = \"" + columns +
+                           "\": must name y and z once each, with - for a column that is not used, as \"-,y,z\"");
+  }
+  EXPECT_EQ(error_of([&] { io::parse_profile("header.begin\n", "a.prr", {.columns = "y,z"}); }),
+            "a.prr: columns is for files of columns, not of Simpack");
 }
 
 } // namespace

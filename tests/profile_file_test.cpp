@@ -234,6 +234,106 @@ TEST(ProfileFile, DecidesWhatColumnsLeaveOpenAndSaysSo) {
   EXPECT_NEAR(scaled.profile.at(0).value.y * 1e3, 2 * head()[0].y, 1e-9);
 }
 
+/// Rows with more columns, each one as it is named: y, z, or a number that counts.
+std::string table(const std::string& names, const std::string& separator, double unit = 1) {
+  std::ostringstream text;
+  text.precision(12);
+  for (int k = 0; const auto& p : head()) {
+    ++k;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      (i > 0 ? text << separator : text) << (names[i] == 'y' ? unit * p.y : names[i] == 'z' ? unit * p.z : k);
+    text << '\n';
+  }
+  return text.str();
+}
+
+TEST(ProfileFile, ColumnsAreInAnyOrder) {
+  const auto expect = [](const std::string& text, const std::string& columns, const std::string& of) {
+    const auto prepared = io::parse_profile(text, of, {.role = ProfileRole::rail, .columns = columns});
+    expect_points(prepared.profile, head(), of);
+    return prepared.report;
+  };
+  for (const std::string separator : {" ", "\t", ";", ",", " | "}) {
+    expect(table("zy", separator), "z,y", "stated" + separator);
+    expect(table("nzny", separator), "-,z,-,y", "stated" + separator);
+    const auto report = expect(table("zy", separator), "", "by the shape" + separator);
+    EXPECT_TRUE(is_named(report.assumptions, "y is the second column and z the first, by the shape"));
+    expect(table("yz", separator), "", "in order" + separator);
+    for (const auto& [names, heading] : {std::pair{"nzy", "No SEP z [mm] SEP y [mm]"},
+                                         {"nzy", "n SEP Height SEP Lateral"},
+                                         {"nyz", "k SEP \"x\" SEP \"y\""},
+                                         {"nyz", "k SEP X_mm SEP Z_mm"},
+                                         {"zny", "z SEP x SEP y"}}) {
+      std::string line = heading;
+      for (std::size_t at = 0; (at = line.find(" SEP ")) != std::string::npos;) line.replace(at, 5, separator);
+      EXPECT_TRUE(is_named(expect("Scanner L2\n" + line + "\n" + table(names, separator), "", line).assumptions,
+                           "2 lines before the first number taken as headings: y is column"));
+    }
+  }
+}
+
+TEST(ProfileFile, HeadingsNameTheUnit) {
+  const io::ProfileFileOptions rail = {.role = ProfileRole::rail};
+  const auto inches = table("yz", ";", 1 / 25.4), metres = table("yz", ";", 1e-3);
+  for (const auto& text :
+       {"y [in];z [in]\n" + inches, "y (inch);z (inch)\n" + inches, "y;z\ninch;inch\n" + inches,
+        "y;z\n[in];[in]\n" + inches, "y_m;z_m\n" + metres, "lateral position [m];height [m]\n" + metres}) {
+    const auto prepared = io::parse_profile(text, "x", rail);
+    expect_points(prepared.profile, head(), text.substr(0, 30));
+    EXPECT_FALSE(is_named(prepared.report.assumptions, "unit of length")) << text.substr(0, 30);
+  }
+  auto commas = "No;Height [inch];Lateral [inch];Quality\n" + table("nzyn", ";", 1 / 25.4);
+  std::replace(commas.begin(), commas.end(), '.', ',');
+  expect_points(io::parse_profile(commas, "x", rail).profile, head(), "laser");
+}
+
+TEST(ProfileFile, SideOfTheTrackSaysWhereYRuns) {
+  const auto read = [](double y, std::optional<TrackSide> side) {
+    return io::parse_profile(rows(head(), y, 1), "x", {.role = ProfileRole::rail, .side = side});
+  };
+  const auto left = read(1, TrackSide::left), right = read(-1, TrackSide::right);
+  expect_points(left.profile, head(), "left");
+  expect_points(right.profile, head(), "right");
+  EXPECT_TRUE(is_named(left.report.assumptions, "to the field side on the left"));
+  EXPECT_TRUE(is_named(right.report.assumptions, "to the gauge side on the right"));
+  // The shape and what is given by itself are surer.
+  expect_points(
+      io::parse_profile(rows(wheel(), 1, 1), "x", {.role = ProfileRole::wheel, .side = TrackSide::right}).profile,
+      wheel(), "wheel");
+  expect_points(
+      io::parse_profile(rows(head(), 1, 1), "x",
+                        {.role = ProfileRole::rail, .y_axis = io::LateralSense::field, .side = TrackSide::right})
+          .profile,
+      head(), "given");
+}
+
+TEST(ProfileFile, NamesOfStandardsStandForTheirProfiles) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"S1002", "s1002", "60E1", "54e1", "cone-1:20", "cone-1:40"}) {
+    EXPECT_EQ(io::profile_path(folder.path(), name), name);
+    EXPECT_TRUE(io::names_standard(name));
+    EXPECT_FALSE(io::read_profile(name).points.empty());
+  }
+  EXPECT_EQ(io::read_profile("S1002").report.format, "EN 13715");
+  // A file of that name comes first.
+  std::ofstream(folder / "60E1") << rows(head(), 1, 1);
+  const auto path = io::profile_path(folder.path(), "60E1");
+  EXPECT_EQ(path, folder / "60E1");
+  expect_points(io::read_profile(path, {.role = ProfileRole::rail}).profile, head(), "file");
+  const auto refusal = [](const std::string& name, const io::ProfileFileOptions& options) {
+    return error_of([&] { io::read_profile(name, options); });
+  };
+  EXPECT_EQ(refusal("S1002", {.role = ProfileRole::rail}), "S1002: is the profile of a wheel, not of a rail");
+  EXPECT_EQ(refusal("60E1", {.unit = 1}), "60E1 is the profile of a standard, not a file: unit does not apply");
+  EXPECT_EQ(refusal("60E1", {.columns = "z,y"}),
+            "60E1 is the profile of a standard, not a file: columns does not apply");
+  EXPECT_EQ(refusal("S102", {}),
+            "S102: there is no such file, nor a standard profile of that name, as S1002, 60E1, 54E1, "
+            "cone-1:20 and cone-1:40; did you mean S1002?");
+  EXPECT_EQ(refusal((folder / "60E1").string(), {.role = ProfileRole::rail, .flange_thickness = 0.03}),
+            (folder / "60E1").string() + ": flange_thickness is for the wheel of a standard, not of a file");
+}
+
 TEST(ProfileFile, RefusesWhatIsNoProfileAndNamesLineAndField) {
   EXPECT_EQ(message_of(""), "a.prr: is empty");
   EXPECT_EQ(message_of(" \n\r\n"), "a.prr: is empty");

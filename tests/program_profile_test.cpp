@@ -6,7 +6,9 @@
 #include "tests/support/hdf5_reader.hpp"
 #include "tests/support/program_document.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -91,6 +93,58 @@ TEST(ProgramProfile, ResultFileHasTheSurfaceOfSlices) {
       EXPECT_NEAR(y[k * lines + line], y[line], 1e-12) << "the same slice";
       EXPECT_NEAR(z[k * lines + line] - z[line], wave(u[k]) - wave(u[0]), 1e-12);
     }
+}
+
+TEST(ProgramProfile, StandardHasANameAndAThinnerFlange) {
+  const TemporaryFolder folder;
+  const auto printed = run_program(folder, "profile S1002 --flange-thickness 0.0305 --convert thin.prw");
+  EXPECT_EQ(printed.exit_code, 0) << printed.errors;
+  EXPECT_NE(printed.output.find("its flange moved to be 30.5 mm thick"), std::string::npos) << printed.output;
+  const auto thin = io::read_profile(folder / "thin.prw").profile;
+  EXPECT_NEAR(wheel_dimensions(thin, 0).flange_thickness.value(), 30.5e-3, 2e-8);
+  EXPECT_EQ(document(folder, "60E1").at("length"), io::read_profile("60E1").profile.length());
+  const auto refused = run_program(folder, "profile S1002 --flange-thickness 0.05");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.errors.find("--flange-thickness = 0.05 [m]: must be in [0.0285, 0.0325]"), std::string::npos)
+      << refused.errors;
+}
+
+TEST(ProgramProfile, FolderIsMeasuredAsAWhole) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "measured");
+  for (const auto& [name, file] : {std::pair{"b.prw", wheel}, {"a.prw", wheel}, {"c.prr", rail}})
+    std::filesystem::copy_file(file, folder / "measured" / name);
+  std::ofstream(folder / "measured/notes.txt") << "measured on Monday, rail\n";
+  std::ofstream(folder / "measured/.hidden") << "nothing\n";
+  std::filesystem::create_directory(folder / "measured/older");
+  const auto printed = run_program(folder, "profile measured --partner 60E1 --cant 0.025 -o out --no-pictures");
+  EXPECT_EQ(printed.exit_code, 1) << "a file is no profile";
+  for (const auto* text : {"2 wheels", "1 rail", "a.prw", "notes.txt: there are no lines with two numbers"})
+    EXPECT_NE(printed.output.find(text), std::string::npos) << text << "\n" << printed.output;
+  EXPECT_EQ(printed.output.find("hidden"), std::string::npos);
+  const auto json = io::Json::parse(run_program(folder, "profile measured --partner 60E1 --cant 0.025 --json").output);
+  ASSERT_EQ(json["profiles"].size(), 3u);
+  EXPECT_EQ(json["profiles"][0]["file"], "a.prw");
+  EXPECT_EQ(json["profiles"][0]["dimensions"], document(folder, wheel)["dimensions"]);
+  EXPECT_EQ(json["refused"][0]["file"], "notes.txt");
+  EXPECT_TRUE(json["profiles"][2]["equivalent_conicity"].is_null()) << "a rail on a rail";
+  const auto conicity =
+      program_document(folder, "conicity " + wheel + " 60E1 --cant 0.025 --amplitudes 0.003 0.003 0.001");
+  EXPECT_NEAR(json["profiles"][0]["equivalent_conicity"].get<double>(),
+              conicity["equivalent_conicity"][0][1].get<double>(), 1e-9);
+  std::ifstream table(folder / "out/profiles.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_TRUE(lines[0].starts_with("file,role,points [-],flange_height [m]")) << lines[0];
+  EXPECT_TRUE(lines[1].starts_with("a.prw,wheel,602,0.02")) << lines[1];
+  EXPECT_NE(lines[4].find("no lines with two numbers"), std::string::npos) << lines[4];
+  for (int k = 1; k <= 3; ++k)
+    EXPECT_EQ(std::ranges::count(lines[k], ','), std::ranges::count(lines[0], ',')) << lines[k];
+  const auto refused = run_program(folder, "profile measured/older");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.errors.find("has no files of profiles"), std::string::npos) << refused.errors;
+  EXPECT_EQ(run_program(folder, "profile " + wheel + " --partner 60E1").exit_code, 2);
 }
 
 TEST(ProgramProfile, DocumentHasTheNumbersOfTheLibrary) {

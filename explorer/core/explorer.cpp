@@ -59,7 +59,7 @@ toml::table with_files(toml::table table, const std::string& name, const KeptFil
       if (known->second != path)
         throw Error(key + ": " + io::printable(path) + " and " + io::printable(known->second) +
                     " have one name without their folders, and there are none here");
-      if (!files.has(end)) missing.push_back(key + " = " + io::printable(path));
+      if (!files.has(end) && !io::names_standard(path)) missing.push_back(key + " = " + io::printable(path));
     });
     *profile = end;
   }

@@ -6,6 +6,7 @@
 #include "microslip/railway/geometry/track.hpp"
 #include "microslip/railway/geometry/wheelset.hpp"
 #include "microslip/railway/problem/wheel_rail_types.hpp"
+#include "microslip/railway/profile/standard_profile.hpp"
 #include "microslip/railway/vehicle/wheelset_quantities.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
@@ -37,12 +38,18 @@ std::vector<Input> all_inputs() {
        }},
       {"profile",
        {
-           needed(text("profile", "file of the profile, a path that starts at the case file's folder")),
+           needed(text("profile", "file of the profile, a path that starts at the case file's folder, or the name of a "
+                                  "standard's, as S1002 or 60E1")),
+           number("flange_thickness", "m", between(thinnest_flange, thickest_flange),
+                  "thickness of the flange of a standard's wheel; left out: 32.5 mm"),
            word("format", profile_formats, "", "format of the file; left out: as its first lines say"),
            text("unit", "unit of the file's lengths; left out: as the file says, else by its width"),
            number("scale", "-", between(1e-3, 1e3), 1, "factor of the file's lengths"),
            word("y_axis", lateral_senses, "", "side to which y runs; left out: by the format"),
            word("z_axis", vertical_senses, "", "where z runs; left out: by the format or the shape"),
+           word("side", track_sides, "", "side of the track it lies on, if the file's y runs to the left on both"),
+           text("columns",
+                "order of the columns of a file, as \"z,y\" or \"-,y,z\"; left out: by headings or the shape"),
            whole("section", between(1, 10000), 1, "which profile of several in a file"),
            numbers("trim", "m", "y of both ends beyond which the profile is left out"),
            number("smoothing_length", "m", between(0, 1),

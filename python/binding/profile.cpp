@@ -37,7 +37,7 @@ inline constexpr auto fields<ProfileReport> =
 template <>
 inline constexpr auto fields<WheelDimensions> =
     members<&WheelDimensions::tape_line, &WheelDimensions::flange_height, &WheelDimensions::flange_thickness,
-            &WheelDimensions::flange_gradient, &WheelDimensions::flange_angle>;
+            &WheelDimensions::flange_gradient, &WheelDimensions::flange_angle, &WheelDimensions::tape_circle>;
 template <>
 inline constexpr auto fields<GaugePoint> =
     members<&GaugePoint::point, &GaugePoint::s, &GaugePoint::top, &GaugePoint::reaches_height>;
@@ -219,7 +219,8 @@ void bind_dimensions(py::module_& module) {
   add_fields(wheel, {"y of the tape line [m], 70 mm from the flange's back.", "Sh [m], from the tape line to the tip.",
                      "Sd [m], from the back, at 10 mm from the tape line towards the tip.",
                      "qR [m], width from there to the flank 2 mm short of the tip.",
-                     "Largest inclination of the flank between tip and tape line [rad]."});
+                     "Largest inclination of the flank between tip and tape line [rad].",
+                     "z of the tread at the tape line [m]."});
   add_value(wheel);
   auto gauge = py::class_<GaugePoint>(module, "GaugePoint", "Where a rail's gauge is measured.");
   gauge
@@ -327,7 +328,8 @@ void bind_profile(py::module_& module) {
       "read_profile",
       [](const py::object& path, std::optional<ProfileRole> kind, std::optional<io::ProfileFormat> format,
          std::optional<double> unit, double scale, std::optional<io::LateralSense> y_axis,
-         std::optional<io::VerticalSense> z_axis, int section, std::optional<double> smoothing_length,
+         std::optional<io::VerticalSense> z_axis, std::optional<TrackSide> side, const std::string& columns,
+         std::optional<double> flange_thickness, int section, std::optional<double> smoothing_length,
          const std::optional<std::pair<double, double>>& trim) {
         const io::ProfileFileOptions options = {.format = format,
                                                 .role = kind,
@@ -335,16 +337,20 @@ void bind_profile(py::module_& module) {
                                                 .scale = scale,
                                                 .y_axis = y_axis,
                                                 .z_axis = z_axis,
+                                                .side = side,
+                                                .columns = columns,
+                                                .flange_thickness = flange_thickness,
                                                 .section = section,
                                                 .treatment = treatment_of(smoothing_length, trim)};
-        io::PlacedProfile placed = io::read_placed_profile(readable_path(path), options);
+        io::PlacedProfile placed = io::read_placed_profile(
+            io::names_standard(path_from(path)) ? path_from(path) : readable_path(path), options);
         ProfileValue value = shared(placed);
         value.surface = placed.surface;
         return value;
       },
       "path"_a, py::kw_only(), "kind"_a = py::none(), "format"_a = py::none(), "unit"_a = py::none(), "scale"_a = 1.0,
-      "y_axis"_a = py::none(), "z_axis"_a = py::none(), "section"_a = 1, "smoothing_length"_a = py::none(),
-      "trim"_a = py::none(),
+      "y_axis"_a = py::none(), "z_axis"_a = py::none(), "side"_a = py::none(), "columns"_a = "",
+      "flange_thickness"_a = py::none(), "section"_a = 1, "smoothing_length"_a = py::none(), "trim"_a = py::none(),
       "The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw "
       "of\n"
       "a rail that varies along the track and of a wheel that is not round. What the file does not\n"
@@ -352,7 +358,13 @@ void bind_profile(py::module_& module) {
       "is\n"
       "positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses "
       "one\n"
-      "of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile.");
+      "of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile. side, left or right, "
+      "says\n"
+      "on which side of the track a file lies whose y runs to the left on both; columns names those of a file, "
+      "\"z,y\".\n"
+      "S1002, 60E1, 54E1, cone-1:20 and cone-1:40 in place of a path, if there is no such file, are profiles of "
+      "standards,\n"
+      "wheels with a flange_thickness [m].");
 }
 
 } // namespace microslip::python

@@ -25,6 +25,7 @@ template <> inline constexpr const char* field_of<io::ProfileFormat> = "format";
 template <> inline constexpr const char* field_of<io::LateralSense> = "y_axis";
 template <> inline constexpr const char* field_of<io::VerticalSense> = "z_axis";
 template <> inline constexpr const char* field_of<RollRule> = "roll";
+template <> inline constexpr const char* field_of<TrackSide> = "side";
 
 template <class Option> constexpr bool is_word = field_of<Option> != nullptr;
 

@@ -2212,6 +2212,9 @@ class WheelDimensions:
     @property
     def flange_angle(self) -> float | None:
         """Largest inclination of the flank between tip and tape line [rad]."""
+    @property
+    def tape_circle(self) -> float | None:
+        """z of the tread at the tape line [m]."""
     def to_dict(self) -> dict[str, Any]:
         """All fields [SI units] as a dict; arrays are copies."""
 
@@ -3046,12 +3049,15 @@ def read_case(path: str | os.PathLike[str]) -> RollingCase:
     file, line, key, value and allowed range for what is wrong, and with the nearest key for unknown
     ones [-]."""
 
-def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, section: int = 1, smoothing_length: float | None = None, trim: tuple[float, float] | None = None) -> Profile:
+def read_profile(path: str | os.PathLike[str], *, kind: Literal["rail", "wheel"] | None = None, format: Literal["simpack", "miniprof", "columns"] | None = None, unit: float | None = None, scale: float = 1.0, y_axis: Literal["field", "gauge"] | None = None, z_axis: Literal["up", "down"] | None = None, side: Literal["left", "right"] | None = None, columns: str = '', flange_thickness: float | None = None, section: int = 1, smoothing_length: float | None = None, trim: tuple[float, float] | None = None) -> Profile:
     """The Profile in a file: Simpack .prr .prw, MiniProf .ban .whl .mpt, columns of y and z, or slices .slcs .slcw of
     a rail that varies along the track and of a wheel that is not round. What the file does not
     say can be given: kind, format, unit (its length [m], e.g. 1e-3), the side to which y runs (y_axis), where z is
     positive (z_axis); what neither says is assumed, and the report names it. scale [-] enlarges, section chooses one
-    of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile."""
+    of several profiles of a .mpt file, smoothing_length [m] and trim [m] are as in Profile. side, left or right, says
+    on which side of the track a file lies whose y runs to the left on both; columns names those of a file, "z,y".
+    S1002, 60E1, 54E1, cone-1:20 and cone-1:40 in place of a path, if there is no such file, are profiles of standards,
+    wheels with a flange_thickness [m]."""
 
 def run_contact_input(path: str | os.PathLike[str]) -> ContactRun:
     """Runs the cases of an input file of the program CONTACT, modules 1 and 3, in their order, each with what

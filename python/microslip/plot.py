@@ -26,6 +26,7 @@ from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import STYLES, settings_of
 from microslip.picture_style import style as in_style
 from microslip.profile_picture import profile_pictures
+from microslip.profiles_picture import profiles_pictures
 from microslip.refinement_pictures import refinement_pictures
 from microslip.result_file import DAMAGED, ResultError, ResultFile
 from microslip.rolling_contact_pictures import rolling_contact_pictures
@@ -53,6 +54,7 @@ PICTURES_OF_KIND = {
     "measured_points": measured_points_pictures,
     "model-problem": model_problem_pictures,
     "profile": profile_pictures,
+    "profiles": profiles_pictures,
     "refinement": refinement_pictures,
     "sliced_profile": sliced_profile_pictures,
     "statistics": statistics_pictures,

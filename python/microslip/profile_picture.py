@@ -35,10 +35,9 @@ def draw_shape(axes, result, y, z):
         axes.plot(*(1e3 * values for values in result.arrays(["/kinks/y", "/kinks/z"])), "D", color=VERMILION,
                   markersize=6, markerfacecolor="none", label="kinks")
     if "dimensions/tape_line" in result:
-        axes.axvline(1e3 * result.number("/dimensions/tape_line"), color=GREEN, linestyle="--", linewidth=1, label="tape line")
+        mark_tape_line(axes, result)
     if "dimensions/gauge_y" in result:
-        axes.plot(*(1e3 * result.number(f"/dimensions/gauge_{axis}") for axis in "yz"), "o", color=GREEN, markersize=7,
-                  markerfacecolor="none", markeredgewidth=1.6, label="gauge point")
+        mark_gauge_point(axes, result)
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel("y [mm], to the field side")
     axes.set_ylabel("z [mm], up")
@@ -47,9 +46,36 @@ def draw_shape(axes, result, y, z):
     axes.text(0.01, 0.02, dimensions_text(result), transform=axes.transAxes, fontsize=9, color=BLACK, va="bottom")
 
 
+RING = {"linestyle": "none", "marker": "o", "color": GREEN, "markersize": 7, "markerfacecolor": "none", "markeredgewidth": 1.6}
+TAPE_TO_BACK, BELOW_TAPE = 70, 10  # [mm] of EN 15313
+
+
+def mark_tape_line(axes, result):
+    """The line 70 mm from the flange's back, the tread there, and the flange's thickness 10 mm towards the tip."""
+    tape = 1e3 * result.number("/dimensions/tape_line")
+    axes.axvline(tape, color=GREEN, linestyle="--", linewidth=1, label="tape line")
+    if "dimensions/tape_circle" not in result:
+        return
+    tread = 1e3 * result.number("/dimensions/tape_circle")
+    axes.plot([tape], [tread], label="tape circle", **RING)
+    if "dimensions/flange_thickness" in result:
+        back = tape - TAPE_TO_BACK
+        axes.annotate("", (back, tread - BELOW_TAPE), (back + 1e3 * result.number("/dimensions/flange_thickness"), tread - BELOW_TAPE),
+                      arrowprops={"arrowstyle": "<->", "color": GREEN, "shrinkA": 0, "shrinkB": 0})
+
+
+def mark_gauge_point(axes, result):
+    """The point that protrudes most between the top and the gauge's height below it, with both heights."""
+    axes.plot(*([1e3 * result.number(f"/dimensions/gauge_{axis}")] for axis in "yz"), label="gauge point", **RING)
+    if "dimensions/gauge_height" in result:
+        top, height = (1e3 * result.number(f"/dimensions/{name}") for name in ("top_z", "gauge_height"))
+        axes.axhline(top, color=GREEN, linestyle=":", linewidth=1, label="top")
+        axes.axhline(top - height, color=GREEN, linestyle="--", linewidth=1, label=f"{height:g} mm below the top")
+
+
 def dimensions_text(result):
-    """The flange's dimensions in a line, as far as the file has them."""
-    names = {"flange_height": "Sh", "flange_thickness": "Sd", "flange_gradient": "qR"}
+    """The flange's dimensions in a line, or where the gauge point lies, as far as the file has them."""
+    names = {"flange_height": "Sh", "flange_thickness": "Sd", "flange_gradient": "qR", "gauge_y": "gauge point y", "gauge_z": "z"}
     return ", ".join(f"{symbol} {1e3 * result.number(f'/dimensions/{name}'):.2f} mm" for name, symbol in names.items()
                      if f"dimensions/{name}" in result)
 

@@ -235,6 +235,8 @@ class EveryFileTest(unittest.TestCase):
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
         self.expect("a/result.h5", "profile.png")
+        self.run_program("profile", EXAMPLES / "profiles", "-o", "f", "--no-pictures")
+        self.expect("f/result.h5", "profiles.png")
         (self.folder / "rail.slcs").write_text(f"0 1000\n2\n0\n1\n0 '{EXAMPLES}/profiles/60e1.prr'\n1 '{EXAMPLES}/profiles/60e1.prr'\n")
         self.run_program("profile", "rail.slcs", "-o", "s", "--no-pictures")
         self.expect("s/result.h5", "surface.png")

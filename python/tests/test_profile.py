@@ -77,6 +77,20 @@ class ProfileTest(unittest.TestCase):
         trimmed = microslip.read_profile(self.folder / "a.prw", trim=(-0.03, 0.03), smoothing_length=3e-3)
         self.assertGreaterEqual(trimmed.y[0], -0.0301)
 
+    def test_standards_by_name_and_columns_in_any_order(self):
+        thin = microslip.read_profile("S1002", flange_thickness=0.0305)
+        self.assertAlmostEqual(thin.wheel_dimensions().flange_thickness, 0.0305, delta=2e-8)
+        self.assertAlmostEqual(thin.wheel_dimensions().tape_circle, 0, delta=1e-12)
+        rail = microslip.read_profile("54E1")
+        self.assertEqual((rail.kind, rail.report.format), ("rail", "EN 13674-1"))
+        np.savetxt(self.folder / "swapped.txt", np.column_stack([1e3 * rail.z, np.arange(rail.z.size), -1e3 * rail.y]))
+        again = microslip.read_profile(self.folder / "swapped.txt", kind="rail", columns="z,-,y", side="right")
+        np.testing.assert_allclose(again.y, rail.y, atol=1e-15)
+        with self.assertRaisesRegex(ValueError, 'side = "middle": must be left or right'):
+            microslip.read_profile(self.folder / "swapped.txt", side="middle")
+        with self.assertRaises(FileNotFoundError):
+            microslip.read_profile("S102")
+
     def test_dimensions(self):
         wheel = microslip.Profile(*flanged(), kind="wheel")
         dimensions = wheel.wheel_dimensions()

@@ -42,6 +42,20 @@ class ProfilePictureTest(unittest.TestCase):
             np.testing.assert_allclose(marks, [30 * np.pi / 3, 60 * np.pi / 3])
         np.testing.assert_allclose(bend.lines[0].get_ydata(), 1 / 0.03)
 
+    def test_a_rail_shows_how_far_below_the_top_its_gauge_lies(self):
+        numbers = {"gauge_y": -0.025, "gauge_z": 0.01, "gauge_height": 0.02, "top_y": 0.0, "top_z": 0.03}
+        lines = {line.get_label(): line for line in self.figure("rail", dimensions=numbers).axes[0].lines}
+        self.assertEqual(set(lines), {"points", "spline", "gauge point", "top", "20 mm below the top"})
+        np.testing.assert_allclose(lines["top"].get_ydata(), 30)
+        np.testing.assert_allclose(lines["20 mm below the top"].get_ydata(), 10)
+
+    def test_a_wheel_shows_its_tape_circle_and_thickness(self):
+        shape = self.figure("wheel", dimensions={"tape_line": 0.01, "tape_circle": -0.028, "flange_thickness": 0.032}).axes[0]
+        lines = {line.get_label(): line for line in shape.lines}
+        np.testing.assert_allclose(lines["tape circle"].get_xydata(), [[10, -28]])
+        arrow, = (text for text in shape.texts if hasattr(text, "arrow_patch") and text.arrow_patch)
+        np.testing.assert_allclose([arrow.xy, arrow.xyann], [[-60, -38], [-28, -38]])
+
     def test_a_wheel_with_what_there_is_of_its_flange(self):
         figure = self.figure("wheel", dimensions={"tape_line": 0.0, "flange_height": 0.028})
         shape = figure.axes[0]

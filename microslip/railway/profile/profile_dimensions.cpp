@@ -140,6 +140,7 @@ WheelDimensions wheel_dimensions(const Profile& wheel, double tape_line) {
   const auto tread = std::find_if(at_tape.begin(), at_tape.end(), [tip](double s) { return s > tip; });
   if (tread == at_tape.end()) return dimensions;
   const double tread_z = wheel.at(*tread).value.z;
+  dimensions.tape_circle = tread_z;
   dimensions.flange_height = tread_z - tip_z;
   dimensions.flange_angle = steepest(wheel, tip, *tread);
   const auto front = y_at_height(wheel, tread_z - below_tape, tip);

@@ -24,6 +24,7 @@ struct WheelDimensions {
   std::optional<double> flange_thickness; ///< Sd: at 10 mm from the tape line towards the tip
   std::optional<double> flange_gradient;  ///< qR: width from there to the flank 2 mm short of the tip
   std::optional<double> flange_angle;     ///< largest inclination of the flank between tip and tape line [rad]
+  std::optional<double> tape_circle;      ///< z of the tread at the tape line
 };
 
 /// y of the tape line: 0 if the profile begins about 70 mm on the flange side of its origin, 70 mm if it begins at its
