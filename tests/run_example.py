@@ -39,14 +39,16 @@ SWEEPS = ("[grid]", "[list]", "[sample]")
 
 # Programs that are built, by their sources.
 BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f90": "libcontact_{stem}_fortran",
-         "libcontact/*.c": "libcontact_{stem}_c", "wheelset/main.cpp": "wheelset", "wheelset/*.cpp": "{stem}"}
+         "libcontact/*.c": "libcontact_{stem}_c", "wheelset/main.cpp": "wheelset", "wheelset/*.cpp": "{stem}",
+         "vehicle/*.cpp": "{stem}"}
 
 # What a separate test runs, in a script that names the file; and what takes minutes, which the figures of a page run.
 ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
              "wheelset/wheelset_on_profiles.cpp": "docs/embedding.md", "wheelset/wheelset_levels.cpp": "docs/embedding.md",
              "adapters/dytsi/critical_speed.cpp": "examples/adapters/dytsi/tests/bogies_test.sh",
              "adapters/dytsi/plot.py": "examples/adapters/dytsi/critical_speeds.sh",
-             "adapters/dytsi/critical_speeds.sh": "docs/making/images.py"}
+             "adapters/dytsi/critical_speeds.sh": "docs/making/images.py",
+             "vehicle/main.cpp": "docs/vehicle.md", "vehicle/plot.py": "docs/vehicle.md"}
 
 # What is run before an example, for the files that it reads.
 BEFORE = {

@@ -15,6 +15,11 @@ add_test(NAME consumer_find_package_c
     -DSOURCE=${PROJECT_SOURCE_DIR}/examples/c/first_contact.c)
 add_test(NAME consumer_wheelset
   COMMAND ${find_package} ${PROJECT_SOURCE_DIR}/examples/wheelset ${folder}/wheelset wheelset ${compilers})
+if(Simbody_FOUND)
+  add_test(NAME consumer_vehicle
+    COMMAND ${find_package} ${PROJECT_SOURCE_DIR}/examples/vehicle ${folder}/vehicle rolling_bodies ${compilers})
+  set_tests_properties(consumer_vehicle PROPERTIES FIXTURES_REQUIRED installed)
+endif()
 # A sanitizer's run time must come first, which gfortran does not see to.
 set(fortran ${CMAKE_Fortran_COMPILER})
 if(CMAKE_CXX_FLAGS MATCHES sanitize)
