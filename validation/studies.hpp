@@ -104,6 +104,10 @@ bool run_measurements(const StudyOptions& options, std::ostream& out);
 /// orders of all strategies; writes model_problem.h5.
 bool run_model_problem(const StudyOptions& options, std::ostream& out);
 
+/// The study `models`: laws of creep forces that vehicle programs use beside the exact theory on the 3,220 cases:
+/// errors of forces and T-gamma, where the worst ones are, and time.
+bool run_models(const StudyOptions& options, std::ostream& out);
+
 /// The study `random-problems`: 20,000 seeded random contacts of all kinds (steady and transient rolling, shifts,
 /// forces given, bodies of different materials, viscoelastic ones, layers that yield, friction that falls or heats),
 /// each of which has a solution: with creepages given because the traction bound is a continuous function of tractions

@@ -1,0 +1,33 @@
+#include "validation/models/linear_theory.hpp"
+
+#include "microslip/simplified/creepage_coefficients.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip::validation {
+
+ContactForces scaled(ContactForces forces, double factor) {
+  forces.fx *= factor, forces.fy *= factor, forces.mz *= factor;
+  return forces;
+}
+
+ContactForces linear_theory(const EllipticContact& contact) {
+  const auto k = creepage_coefficients(contact.a / contact.b, contact.poisson_ratio);
+  const double c = std::sqrt(contact.a * contact.b), stiffness = contact.shear_modulus * c * c;
+  const auto [xi, eta, phi] = contact.creepage;
+  ContactForces forces;
+  forces.fx = -stiffness * k.c11 * xi;
+  forces.fy = -stiffness * (k.c22 * eta + c * k.c23 * phi);
+  forces.mz = -stiffness * c * (-k.c23 * eta + c * k.c33 * phi);
+  return forces;
+}
+
+ContactForces saturated_linear_theory(const EllipticContact& contact) {
+  const ContactForces linear = linear_theory(contact);
+  const double limit = contact.friction.static_coefficient() * contact.normal_force;
+  const double size = std::hypot(linear.fx, linear.fy);
+  return scaled(linear, size > limit ? limit / size : 1);
+}
+
+} // namespace microslip::validation
