@@ -169,7 +169,8 @@ TEST(FrequencyResponse, IsMirroredWithTheDirection) {
   const ForceResponse a = solver(12).respond(there, k).at[0], b = solver(12).respond(back, k).at[0];
   const double side[3] = {-1, 1, -1};
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) EXPECT_LT(std::abs(b.by_creepage[i][j] - side[i] * side[j] * a.by_creepage[i][j]), 1e-12 * largest(a, i));
+    for (int j = 0; j < 3; ++j)
+      EXPECT_LT(std::abs(b.by_creepage[i][j] - side[i] * side[j] * a.by_creepage[i][j]), 1e-12 * largest(a, i));
     EXPECT_LT(std::abs(b.by_load[i] - side[i] * a.by_load[i]), 1e-12 * std::abs(a.by_load[i]));
   }
 }

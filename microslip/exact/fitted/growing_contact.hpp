@@ -6,8 +6,8 @@
 
 namespace microslip {
 
-/// Slip that a contact makes by growing evenly, all its lengths times L = 1 + l e^{i omega t}, about steady rolling; per
-/// l, as means over the elements' paths, at the wavenumber k = omega/V [1/m].
+/// Slip that a contact makes by growing evenly, all its lengths times L = 1 + l e^{i omega t}, about steady rolling;
+/// per l, as means over the elements' paths, at the wavenumber k = omega/V [1/m].
 ///
 /// With coordinates X = x/L and tractions P(X), displacements of half-spaces are u = L A P, and particles move relative
 /// to X by -X dL/dt besides -V. Linearised, the slip over V is that of the change of P and

@@ -20,8 +20,9 @@ public:
 
   Equations(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
       : contact_(contact), rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()),
-        product_(fitted_operator.product(), rho_, plans), preconditioner_(rolling_preconditioner<double>(contact, plans)),
-        friction_(n_), from_end_(n_), along_(n_), over_way_(2 * n_), free_(2 * n_), undone_(2 * n_), mapped_(2 * n_) {}
+        product_(fitted_operator.product(), rho_, plans),
+        preconditioner_(rolling_preconditioner<double>(contact, plans)), friction_(n_), from_end_(n_), along_(n_),
+        over_way_(2 * n_), free_(2 * n_), undone_(2 * n_), mapped_(2 * n_) {}
 
   std::size_t size() const { return 4 * n_; }
   std::size_t elements() const { return n_; }
@@ -69,7 +70,9 @@ public:
   }
 
   Complex at(std::span<const double> v, std::size_t k) const { return {v[k], v[2 * n_ + k]}; }
-  void put(std::span<double> v, std::size_t k, Complex value) const { v[k] = value.real(), v[2 * n_ + k] = value.imag(); }
+  void put(std::span<double> v, std::size_t k, Complex value) const {
+    v[k] = value.real(), v[2 * n_ + k] = value.imag();
+  }
 
 private:
   void precondition_part(std::span<double> v) {

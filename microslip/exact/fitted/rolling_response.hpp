@@ -14,7 +14,8 @@ namespace microslip {
 using ComplexField = std::vector<std::complex<double>>;
 
 /// Means over the path of an element's slip, from its point x_I to the end ahead, of what oscillates as e^{i omega t}
-/// while a particle runs through it: of f(x) e^{-i k (x - x_I)} with k = omega/V [1/m], by Gauss's rule of three points.
+/// while a particle runs through it: of f(x) e^{-i k (x - x_I)} with k = omega/V [1/m], by Gauss's rule of three
+/// points.
 template <class Function>
 std::complex<double> mean_over_path(const FittedElement& e, double wavenumber, const Function& f) {
   constexpr double node = 0.7745966692414834; // sqrt(3/5)
@@ -24,8 +25,8 @@ std::complex<double> mean_over_path(const FittedElement& e, double wavenumber, c
 }
 
 /// Small oscillations e^{i omega t} about steady rolling along +x, with adhesion, slip and its direction those of the
-/// steady state: the complex linear equations that RollingDerivative has for omega = 0. A particle at x_I was at x_{I+1}
-/// the time d/V before, so the displacement there has the factor e^{-i k d}, k = omega/V:
+/// steady state: the complex linear equations that RollingDerivative has for omega = 0. A particle at x_I was at
+/// x_{I+1} the time d/V before, so the displacement there has the factor e^{-i k d}, k = omega/V:
 ///
 /// s_I = w_I + (u(x_I) - e^{-i k d} u(x_{I+1}))/d
 ///
@@ -38,8 +39,8 @@ public:
   RollingResponse& operator=(RollingResponse&&) noexcept;
   ~RollingResponse();
 
-  /// The steady solution of a problem with these traction bounds, whose slip at these elements is that at their centres.
-  /// Holds where no element is just between adhesion and slip.
+  /// The steady solution of a problem with these traction bounds, whose slip at these elements is that at their
+  /// centres. Holds where no element is just between adhesion and slip.
   void linearise(std::span<const double> bound, const FrictionSolution& solution, std::span<const char> centred);
 
   /// Complex amplitudes.
