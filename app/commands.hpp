@@ -45,6 +45,9 @@ void add_profile_command(Command& program, int& exit_code);
 /// one.
 void add_report_command(Command& program, int& exit_code);
 
+/// Adds `microslip respond`, which computes how a contact's forces follow oscillations, over their wavelength.
+void add_respond_command(Command& program, int& exit_code);
+
 /// Adds `microslip run`, which runs the cases of an input file of the program CONTACT and sets `exit_code` to 1 unless
 /// all of them are solved.
 void add_run_command(Command& program, int& exit_code);

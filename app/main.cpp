@@ -27,6 +27,7 @@ void add_commands(Command& program, int& exit_code) {
   add_fit_command(program);
   add_plot_command(program, exit_code);
   add_report_command(program, exit_code);
+  add_respond_command(program, exit_code);
   add_explore_command(program);
   add_convert_command(program, exit_code);
   add_table_command(program, exit_code);

@@ -74,8 +74,9 @@ protected:
 };
 
 Words commands() {
-  return {"batch", "bench",   "completion", "conicity", "convert", "explore",    "fit",   "hertz", "init",    "manual",
-          "plot",  "profile", "report",     "run",      "solve",   "statistics", "sweep", "table", "validate"};
+  return {"batch", "bench", "completion", "conicity", "convert", "explore", "fit",
+          "hertz", "init",  "manual",     "plot",     "profile", "report",  "respond",
+          "run",   "solve", "statistics", "sweep",    "table",   "validate"};
 }
 
 Words study_names() {

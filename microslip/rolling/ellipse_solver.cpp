@@ -10,9 +10,12 @@
 #include "microslip/rolling/step_derivatives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace microslip {
 namespace {
@@ -56,6 +59,35 @@ ContactSolution with_all_effort(ContactSolution rolled) {
     rolled.report.products += step.report.products;
   }
   return rolled;
+}
+
+/// Fx, Fy, Mz of tractions on a contact that rolls along +x, or on the mirror image of one that does not: `side` is -1.
+template <class Value>
+std::array<Value, 3> forces_of(const FittedContact& fitted, const std::vector<Value>& px, const std::vector<Value>& py,
+                               double side) {
+  std::array<Value, 3> f = {};
+  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
+    const FittedElement& e = fitted.elements[k];
+    const double area = e.width() * fitted.grid.dy;
+    f[0] += side * area * px[k];
+    f[1] += area * py[k];
+    f[2] += side * area * (e.centre() * py[k] - fitted.grid.y(e.row) * px[k]);
+  }
+  return f;
+}
+
+/// xi and phi, the first and last of the creepages, change sign in the mirror.
+double sign_in_mirror(int creepage, double side) {
+  return creepage == 1 ? 1 : side;
+}
+
+/// Under 1 + 3 l times the load all lengths are 1 + l times as long: forces grow by 2 l and moments by 3 l
+/// of what they are, besides the tractions' change in coordinates that grow with the contact.
+void find_by_load(const std::array<std::complex<double>, 3>& by_size, const ContactSolution& solution,
+                  double normal_force, ForceResponse& out) {
+  const Totals& t = solution.totals;
+  const double grown[3] = {2 * t.fx, 2 * t.fy, 3 * t.mz};
+  for (int k = 0; k < 3; ++k) out.by_load[k] = (by_size[k] + grown[k]) / (3 * normal_force);
 }
 
 void check(const RollingProblem& problem, const EllipticContact& contact) {
@@ -232,16 +264,9 @@ ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, con
   ExactDerivatives out{.solution = fitted_solution(solution, fitted, contact, problem.motion.direction)};
   out.products = derivatives.products;
   const double side = side_of(problem.motion);
-  for (std::size_t k = 0; k < fitted.elements.size(); ++k) {
-    const FittedElement& e = fitted.elements[k];
-    const double area = e.width() * fitted.grid.dy, y = fitted.grid.y(e.row);
-    for (int i = 0; i < 3; ++i) {
-      const auto& change = derivatives.by[i];
-      const double sign = i == 1 ? 1 : side; // xi and phi change sign in the mirror
-      out.jacobian[0][i] += sign * side * change.px[k] * area;
-      out.jacobian[1][i] += sign * change.py[k] * area;
-      out.jacobian[2][i] += sign * side * (e.centre() * change.py[k] - y * change.px[k]) * area;
-    }
+  for (int i = 0; i < 3; ++i) {
+    const std::array<double, 3> column = forces_of(fitted, derivatives.by[i].px, derivatives.by[i].py, side);
+    for (int k = 0; k < 3; ++k) out.jacobian[k][i] = sign_in_mirror(i, side) * column[k];
   }
   // Twice the load makes the contact 2^(1/3) as long: forces at 2^(1/3) the creepages, and the same spin, are twice as
   // large.
@@ -254,6 +279,42 @@ ExactDerivatives EllipseSolver::differentiate(const RollingProblem& problem, con
         contact.normal_force;
   if (problem.load.given == NormalLoad::Given::approach)
     for (double& by : out.by_load) by *= 1.5 * contact.normal_force / problem.load.value; // Fn goes with delta^(3/2)
+  return out;
+}
+
+FrequencyResponse EllipseSolver::respond(const RollingProblem& problem, std::span<const double> wavenumbers,
+                                         const Progress& progress) {
+  constexpr double linear_tolerance = 1e-6;
+  const EllipticContact contact = elliptic_contact(problem), along_x = forward(contact, problem.motion);
+  FrequencyResponse out;
+  try {
+    check(problem, contact);
+    prepare_second_order(contact, progress);
+    const SecondOrderSolution solution =
+        second_order_->solve(along_x, forward_force(problem.motion), problem.motion.force_y, method_.tolerance,
+                             essential_part(progress, 0, 0.3));
+    const FittedContact& fitted = second_order_->contact();
+    out.solution = fitted_solution(solution, fitted, contact, problem.motion.direction);
+    if (out.solution.report.status != Status::ok) return out;
+    const double side = side_of(problem.motion), each = 0.7 / static_cast<double>(wavenumbers.size());
+    for (const double wavenumber : wavenumbers) {
+      const double from = 0.3 + each * static_cast<double>(out.at.size());
+      const auto r =
+          second_order_->respond(along_x, solution, wavenumber, linear_tolerance, part(progress, from, from + each));
+      ForceResponse& f = out.at.emplace_back(ForceResponse{.wavenumber = wavenumber});
+      for (int i = 0; i < 3; ++i) {
+        const auto column = forces_of(fitted, r.by[i].px, r.by[i].py, side);
+        for (int k = 0; k < 3; ++k) f.by_creepage[k][i] = sign_in_mirror(i, side) * column[k];
+        out.products += r.by[i].products;
+      }
+      find_by_load(forces_of(fitted, r.by_size.px, r.by_size.py, side), out.solution, contact.normal_force, f);
+      out.products += r.by_size.products;
+    }
+  } catch (const Error& refusal) {
+    return {solution_without_result(Status::invalid_input, refusal.what()), {}};
+  } catch (const Stopped&) {
+    return {solution_without_result(Status::not_converged, ended), {}};
+  }
   return out;
 }
 

@@ -25,6 +25,9 @@ public:
   /// friction that depends on the slip, with NaN.
   ContactSolution solve(const RollingProblem& problem, const Progress& progress);
   ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress);
+  /// Responses at second order, of similar elastic bodies with Coulomb friction in steady rolling.
+  FrequencyResponse respond(const RollingProblem& problem, std::span<const double> wavenumbers,
+                            const Progress& progress);
   GapValues deformed_gap(const RollingProblem& problem, const Progress& progress);
 
 private:

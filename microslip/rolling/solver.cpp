@@ -89,6 +89,8 @@ bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& 
          kept.direction == p.motion.direction;
 }
 
+constexpr double largest_wavenumber = 1e9; // [1/m]
+
 } // namespace
 
 struct Solver::Kept {
@@ -220,6 +222,23 @@ ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Prog
     throw Error("derivatives: of a gap on a grid by solution.discretisation = \"classical\" only");
   ExactDerivatives out = problem.layered || on_grid ? kept_->differentiate(problem, progress)
                                                     : kept_->exact.differentiate(problem, progress);
+  conclude(out.solution, method.tolerance);
+  return out;
+}
+
+FrequencyResponse Solver::respond(const RollingProblem& problem, std::span<const double> wavenumbers,
+                                  const Progress& progress) {
+  const Method& method = kept_->method;
+  require_compatible(problem, method);
+  if (method.accuracy) throw Error("solution.accuracy: there are no responses of extrapolated forces");
+  if (method.theory != Theory::exact) throw Error("responses: by solution.theory = \"exact\" only");
+  if (problem.layered || !is_hertzian(problem) || discretisation_of(problem, method) != Discretisation::second_order ||
+      problem.motion.kind != ContactMotion::steady)
+    throw Error(
+        "responses: of steady rolling of a Hertzian contact with elastically similar bodies and Coulomb friction "
+        "at second order only");
+  for (const double wavenumber : wavenumbers) require_between("wavenumber", wavenumber, "1/m", 0, largest_wavenumber);
+  FrequencyResponse out = kept_->exact.respond(problem, wavenumbers, progress);
   conclude(out.solution, method.tolerance);
   return out;
 }

@@ -2,10 +2,12 @@
 
 #include "microslip/contact/contact_solution.hpp"
 #include "microslip/progress.hpp"
+#include "microslip/rolling/frequency_response.hpp"
 #include "microslip/rolling/method.hpp"
 #include "microslip/rolling/rolling_problem.hpp"
 
 #include <memory>
+#include <span>
 
 namespace microslip {
 
@@ -48,6 +50,16 @@ public:
   /// steps and linear solves; false ends them, with status not_converged and NaN. Of an ellipse other problems are
   /// Status::invalid_input, else they throw Error, and so do other methods and a gap on a grid at second order.
   ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress = {});
+
+  /// Complex responses of the forces to oscillations of creepages, spin and normal force about steady rolling, at
+  /// wavenumbers k = omega/V >= 0 [1/m]: the equations of `differentiate` with D/Dt = i omega - V d/dx. For an ellipse,
+  /// elastically similar bodies and Coulomb friction, by the exact theory at second order, with creepages or forces
+  /// given; the steady state's adhesion and slip are kept. At k = 0 they are the derivatives. Waves need some eight
+  /// elements: 24 elements across resolve waves of half the contact's length to 1 % (tests). Throws Error as
+  /// `differentiate`; false of `progress` ends with status not_converged. Cost: four linear solves for each wavenumber,
+  /// some 5 ms at 24 x 24.
+  FrequencyResponse respond(const RollingProblem& problem, std::span<const double> wavenumbers,
+                            const Progress& progress = {});
 
   /// Deformed distance of the bodies h - delta + u_n [m] by the exact theory at the elements of the solution, zero in
   /// contact. Throws Error for what `solve` refuses and for the simplified theory, and Stopped if `progress` returns

@@ -147,6 +147,12 @@ template <>
 inline constexpr auto fields<ExactDerivatives> = members<&ExactDerivatives::solution, &ExactDerivatives::jacobian,
                                                          &ExactDerivatives::by_load, &ExactDerivatives::products>;
 template <>
+inline constexpr auto fields<ForceResponse> =
+    members<&ForceResponse::wavenumber, &ForceResponse::by_creepage, &ForceResponse::by_load>;
+template <>
+inline constexpr auto fields<FrequencyResponse> =
+    members<&FrequencyResponse::solution, &FrequencyResponse::at, &FrequencyResponse::products>;
+template <>
 inline constexpr auto fields<AccurateContact> =
     members<&AccurateContact::finest, &AccurateContact::coarser, &AccurateContact::forces, &AccurateContact::creepage,
             &AccurateContact::error, &AccurateContact::elements, &AccurateContact::products>;

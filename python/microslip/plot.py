@@ -21,6 +21,7 @@ from microslip.difference_picture import difference_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
 from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
+from microslip.frequency_response_picture import frequency_response_pictures
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.model_problem_picture import model_problem_pictures
 from microslip.picture_style import STYLES, settings_of
@@ -51,6 +52,7 @@ PICTURES_OF_KIND = {
     "creep_curve_fit": creep_curve_fit_pictures,
     "fastsim2-table1": fastsim2_table1_pictures,
     "fastsim2-table2": fastsim2_table2_pictures,
+    "frequency_response": frequency_response_pictures,
     "measured_points": measured_points_pictures,
     "model-problem": model_problem_pictures,
     "profile": profile_pictures,

@@ -128,6 +128,16 @@ void FittedProduct<Real>::apply(std::span<const Real> px, std::span<const Real> 
   }
 }
 
+template <class Real>
+void FittedProduct<Real>::find_displacement_over_way(std::span<Real> ux, std::span<Real> uy) const {
+  const auto compliance = static_cast<Real>(compliance_);
+  for (std::size_t k = 0; k < tables_.slip_distance.size(); ++k) {
+    const Real factor = compliance / tables_.slip_distance[k];
+    ux[k] = factor * ux_[k];
+    uy[k] = factor * uy_[k];
+  }
+}
+
 template class FittedProduct<double>;
 template class FittedProduct<float>;
 

@@ -81,6 +81,9 @@ public:
   /// The displacement difference [dx/G] at the points for the tractions of the last apply.
   std::span<const Real> ux() const { return std::span(ux_).first(tables_.points); }
   std::span<const Real> uy() const { return std::span(uy_).first(tables_.points); }
+  /// The displacement difference at the elements' points over the distance from there to the end of their slip, for the
+  /// tractions of the last apply.
+  void find_displacement_over_way(std::span<Real> ux, std::span<Real> uy) const;
   /// The point where the slip of each element ends.
   std::span<const std::size_t> end_points() const { return tables_.end_point; }
   long products() const { return transform_.products(); }

@@ -88,4 +88,10 @@ SecondOrderRolling::Derivatives HertzianRolling::differentiate(const EllipticCon
   return rolling_->differentiate(capacity_of(contact), solution, tolerance, progress);
 }
 
+SecondOrderRolling::Responses HertzianRolling::respond(const EllipticContact& contact,
+                                                       const SecondOrderSolution& solution, double wavenumber,
+                                                       double tolerance, const Progress& progress) {
+  return rolling_->respond(capacity_of(contact), solution, wavenumber, tolerance, progress);
+}
+
 } // namespace microslip

@@ -36,6 +36,10 @@ public:
   SecondOrderRolling::Derivatives differentiate(const EllipticContact& contact, const SecondOrderSolution& solution,
                                                 double tolerance, const Progress& progress = {});
 
+  /// Responds as SecondOrderRolling does.
+  SecondOrderRolling::Responses respond(const EllipticContact& contact, const SecondOrderSolution& solution,
+                                        double wavenumber, double tolerance, const Progress& progress = {});
+
 private:
   std::unique_ptr<NestedRolling> nested(std::size_t level, const Progress& progress) const;
 

@@ -53,6 +53,11 @@ public:
                                                 const Progress& progress) {
     return rolling_.differentiate(bound(capacity), solution, tolerance, progress);
   }
+  /// Responds as SecondOrderRolling does.
+  SecondOrderRolling::Responses respond(double capacity, const SecondOrderSolution& solution, double wavenumber,
+                                        double tolerance, const Progress& progress) {
+    return rolling_.respond(bound(capacity), solution, wavenumber, tolerance, progress);
+  }
 
 private:
   struct Start;

@@ -2,6 +2,7 @@
 
 #include "microslip/exact/fitted/centred_operator.hpp"
 #include "microslip/exact/fitted/fitted_problem.hpp"
+#include "microslip/exact/fitted/growing_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ SecondOrderRolling::SecondOrderRolling(const CombinedMaterial& material, FittedC
 void SecondOrderRolling::renew(const CombinedMaterial& material, FittedContact contact, const Progress& progress) {
   contact_ = std::move(contact);
   derivative_.reset();
+  response_.reset();
   operator_.renew(material, contact_, progress, plans_);
   area_share_ = area_shares(contact_);
 }
@@ -33,6 +35,7 @@ void SecondOrderRolling::renew(const CombinedMaterial& material, FittedContact c
 void SecondOrderRolling::rescale(FittedContact contact, double shear_modulus) {
   contact_ = std::move(contact);
   derivative_.reset();
+  response_.reset();
   operator_.rescale(contact_.grid.dx, shear_modulus);
 }
 
@@ -125,6 +128,35 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
     out.by[i] = derivative_->solve(dcx, dcy, tolerance, part(progress, from, from + 1.0 / units.size()));
     out.products += out.by[i].products;
   }
+  return out;
+}
+
+SecondOrderRolling::Responses SecondOrderRolling::respond(std::span<const double> bound,
+                                                          const SecondOrderSolution& solution, double wavenumber,
+                                                          double tolerance, const Progress& progress) {
+  if (!response_) response_.emplace(operator_, contact_, plans_);
+  response_->linearise(bound, solution.friction, solution.centred);
+  ComplexField dcx(contact_.elements.size()), dcy(dcx);
+  Responses out;
+  const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
+      const FittedElement& e = contact_.elements[k];
+      const Creepage& c = units[i];
+      const double y = contact_.grid.y(e.row);
+      dcx[k] = mean_over_path(e, wavenumber, [&](double) { return c.longitudinal - c.spin * y; });
+      dcy[k] = mean_over_path(e, wavenumber, [&](double x) { return c.lateral + c.spin * x; });
+    }
+    const double quarter = static_cast<double>(i) / 4;
+    out.by[i] = response_->solve(wavenumber, dcx, dcy, {}, tolerance, part(progress, quarter, quarter + 0.25));
+  }
+  const auto& [px, py] = solution.friction.traction;
+  Field sx(bound.size()), sy(sx);
+  operator_.apply(px, py, sx, sy);
+  find_slip_of_growth(contact_, {operator_.ux(), operator_.uy()}, {std::move(sx), std::move(sy)},
+                      solution.creepage.spin, wavenumber, dcx, dcy);
+  const ComplexField growth(bound.begin(), bound.end());
+  out.by_size = response_->solve(wavenumber, dcx, dcy, growth, tolerance, part(progress, 0.75, 1));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "microslip/exact/fitted/centred_slip.hpp"
 #include "microslip/exact/fitted/fitted_operator.hpp"
 #include "microslip/exact/fitted/rolling_derivative.hpp"
+#include "microslip/exact/fitted/rolling_response.hpp"
 #include "microslip/exact/fitted/row_variation.hpp"
 #include "microslip/exact/newton/friction_newton.hpp"
 
@@ -72,6 +73,18 @@ public:
   Derivatives differentiate(std::span<const double> bound, const SecondOrderSolution& solution, double tolerance,
                             const Progress& progress = {});
 
+  /// Complex amplitudes of the tractions for small oscillations e^{i omega t} of xi, eta (per 1), phi (per 1/m), and of
+  /// the contact's size, k = omega/V [1/m]; of a solution with the conditions of `differentiate`, which is k = 0.
+  struct Responses {
+    std::array<RollingResponse::Change, 3> by; ///< xi, eta, phi
+    /// All lengths and traction bounds times 1 + l, as by Hertz's contacts under 1 + 3 l times the load, per l. In
+    /// coordinates that grow with the contact: forces are 2 l, moments 3 l times the steady ones more.
+    RollingResponse::Change by_size;
+  };
+  /// Cost: four complex linear solves. Throws Stopped if `progress` returns false.
+  Responses respond(std::span<const double> bound, const SecondOrderSolution& solution, double wavenumber,
+                    double tolerance, const Progress& progress = {});
+
 private:
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
@@ -81,6 +94,7 @@ private:
   FrictionNewton newton_;
   std::vector<double> area_share_;
   std::optional<RollingDerivative> derivative_; ///< made when it is first needed
+  std::optional<RollingResponse> response_;     ///< the same
 };
 
 } // namespace microslip
