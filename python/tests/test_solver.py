@@ -191,6 +191,26 @@ class SolverTest(unittest.TestCase):
                       microslip.Status.invalid_input)
 
 
+class FrequencyResponseTest(unittest.TestCase):
+    def test_of_endless_waves_is_the_jacobian(self):
+        solver = microslip.Solver(theory="exact", grid=12)
+        derivatives, response = solver.differentiate(contact()), solver.respond(contact(), [0.0, 300.0])
+        self.assertEqual((response.by_creepage.shape, response.by_load.shape), ((2, 3, 3), (2, 3)))
+        np.testing.assert_array_equal(response.wavenumber, [0, 300])
+        np.testing.assert_allclose(response.by_creepage[0].real, derivatives.jacobian, rtol=1e-3, atol=1e-4 * abs(derivatives.jacobian).max())
+        np.testing.assert_array_equal(response.by_creepage[0].imag, np.zeros((3, 3)))
+        self.assertLess(abs(response.by_creepage[1, 0, 0]), 0.9 * abs(response.by_creepage[0, 0, 0]))
+        self.assertEqual(pickle.loads(pickle.dumps(response)), response)
+
+    def test_contact_filter(self):
+        self.assertEqual(microslip.contact_filter(5e-3, 3e-3, 0.0), 1)
+        self.assertAlmostEqual(microslip.contact_filter(5e-3, 3e-3, np.pi / 5e-3), 0, places=12)
+
+    def test_refuses_what_has_none(self):
+        with self.assertRaisesRegex(microslip.Error, "exact"):
+            microslip.Solver(theory="fastsim2").respond(contact(), [1.0])
+
+
 class AccuracyTest(unittest.TestCase):
     def test_the_limit_is_as_good_as_it_says(self):
         rough = microslip.Solver(theory="exact", accuracy=1e-2).solve(contact())
@@ -328,4 +348,4 @@ class MethodTest(unittest.TestCase):
             microslip.Method(tolerence=1e-3)
 
 
-load_tests = load_tests_if_compiled([SolverTest, AccuracyTest, RollingProblemTest, MethodTest])
+load_tests = load_tests_if_compiled([SolverTest, FrequencyResponseTest, AccuracyTest, RollingProblemTest, MethodTest])
