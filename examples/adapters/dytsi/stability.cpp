@@ -1,12 +1,12 @@
 #include "stability.hpp"
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
-#include <gsl/gsl_roots.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -172,18 +172,14 @@ Mode hunting_mode(Vehicle& vehicle, double speed) {
 }
 
 LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double high) {
-  if (hunting_mode(vehicle, low).growth > 0 || hunting_mode(vehicle, high).growth < 0)
+  const auto growth = [&](double speed) { return hunting_mode(vehicle, speed).growth; };
+  const double least = growth(low), largest = growth(high);
+  if (least > 0 || largest < 0)
     throw std::runtime_error("the linear critical speed does not lie within the speeds given");
-  gsl_function growth;
-  growth.params = &vehicle;
-  growth.function = [](double speed, void* data) { return hunting_mode(*static_cast<Vehicle*>(data), speed).growth; };
-  const std::unique_ptr<gsl_root_fsolver, void (*)(gsl_root_fsolver*)> solver(
-      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
-  gsl_root_fsolver_set(solver.get(), &growth, low, high);
-  do gsl_root_fsolver_iterate(solver.get());
-  while (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()), gsl_root_fsolver_x_upper(solver.get()), 1e-3,
-                                0) == GSL_CONTINUE);
-  const double speed = gsl_root_fsolver_root(solver.get());
+  const auto close = [](double one, double other) { return std::abs(one - other) < 1e-3; };
+  std::uintmax_t calls = 50;
+  const auto [below, above] = boost::math::tools::toms748_solve(growth, low, high, least, largest, close, calls);
+  const double speed = (below + above) / 2;
   return {speed, hunting_mode(vehicle, speed).frequency};
 }
 

@@ -26,7 +26,8 @@ struct LinearCriticalSpeed {
   double frequency; ///< [Hz]
 };
 
-/// Finds it by Brent's method. Throws std::runtime_error unless the mode decays at `low` and grows at `high` [m/s].
+/// Finds it by Alefeld, Potra and Shi's method. Throws std::runtime_error unless the mode decays at `low` and grows at
+/// `high` [m/s].
 LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double high);
 
 /// Amplitude below which a motion dies [m]: limit cycles reach flanges, 5 mm and more.
