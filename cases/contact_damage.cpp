@@ -25,8 +25,7 @@ double CaseDamage::operator()(const DamageQuantity& quantity) const {
 }
 
 std::vector<double> CaseDamage::operator()(const DamageField& field) const {
-  return solution_.elements.size() == 0 ? std::vector<double>()
-                                        : field.values(solution_, strength_, rolling_speed_);
+  return solution_.elements.size() == 0 ? std::vector<double>() : field.values(solution_, strength_, rolling_speed_);
 }
 
 } // namespace microslip::cases

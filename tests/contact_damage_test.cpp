@@ -93,8 +93,8 @@ TEST(ContactDamage, OfDiscsThatStickInPartIsTheirWorkOfFriction) {
   }
 }
 
-// With a simplified solution, which has no pressures, go Hertz's. Its bound is lower than mu times these at the edge, so
-// that wear is a little more than the work of friction says.
+// With a simplified solution, which has no pressures, go Hertz's. Its bound is lower than mu times these at the edge,
+// so that wear is a little more than the work of friction says.
 TEST(ContactDamage, OfTheSimplifiedTheoryIsNearThatOfTheExactOne) {
   const std::string motion = "creepage_longitudinal = 0.008";
   const Solved exact(moved(motion)), simplified(moved(motion, "fastsim2"));
@@ -145,7 +145,8 @@ TEST(ContactDamage, IsGivenWhereItsStrengthIs) {
 
 // Sweeps have the numbers as columns, where their case has [material].
 TEST(ContactDamage, IsInSweeps) {
-  const std::string text = "[grid]\nmaterial.hardness = [\"2 GPa\", \"4 GPa\"]\n" + in_sweep(with(moved("spin = 1.0"), "title", "# title"));
+  const std::string text =
+      "[grid]\nmaterial.hardness = [\"2 GPa\", \"4 GPa\"]\n" + in_sweep(with(moved("spin = 1.0"), "title", "# title"));
   const campaign::Sweep sweep(text, "s.toml");
   const auto column = [&](std::string_view path) {
     const auto& all = sweep.columns();
@@ -166,10 +167,11 @@ TEST(ContactDamage, IsRefusedOutOfRangeAndWithoutSteadyRolling) {
   const auto refused = [](const std::string& text, const std::string& words) {
     expect_words([&] { io::parse_case(text, "w.toml"); }, words);
   };
-  refused(with(twin_disc, "\"2.7 GPa\"", "270.0"), "w.toml:18: material.hardness = 270 [Pa]: must be in [1e+05, 1e+12]");
+  refused(with(twin_disc, "\"2.7 GPa\"", "270.0"),
+          "w.toml:18: material.hardness = 270 [Pa]: must be in [1e+05, 1e+12]");
   refused(with(twin_disc, "hardness = \"2.7", "hardnes = \"2.7"), "did you mean hardness?");
-  const std::string shift = with(twin_disc, {{"creepage_longitudinal", "kind = \"shift\"\nshift_longitudinal"},
-                                             {"rolling_speed", "# "}});
+  const std::string shift =
+      with(twin_disc, {{"creepage_longitudinal", "kind = \"shift\"\nshift_longitudinal"}, {"rolling_speed", "# "}});
   const std::string transient = with(twin_disc, "creepage_longitudinal", "kind = \"transient\"\ncreepage_longitudinal");
   for (const std::string& text : {shift, transient})
     refused(text, "[material]: wear and fatigue need motion.kind = \"steady\"");

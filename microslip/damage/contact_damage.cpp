@@ -38,7 +38,8 @@ Values worn_rows(Contact c) {
 
 constexpr DamageQuantity all_quantities[] = {
     {"t_gamma", "N", "|Fx xi| + |Fy eta|", [](Contact c) { return t_gamma(c.solution); }},
-    {"t_gamma_with_spin", "N", "|Fx xi| + |Fy eta| + |Mz phi|", [](Contact c) { return t_gamma_with_spin(c.solution); }},
+    {"t_gamma_with_spin", "N", "|Fx xi| + |Fy eta| + |Mz phi|",
+     [](Contact c) { return t_gamma_with_spin(c.solution); }},
     {"t_gamma_per_area", "N/m^2", "T-gamma over the area of the contact",
      [](Contact c) { return t_gamma(c.solution) / contact_area(c); }},
     {"worn_mass_r8t", "kg/m", "wear of wheel steel R8T by T-gamma per area, per metre rolled",

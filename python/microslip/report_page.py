@@ -11,16 +11,21 @@ import matplotlib
 from markupsafe import Markup
 
 from microslip import plot
+from microslip.contact_cells import read_cells
 from microslip.picture_style import BLACK, SETTINGS, THEORIES, new_figure, open_axes
 from microslip.report_checks import checks
 from microslip.report_sweep import sweep_tables
 from microslip.report_template import FOLDER, address, environment, is_number, template_name
 from microslip.result_file import ResultFile
+from microslip.rolling_contact_pictures import tractions_picture
 
 RESOLUTION = 200  # pixels in an inch of a picture
-TEXT_WIDTH = 7.1  # inches of a printed page
+TEXT_WIDTH = 7.24  # inches of a printed page
 # Pictures on the page: their scale, and that of those higher than so many inches, of which two fit a page.
-SCALE, SCALE_OF_TALL, TALL = 0.6, 0.46, 7.0
+SCALE, SCALE_OF_TALL, TALL = 0.58, 0.46, 7.0
+# Of two bodies, whose report is one page: the pictures stand side by side, at most so high on it, and the creep curve is
+# drawn smaller [inches].
+SCALE_OF_BODIES, HIGHEST, CREEP_CURVE = 0.52, 3.2, (6.8, 5.5)
 BODIES = ("rail", "wheel", "left_rail", "right_rail", "left_wheel", "right_wheel")
 # Rows of the printed tables that are errors of the method, not results.
 ERRORS = ("discretisation error", "estimated error", "residual", "largest residual")
@@ -67,7 +72,7 @@ def html(document, template=""):
     with ResultFile(document["result_file"]) as result:
         values = page_values(document, result)
     with matplotlib.rc_context({**SETTINGS, "savefig.dpi": RESOLUTION}):
-        values["pictures"] = pictures(document["result_file"])
+        values["pictures"] = pictures(document)
     return environment(template).get_template(template_name(template)).render(values)
 
 
@@ -203,20 +208,27 @@ def listing(name):
     return {"name": name, "lines": Path(name).read_text(encoding="utf-8", errors="replace").splitlines()}
 
 
-def pictures(result_file):
+def pictures(document):
     """The pictures of the result as parts of the page, all to about one scale."""
-    found = plot.figures(result_file)
-    if "tractions.png" in found:
-        found.pop("areas.png", None)  # whose border the tractions show
-    with ResultFile(result_file) as result:
+    found = plot.figures(document["result_file"])
+    is_of_bodies = document["kind"] == "rolling_contact"
+    with ResultFile(document["result_file"]) as result:
+        if "tractions.png" in found:
+            found.pop("areas.png", None)  # whose border the tractions show
+            theory = document["theory"]
+            found["tractions.png"] = tractions_picture(result, {theory: read_cells(result, theory)})
         if "gap.png" not in found and "profiles" in result:
             found = {"profiles.png": profiles_picture(result), **found}
+    if is_of_bodies and "creep_curve.png" in found:
+        found["creep_curve.png"].set_size_inches(*CREEP_CURVE)
     shown = []
     for name, figure in found.items():
         width, height = figure.get_size_inches()
         scale = SCALE if height < TALL else SCALE_OF_TALL
+        if is_of_bodies:
+            scale = min(SCALE_OF_BODIES, HIGHEST / height)
         shown.append({"name": Path(name).stem.replace("_", " "), "address": address(png(figure), name),
-                      "percent": f"{min(100.0, 100 * scale * width / TEXT_WIDTH):.0f}"})
+                      "percent": f"{min(100.0, 100 * scale * width / TEXT_WIDTH):.1f}"})
     return shown
 
 

@@ -126,6 +126,7 @@ template <class Real>
 Real SlipFriction::coefficient(int row, const Real& slip, const Real& before, const Real& temperature,
                                const Real& pressure) const {
   const Real velocity = Real(passage_.speed) * slip;
+  if (memory_.distance == 0 && !flash_) return law(row).coefficient(velocity, pressure, temperature);
   Real theta(0.0);
   if (memory_.distance > 0) {
     const Real counts = value_of(velocity) > memory_.slowest ? velocity : Real(memory_.slowest);
@@ -157,19 +158,22 @@ SlipFriction::Element SlipFriction::with_slip(int row, double slip, const Partic
   return e;
 }
 
-/// The slip l with mu(l) p_n + rho l = |z|.
+/// The slip l with mu(l) p_n + rho l = |z|, by Newton's method, whose last step squares the error of the one before.
 double SlipFriction::slip_by_friction(int row, double size, double rho, const Particle& before, double pressure) const {
   using Dual1 = Dual<double, 1>;
   constexpr int most = 100;
-  double low = 0, high = size / rho, slip = high;
+  constexpr double last_step = 1e-8; // over the slip
+  double low = 0, high = size / rho, slip = low;
   for (int n = 0; n < most; ++n) {
     const Dual1 l = Dual1::variable(slip, 0);
     const Dual1 mu = coefficient<Dual1>(row, l, before.friction, before.temperature, pressure);
     const double excess = pressure * mu.value + rho * slip - size, slope = pressure * mu.partial[0] + rho;
     (excess > 0 ? high : low) = slip;
     double next = slip - excess / slope;
-    if (!(next >= low && next <= high)) next = (low + high) / 2;
-    if (std::abs(next - slip) <= 4 * std::numeric_limits<double>::epsilon() * slip || excess == 0) return next;
+    const bool is_inside = next >= low && next <= high;
+    if (!is_inside) next = (low + high) / 2;
+    const double step = is_inside ? last_step : 4 * std::numeric_limits<double>::epsilon();
+    if (std::abs(next - slip) <= step * slip || excess == 0) return next;
     slip = next;
   }
   return slip;
@@ -188,8 +192,12 @@ SlipFriction::Element SlipFriction::with_size(int row, double size, double rho, 
   if (size <= at_rest.bound) return at_rest;
   // q is the smaller one of two bounds, and its slip the larger one of theirs.
   const double friction = at_rest.friction * pressure, stress = layer_.yield_stress_after(before.deformation);
-  const double slip = std::max(size > friction ? slip_by_friction(row, size, rho, before, pressure) : 0,
-                               size > stress ? slip_by_yielding(size, rho, before) : 0);
+  double slip = size > stress ? slip_by_yielding(size, rho, before) : 0;
+  // mu p_n + rho l rises with l, so that what it is after yielding tells which slip is the larger one.
+  const auto carried = [&] {
+    return pressure * coefficient(row, slip, before.friction, before.temperature, pressure) + rho * slip;
+  };
+  if (size > friction && (slip == 0 || carried() < size)) slip = slip_by_friction(row, size, rho, before, pressure);
   return with_slip(row, slip, before, pressure);
 }
 
