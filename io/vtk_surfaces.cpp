@@ -111,8 +111,7 @@ private:
                                    4 * count, count);
     append_rectangles(text, values, frame);
     text += "<CellData Scalars=\"state\">\n";
-    for (const StoredDataset* field : fields)
-      append_array(text, heading(*field), values.at(field->name), 1);
+    for (const StoredDataset* field : fields) append_array(text, heading(*field), values.at(field->name), 1);
     append_vectors(text, values, frame);
     return text + "</CellData>\n</Piece></PolyData>\n</VTKFile>\n";
   }

@@ -5,9 +5,10 @@
 
 namespace microslip::io {
 
-/// Writes the fields of a result file as surfaces for ParaView and other readers of VTK's XML format: NAME.GROUP.vtp for
-/// each group of fields, its elements as rectangles with every field of the file as a number of the element, "px [Pa]",
-/// and two vectors: `traction on body 1` [Pa], pressure and friction together, and `slip of body 1`. Lengths in m.
+/// Writes the fields of a result file as surfaces for ParaView and other readers of VTK's XML format: NAME.GROUP.vtp
+/// for each group of fields, its elements as rectangles with every field of the file as a number of the element, "px
+/// [Pa]", and two vectors: `traction on body 1` [Pa], pressure and friction together, and `slip of body 1`. Lengths in
+/// m.
 ///
 /// Contacts of two bodies lie in the plane z = 0, body 1 above it. Patches on rails lie in track axes, x forward, y to
 /// the left, z up, as planes at their places, turned about x by their angles; vectors are in these axes, too. Tractions

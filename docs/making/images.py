@@ -11,6 +11,7 @@ Pictures are compared by what is seen from afar: the root mean square of differe
 
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -44,6 +45,14 @@ def study(name, *pictures, slow=False):
     return Source(f"microslip validate {name} -o {{folder}}", {picture: picture for picture in pictures}, slow)
 
 
+def gallery():
+    """All that the page of the gallery shows, by the commands that it names, one after the other in a folder with the examples."""
+    page = (ROOT / "docs" / "gallery.md").read_text()
+    commands = "\n".join(re.findall(r"```sh\n(.*?)\n```", page, re.DOTALL))
+    pictures = {image: path for path, image in re.findall(r"<!-- picture: (\S+) -->\n!\[[^]]*\]\(images/(\S+)\)", page)}
+    return Source(f"cp -r examples {{folder}} && cd {{folder}} && set -e\n{commands}", pictures, slow=True)
+
+
 SOURCES = (
     Source("microslip solve examples/hertzian_contact.toml -o {folder} && "
            "microslip plot {folder}/result.h5 --cut 0 --creep-curves 0,0.4,0.8 --stresses 0",
@@ -75,6 +84,7 @@ SOURCES = (
     study("subsurface", "subsurface.png", slow=True),
     study("refinement", "refinement_figure1.png", "refinement_figures_2_6.png", "refinement_figures_3_4.png",
           "refinement_figure5.png", "refinement_figures_7_8.png", slow=True),
+    gallery(),
 )
 
 

@@ -39,7 +39,7 @@ for wanted in (1e-2, 1e-3):
 
 # %% [markdown]
 # The estimate is meant to be on the safe side, and is; over many cases see
-# [the study](../accuracy-exact.md#second-order).
+# [the study](../accuracy-discretisation.md#second-order).
 #
 # ## Error over time
 #

@@ -3,7 +3,7 @@
 import numpy as np
 
 from microslip.picture_style import (INK2, INK3, LOOKS, THEORIES, bodies_of, halo, heading, names_above, new_figure, number,
-                                     open_axes, put_title, the, unit_for, with_unit)
+                                     open_axes, put_title, the, unit_for, vanishing, with_unit)
 from microslip.result_file import ResultError
 
 # Name of the varied creepage: title, symbol, factor from SI, unit for an axis and behind a number.
@@ -34,16 +34,18 @@ def creep_curve_picture(result, theories):
     for theory in theories:
         colour, dashes = LOOKS[theory]
         value, *forces = curves[theory]
-        for number_of, force in enumerate(forces):
+        for force in forces:
+            if vanishing(force, np.abs(forces).max()):
+                continue  # by symmetry
             axes.plot(factor * value, scale * force, linestyle=dashes, color=colour, linewidth=1.8,
-                      label=None if number_of else THEORIES[theory])
+                      label=THEORIES[theory] if THEORIES[theory] not in axes.get_legend_handles_labels()[1] else None)
             extremes += [scale * force.min(), scale * force.max()]
     axes.axhline(0, color=INK2, linewidth=0.8)
     mark_limits(axes, limit, extremes, with_unit(limit / scale, "N"))
     if limit == 0:
         axes.set_ylim(-1, 1)  # no friction, no force
     low, high = axes.get_ylim()
-    axes.set_ylim(low - 0.03 * (high - low), high + 0.03 * (high - low))  # lines stand off the frame
+    axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))  # lines stand off the frame, with words between
     name_forces(axes, factor, scale, curves[theories[-1]])
     mark_points(axes, result, theories, varied, scale)
     axes.set_xlabel(f"{title} [{unit}]")
@@ -64,6 +66,8 @@ def name_forces(axes, factor, scale, curve):
     low, high = axes.get_xlim()
     axes.set_xlim(*((low, high + ROOM_FOR_NAMES * (high - low)) if side > 0 else (low - ROOM_FOR_NAMES * (high - low), high)))
     for name, force in zip(FORCES.values(), forces):
+        if vanishing(force, np.abs(forces).max()):
+            continue
         axes.annotate(name, (factor * value[-1], scale * force[-1]), xytext=(5 * side, 0), textcoords="offset points", va="center",
                       ha="left" if side > 0 else "right", size="large", path_effects=halo())
 
@@ -89,8 +93,11 @@ def mark_points(axes, result, theories, varied, scale):
     axes.annotate("this case", (here, 0.985), xycoords=("data", "axes fraction"), xytext=(-4 if right else 4, 0),
                   textcoords="offset points", ha="right" if right else "left", va="top", color=INK2, size="small", path_effects=halo())
     for theory in theories:
-        for name in FORCES:
-            axes.plot([here], [scale * result.number(f"/{theory}/{name}")], "o", markersize=5, zorder=5, markerfacecolor="white",
+        forces = [result.number(f"/{theory}/{name}") for name in FORCES]
+        for force in forces:
+            if vanishing(force, np.abs(forces).max()) and any(forces):
+                continue
+            axes.plot([here], [scale * force], "o", markersize=5, zorder=5, markerfacecolor="white",
                       markeredgecolor=LOOKS[theory][0], markeredgewidth=1.4)
 
 
@@ -103,7 +110,7 @@ def mark_limits(axes, limit, extremes, text):
             axes.axhline(side, color=INK3, linestyle=(0, (1, 2)), linewidth=1.3)
             sign = "\N{MINUS SIGN}" if side < 0 else ""
             axes.annotate(rf"what friction can bear, {sign}$\mu F_n$ = {sign}{text}", (0.015, side), xycoords=("axes fraction", "data"),
-                          xytext=(0, 3 if side < 0 else -3), textcoords="offset points", va="bottom" if side < 0 else "top",
+                          xytext=(0, -3 if side < 0 else 3), textcoords="offset points", va="top" if side < 0 else "bottom",
                           color=INK2, size="small", path_effects=halo())
 
 

@@ -148,7 +148,7 @@ def put_title(figure, text):
     below = [part for line in others
              for part in textwrap.wrap(line, max(24, int(letters * (LETTERS_OF_SYMBOLS if "$" in line else LETTERS_OF_TEXT))))]
     height = sum(LINE_WITH_SYMBOLS if "$" in line else LINE_OF_TEXT for line in below) * matplotlib.rcParams["font.size"] / size
-    figure.suptitle("\n".join(title + [" "] * math.ceil(height)), x=0.008, ha="left")
+    figure.suptitle("\n".join(title + [" "] * math.ceil(height + 0.4 * bool(below))), x=0.008, ha="left")
     if below:
         explanation = Annotation("\n".join(below), (0, 1), xycoords=figure._suptitle, va="top", color=INK2, annotation_clip=False,
                                  xytext=(0, -1.25 * size * len(title)), textcoords="offset points")
