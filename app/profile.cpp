@@ -225,7 +225,7 @@ Axes of a profile: y to the field side, z up. A name in place of FILE, S1002, 60
 profile of a standard, if there is no such file. Of a FOLDER all files are measured: a table of them, profiles.csv and all
 of them in profiles.png; the exit code is 1 if one could not be read.
 
-Examples:
+Example:
   microslip profile examples/profiles/s1002.prw -o results/s1002
   microslip profile S1002 --flange-thickness 0.0305 --convert thin.prw
   microslip profile measured --partner 60E1 --cant 0.025 -o results/measured)";

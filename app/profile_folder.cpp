@@ -224,9 +224,9 @@ void print_table(const ProfileFolder& folder, ProfileRole role, bool with_conici
   for (const auto& line : lines)
     for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
   for (const auto& line : lines) {
-    fmt::print("{:<{}}", line[0], widths[0]);
-    for (std::size_t k = 1; k < line.size(); ++k) fmt::print("  {:>{}}", line[k], widths[k]);
-    fmt::print("\n");
+    std::string text = fmt::format("{:<{}}", line[0], widths[0]);
+    for (std::size_t k = 1; k < line.size(); ++k) text += fmt::format("  {:>{}}", line[k], widths[k]);
+    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
   }
   fmt::print("\n");
 }

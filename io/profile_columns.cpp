@@ -114,7 +114,6 @@ std::vector<Heading> headings_of(std::string_view line) {
 struct ColumnOrder {
   std::size_t y = 0, z = 1;
   std::optional<double> unit = {}; ///< length [m]
-  std::size_t headings = 0;        ///< columns that have one; 0: none is known
   bool is_known = false;           ///< by headings or by an option
 
   std::size_t needed() const { return std::max(y, z) + 1; }
@@ -151,15 +150,15 @@ ColumnOrder order_of_headings(const ProfileLines& lines, std::string_view line) 
   if (!lateral || !vertical) return {};
   const auto unit = headings[*lateral].unit;
   if (unit != headings[*vertical].unit) lines.fail("the headings give y and z different units");
-  return {.y = *lateral, .z = *vertical, .unit = unit, .headings = headings.size(), .is_known = true};
+  return {.y = *lateral, .z = *vertical, .unit = unit, .is_known = true};
 }
 
-/// Units in a line of their own below the headings.
+/// The unit of headings whose order is known already, or of a line of units below them.
 std::optional<double> unit_of_line(std::string_view line, const ColumnOrder& order) {
   const auto units = headings_of(line);
   if (!order.is_known || units.size() < order.needed()) return {};
   const auto unit = [&](std::size_t column) {
-    return units[column].name.empty() ? units[column].unit : unit_named(units[column].name);
+    return units[column].unit ? units[column].unit : unit_named(units[column].name);
   };
   return unit(order.y) == unit(order.z) ? unit(order.y) : std::nullopt;
 }

@@ -282,6 +282,9 @@ TEST(ProfileFile, HeadingsNameTheUnit) {
     expect_points(prepared.profile, head(), text.substr(0, 30));
     EXPECT_FALSE(is_named(prepared.report.assumptions, "unit of length")) << text.substr(0, 30);
   }
+  const auto stated = io::parse_profile("h [in];w [in]\n" + table("zy", ";", 1 / 25.4), "x",
+                                        {.role = ProfileRole::rail, .columns = "z,y"});
+  expect_points(stated.profile, head(), "columns that are stated");
   auto commas = "No;Height [inch];Lateral [inch];Quality\n" + table("nzyn", ";", 1 / 25.4);
   std::replace(commas.begin(), commas.end(), '.', ',');
   expect_points(io::parse_profile(commas, "x", rail).profile, head(), "laser");
