@@ -1,5 +1,6 @@
-// Processor time of a wheel in a vehicle program through the doors that it has: C, the header of the adapters, the unit of
-// eight wheels. S1002 on 60E1, heights given, a wheelset that runs sideways by 10 um a step. Prints a Markdown table.
+// Processor time of a wheel in a vehicle program through the doors that it has: C, the header of the adapters, the unit
+// of eight wheels. S1002 on 60E1, heights given, a wheelset that runs sideways by 10 um a step. Prints a Markdown
+// table.
 
 #include "examples/adapters/wheel.h"
 #include "fmi/fmi2.h"
@@ -118,9 +119,9 @@ public:
     std::smatch guid;
     std::regex_search(text_, guid, std::regex("guid=\"([^\"]*)\""));
     static const fmi2CallbackFunctions functions{nullptr, nullptr, nullptr, nullptr, nullptr};
-    unit_ = find<decltype(fmi2Instantiate)>("fmi2Instantiate")(
-        "bench", fmi2CoSimulation, guid[1].str().c_str(), "file://" MICROSLIP_VEHICLE_UNIT "/resources", &functions,
-        fmi2False, fmi2False);
+    unit_ = find<decltype(fmi2Instantiate)>("fmi2Instantiate")("bench", fmi2CoSimulation, guid[1].str().c_str(),
+                                                               "file://" MICROSLIP_VEHICLE_UNIT "/resources",
+                                                               &functions, fmi2False, fmi2False);
     for (int k = 0; k < 8; ++k) {
       const std::string name = "wheel[" + std::to_string(k + 1) + "].";
       lateral_.push_back(reference(name + "state.lateral"));

@@ -13,9 +13,13 @@
 namespace microslip::fmi {
 
 using Stages = std::initializer_list<Stage>;
-constexpr Stages anywhere = {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::terminated};
-constexpr Stages readable = {Stage::initialization, Stage::stepping, Stage::terminated};
-constexpr Stages writable = {Stage::instantiated, Stage::initialization, Stage::stepping};
+constexpr Stages anywhere = {Stage::instantiated, Stage::initialization, Stage::stepping,
+                             Stage::event,        Stage::continuous,     Stage::terminated};
+constexpr Stages readable = {Stage::initialization, Stage::stepping, Stage::event, Stage::continuous,
+                             Stage::terminated};
+constexpr Stages writable = {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::event,
+                             Stage::continuous};
+constexpr Stages running = {Stage::stepping, Stage::event, Stage::continuous};
 
 /// Refusals of arguments leave by this.
 inline void require(bool condition, const char* text) {
@@ -25,7 +29,7 @@ inline void require(bool condition, const char* text) {
 /// How a call ended: `discarded` leaves the unit as it was, for the importer to step back and try other inputs.
 enum class Outcome { done, discarded, failed };
 
-/// Runs a call that is allowed in some stages and may throw. While stepping, when no parameter can change, an Error is
+/// Runs a call that is allowed in some stages and may throw. While it runs, when no parameter can change, an Error is
 /// that of an input out of its range.
 template <class Body> Outcome run(Unit& unit, const char* call, Stages stages, const Body& body) noexcept {
   try {
@@ -36,7 +40,7 @@ template <class Body> Outcome run(Unit& unit, const char* call, Stages stages, c
       }
     unit.fail((std::string(call) + " is not allowed at this stage").c_str());
   } catch (const Error& error) {
-    if (unit.stage == Stage::stepping) {
+    if (is_running(unit.stage)) {
       unit.discard(error.what());
       return Outcome::discarded;
     }
@@ -48,12 +52,13 @@ template <class Body> Outcome run(Unit& unit, const char* call, Stages stages, c
 }
 
 /// Values of variables of a kind; `store(values, reference, k)` puts one into the caller's k-th element. In
-/// initialization mode results follow the inputs; while stepping they stand from the last step.
+/// initialization mode and in model exchange results follow the inputs; while stepping they stand from the last step.
 template <class Store>
 void get(Unit& unit, Kind kind, const ValueReference vr[], std::size_t count, const Store& store) {
   for (std::size_t k = 0; k < count; ++k) unit.variable(vr[k], kind);
-  if (unit.stage == Stage::initialization) unit.evaluate();
-  for (std::size_t k = 0; k < count; ++k) store(unit.values, vr[k], k);
+  if (unit.stage == Stage::initialization || unit.stage == Stage::event || unit.stage == Stage::continuous)
+    unit.evaluate();
+  for (std::size_t k = 0; k < count; ++k) store(unit, vr[k], k);
 }
 
 /// Sets variables of a kind likewise.
@@ -62,8 +67,7 @@ void set(Unit& unit, Kind kind, const ValueReference vr[], std::size_t count, co
   for (std::size_t k = 0; k < count; ++k) {
     const Causality causality = unit.variable(vr[k], kind).causality;
     require(causality == Causality::input || causality == Causality::parameter, "an output cannot be set");
-    require(causality == Causality::input || unit.stage != Stage::stepping,
-            "a parameter cannot be set after initialization");
+    require(causality == Causality::input || !is_running(unit.stage), "a parameter cannot be set after initialization");
     store(unit.values, vr[k], k);
     unit.changed(causality);
   }

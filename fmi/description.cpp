@@ -168,6 +168,17 @@ std::string model_structure(const ModelInfo& info, Version version) {
          unknowns(info, "Unknown", true, version) + "    </InitialUnknowns>\n";
 }
 
+std::string model_exchange(const ModelInfo& info, Version version) {
+  const std::string start =
+      "  <ModelExchange modelIdentifier=\"" + info.identifier + "\" canBeInstantiatedOnlyOncePerProcess=\"false\"\n";
+  if (version == Version::fmi3)
+    return start + "    canGetAndSetFMUState=\"true\" canSerializeFMUState=\"false\"\n"
+                   "    providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"/>\n";
+  return start + "    completedIntegratorStepNotNeeded=\"false\" canNotUseMemoryManagementFunctions=\"true\"\n"
+                 "    canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"false\" "
+                 "providesDirectionalDerivative=\"true\"/>\n";
+}
+
 std::string co_simulation(const ModelInfo& info, Version version) {
   const std::string start = "  <CoSimulation modelIdentifier=\"" + info.identifier +
                             "\" canHandleVariableCommunicationStepSize=\"true\"\n"
@@ -188,9 +199,10 @@ std::string description_with(const ModelInfo& info, const std::string& guid, Ver
   std::string text = std::string("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"") +
                      (is_fmi2 ? "2.0" : "3.0") + "\" modelName=\"" + info.name + "\" " +
                      (is_fmi2 ? "guid" : "instantiationToken") + "=\"" + guid + "\"\n  description=\"" +
-                     escaped(info.description) + "\"\n  version=\"" + program + "\" generationTool=\"microslip " +
-                     program + "\" variableNamingConvention=\"" + (structured ? "structured" : "flat") + "\">\n";
-  text += co_simulation(info, version) + unit_definitions(info, version);
+                     escaped(info.description) + "\"\n  version=\"" + program +
+                     (is_fmi2 ? "\" numberOfEventIndicators=\"0" : "") + "\" generationTool=\"microslip " + program +
+                     "\" variableNamingConvention=\"" + (structured ? "structured" : "flat") + "\">\n";
+  text += model_exchange(info, version) + co_simulation(info, version) + unit_definitions(info, version);
   text += "  <LogCategories>\n"
           "    <Category name=\"logStatusError\" description=\"Why a call failed\"/>\n"
           "    <Category name=\"logStatusWarning\" description=\"What is probably wrong with the parameters\"/>\n"

@@ -9,7 +9,8 @@ namespace microslip::fmi {
 /// Version of the Functional Mock-up Interface.
 enum class Version { fmi2, fmi3 };
 
-/// modelDescription.xml (FMI 2.0, section 2.2; FMI 3.0, section 2.4) of a unit for co-simulation. With FMI 3.0 the
+/// modelDescription.xml (FMI 2.0, section 2.2; FMI 3.0, section 2.4) of a unit for model
+/// exchange and co-simulation. With FMI 3.0 the
 /// independent variable `time` follows those of the table. Throws Error for a unit of measurement that is no product of
 /// powers of those known.
 std::string model_description(const ModelInfo& info, Version version);

@@ -75,10 +75,12 @@ fmi2Status fmi2SetDebugLogging(fmi2Component instance, fmi2Boolean on, size_t, c
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions* functions, fmi2Boolean, fmi2Boolean logging) {
-  if (!name || !*name || !guid || !functions || type != fmi2CoSimulation) return nullptr;
+  if (!name || !*name || !guid || !functions || (type != fmi2CoSimulation && type != fmi2ModelExchange)) return nullptr;
   try {
     const ModelInfo info = model_info();
-    auto unit = std::make_unique<Unit>(info, folder_of(resources), log_of(name, *functions), logging != fmi2False);
+    auto unit =
+        std::make_unique<Unit>(info, type == fmi2CoSimulation ? Interface::co_simulation : Interface::model_exchange,
+                               folder_of(resources), log_of(name, *functions), logging != fmi2False);
     if (guid == microslip::fmi::guid(info, Version::fmi2)) return unit.release();
     unit->fail("the guid is not that of modelDescription.xml");
   } catch (const std::exception&) { // no memory
@@ -104,14 +106,11 @@ fmi2Status fmi2EnterInitializationMode(fmi2Component instance) {
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component instance) {
-  return in_stage(instance, __func__, {Stage::initialization}, [](Unit& unit) {
-    unit.evaluate();
-    unit.stage = Stage::stepping;
-  });
+  return in_stage(instance, __func__, {Stage::initialization}, [](Unit& unit) { unit.start(); });
 }
 
 fmi2Status fmi2Terminate(fmi2Component instance) {
-  return in_stage(instance, __func__, {Stage::stepping}, [](Unit& unit) { unit.stage = Stage::terminated; });
+  return in_stage(instance, __func__, running, [](Unit& unit) { unit.stage = Stage::terminated; });
 }
 
 fmi2Status fmi2Reset(fmi2Component instance) {
@@ -122,15 +121,15 @@ fmi2Status fmi2Reset(fmi2Component instance) {
 
 fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2Real values[]) {
   return get(instance, __func__, Kind::real, vr, count,
-             [&](const Values& from, size_t reference, size_t k) { values[k] = from.real[reference]; });
+             [&](const Unit& from, size_t reference, size_t k) { values[k] = from.values.real[reference]; });
 }
 fmi2Status fmi2GetInteger(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2Integer values[]) {
   return get(instance, __func__, Kind::integer, vr, count,
-             [&](const Values& from, size_t reference, size_t k) { values[k] = from.integer[reference]; });
+             [&](const Unit& from, ValueReference reference, size_t k) { values[k] = from.integer(reference); });
 }
 fmi2Status fmi2GetString(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2String values[]) {
   return get(instance, __func__, Kind::text, vr, count,
-             [&](const Values& from, size_t reference, size_t k) { values[k] = from.text[reference].c_str(); });
+             [&](const Unit& from, size_t reference, size_t k) { values[k] = from.values.text[reference].c_str(); });
 }
 
 fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t count, const fmi2Real values[]) {
@@ -189,6 +188,61 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component instance, const fmi2ValueR
   return in_stage(instance, __func__, readable, [&](Unit& unit) {
     directional_derivative(unit, unknowns, unknown_count, knowns, known_count, known_changes, unknown_changes);
   });
+}
+
+// Model exchange: a law without states and event indicators.
+
+namespace {
+
+/// There are no continuous states and no event indicators.
+fmi2Status no_numbers(fmi2Component instance, const char* call, size_t count) {
+  return in_stage(instance, call, {Stage::initialization, Stage::event, Stage::continuous},
+                  [&](Unit&) { require(count == 0, "the unit has no continuous states and no event indicators"); });
+}
+
+} // namespace
+
+fmi2Status fmi2EnterEventMode(fmi2Component instance) {
+  return in_stage(instance, __func__, {Stage::event, Stage::continuous}, [](Unit& unit) { unit.stage = Stage::event; });
+}
+fmi2Status fmi2NewDiscreteStates(fmi2Component instance, fmi2EventInfo* info) {
+  return in_stage(instance, __func__, {Stage::event}, [&](Unit& unit) {
+    require(info != nullptr, "there is no place for the event's data");
+    unit.evaluate();
+    *info = {fmi2False, fmi2False, fmi2False, fmi2False, fmi2False, 0};
+  });
+}
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component instance) {
+  return in_stage(instance, __func__, {Stage::event}, [](Unit& unit) { unit.enter_continuous_time(); });
+}
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component instance, fmi2Boolean, fmi2Boolean* enter_event_mode,
+                                       fmi2Boolean* terminate) {
+  return in_stage(instance, __func__, {Stage::continuous}, [&](Unit& unit) {
+    require(enter_event_mode && terminate, "there is no place for the answers");
+    *terminate = fmi2False; // a contact law does not end a simulation
+    *enter_event_mode = unit.wants_event() ? fmi2True : fmi2False;
+  });
+}
+fmi2Status fmi2SetTime(fmi2Component instance, fmi2Real time) {
+  return in_stage(instance, __func__, {Stage::event, Stage::continuous}, [&](Unit& unit) {
+    require(std::isfinite(time), "the time is not finite");
+    unit.time = time;
+  });
+}
+fmi2Status fmi2SetContinuousStates(fmi2Component instance, const fmi2Real[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi2Status fmi2GetDerivatives(fmi2Component instance, fmi2Real[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi2Status fmi2GetEventIndicators(fmi2Component instance, fmi2Real[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi2Status fmi2GetContinuousStates(fmi2Component instance, fmi2Real[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component instance, fmi2Real[], size_t count) {
+  return no_numbers(instance, __func__, count);
 }
 
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component instance, const fmi2ValueReference[], size_t, const fmi2Integer[],

@@ -1,7 +1,8 @@
 #ifndef MICROSLIP_FMI2_H
 #define MICROSLIP_FMI2_H
 
-/* The functions that a co-simulation unit has by the Functional Mock-up Interface 2.0, sections 2.1 and 4.2. */
+/* The functions that a unit has by the Functional Mock-up Interface 2.0: sections 2.1, 3.2 (model exchange) and 4.2
+ * (co-simulation). */
 
 #include <stddef.h>
 
@@ -38,6 +39,15 @@ typedef struct {
   fmi2StepFinished stepFinished;
   fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
+
+typedef struct {
+  fmi2Boolean newDiscreteStatesNeeded;
+  fmi2Boolean terminateSimulation;
+  fmi2Boolean nominalsOfContinuousStatesChanged;
+  fmi2Boolean valuesOfContinuousStatesChanged;
+  fmi2Boolean nextEventTimeDefined;
+  fmi2Real nextEventTime;
+} fmi2EventInfo;
 
 #ifdef _WIN32
 #define FMI2_API __declspec(dllexport)
@@ -87,6 +97,18 @@ FMI2_API fmi2Status fmi2GetDirectionalDerivative(fmi2Component unit, const fmi2V
                                                  size_t unknown_count, const fmi2ValueReference knowns[],
                                                  size_t known_count, const fmi2Real known_changes[],
                                                  fmi2Real unknown_changes[]);
+
+FMI2_API fmi2Status fmi2EnterEventMode(fmi2Component unit);
+FMI2_API fmi2Status fmi2NewDiscreteStates(fmi2Component unit, fmi2EventInfo* info);
+FMI2_API fmi2Status fmi2EnterContinuousTimeMode(fmi2Component unit);
+FMI2_API fmi2Status fmi2CompletedIntegratorStep(fmi2Component unit, fmi2Boolean no_state_before,
+                                                fmi2Boolean* enter_event_mode, fmi2Boolean* terminate);
+FMI2_API fmi2Status fmi2SetTime(fmi2Component unit, fmi2Real time);
+FMI2_API fmi2Status fmi2SetContinuousStates(fmi2Component unit, const fmi2Real states[], size_t count);
+FMI2_API fmi2Status fmi2GetDerivatives(fmi2Component unit, fmi2Real derivatives[], size_t count);
+FMI2_API fmi2Status fmi2GetEventIndicators(fmi2Component unit, fmi2Real indicators[], size_t count);
+FMI2_API fmi2Status fmi2GetContinuousStates(fmi2Component unit, fmi2Real states[], size_t count);
+FMI2_API fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component unit, fmi2Real nominals[], size_t count);
 
 FMI2_API fmi2Status fmi2SetRealInputDerivatives(fmi2Component unit, const fmi2ValueReference vr[], size_t count,
                                                 const fmi2Integer orders[], const fmi2Real values[]);

@@ -25,8 +25,7 @@ fmi3Status refuse(fmi3Instance instance, const char* why) {
   return fmi3Error;
 }
 
-constexpr const char *no_states = "the unit has no continuous states and no events",
-                     *no_clocks = "the unit has no clocks", *no_bytes = "states cannot be serialized";
+constexpr const char *no_clocks = "the unit has no clocks", *no_bytes = "states cannot be serialized";
 
 /// All variables are scalars: a value for each.
 void require_scalars(size_t count, size_t value_count) {
@@ -61,9 +60,35 @@ Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log) {
   };
 }
 
-/// A unit is for co-simulation only: says so to the importer.
+/// There are no continuous states and no event indicators.
+fmi3Status no_numbers(fmi3Instance instance, const char* call, size_t count) {
+  return in_stage(instance, call, {Stage::initialization, Stage::event, Stage::continuous},
+                  [&](Unit&) { require(count == 0, "the unit has no continuous states and no event indicators"); });
+}
+fmi3Status no_count(fmi3Instance instance, const char* call, size_t* count) {
+  return in_stage(instance, call, anywhere, [&](Unit&) {
+    require(count != nullptr, "there is no place for the number");
+    *count = 0;
+  });
+}
+
+/// Says to the importer what a unit is not for.
 fmi3Instance refuse_type(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, const char* why) {
   if (log) log(environment, fmi3Error, category_of(Severity::error), why);
+  return nullptr;
+}
+
+fmi3Instance instantiate(Interface interface, fmi3String name, fmi3String token, fmi3String resources, bool logging,
+                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback log) noexcept {
+  if (!name || !*name || !token) return nullptr;
+  try {
+    const ModelInfo info = model_info();
+    const std::filesystem::path folder = resources ? reinterpret_cast<const char8_t*>(resources) : u8"";
+    auto unit = std::make_unique<Unit>(info, interface, folder, log_of(environment, log), logging);
+    if (token == guid(info, Version::fmi3)) return unit.release();
+    unit->fail("the instantiation token is not that of modelDescription.xml");
+  } catch (const std::exception&) { // no memory
+  }
   return nullptr;
 }
 
@@ -90,29 +115,21 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                                          const fmi3ValueReference[], size_t intermediate_count,
                                          fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
                                          fmi3IntermediateUpdateCallback) {
-  if (!name || !*name || !token) return nullptr;
-  if (event_mode) return refuse_type(environment, log, "the unit has no event mode");
+  if (event_mode) return refuse_type(environment, log, "the unit has no event mode in co-simulation");
   if (intermediate_count > 0) return refuse_type(environment, log, "the unit gives no values within a step");
-  try {
-    const ModelInfo info = model_info();
-    const std::filesystem::path folder = resources ? reinterpret_cast<const char8_t*>(resources) : u8"";
-    auto unit = std::make_unique<Unit>(info, folder, log_of(environment, log), logging);
-    if (token == guid(info, Version::fmi3)) return unit.release();
-    unit->fail("the instantiation token is not that of modelDescription.xml");
-  } catch (const std::exception&) { // no memory
-  }
-  return nullptr;
+  return instantiate(Interface::co_simulation, name, token, resources, logging, environment, log);
 }
 
-fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
-                                          fmi3InstanceEnvironment environment, fmi3LogMessageCallback log) {
-  return refuse_type(environment, log, "the unit is for co-simulation, not for model exchange");
+fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean,
+                                          fmi3Boolean logging, fmi3InstanceEnvironment environment,
+                                          fmi3LogMessageCallback log) {
+  return instantiate(Interface::model_exchange, name, token, resources, logging, environment, log);
 }
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
                                                fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
                                                fmi3ClockUpdateCallback, fmi3LockPreemptionCallback,
                                                fmi3UnlockPreemptionCallback) {
-  return refuse_type(environment, log, "the unit is for co-simulation, not for scheduled execution");
+  return refuse_type(environment, log, "the unit is for co-simulation and model exchange, not for scheduled execution");
 }
 
 void fmi3FreeInstance(fmi3Instance instance) {
@@ -130,14 +147,11 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3F
 }
 
 fmi3Status fmi3ExitInitializationMode(fmi3Instance instance) {
-  return in_stage(instance, __func__, {Stage::initialization}, [](Unit& unit) {
-    unit.evaluate();
-    unit.stage = Stage::stepping;
-  });
+  return in_stage(instance, __func__, {Stage::initialization}, [](Unit& unit) { unit.start(); });
 }
 
 fmi3Status fmi3Terminate(fmi3Instance instance) {
-  return in_stage(instance, __func__, {Stage::stepping}, [](Unit& unit) { unit.stage = Stage::terminated; });
+  return in_stage(instance, __func__, running, [](Unit& unit) { unit.stage = Stage::terminated; });
 }
 
 fmi3Status fmi3Reset(fmi3Instance instance) {
@@ -158,19 +172,20 @@ fmi3Status fmi3GetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], 
       if (vr[k] == unit.variable_count())
         values[k] = unit.time;
       else
-        microslip::fmi::get(unit, Kind::real, vr + k, 1,
-                            [&](const Values& from, size_t reference, size_t) { values[k] = from.real[reference]; });
+        microslip::fmi::get(unit, Kind::real, vr + k, 1, [&](const Unit& from, size_t reference, size_t) {
+          values[k] = from.values.real[reference];
+        });
   });
 }
 fmi3Status fmi3GetInt32(fmi3Instance instance, const fmi3ValueReference vr[], size_t count, fmi3Int32 values[],
                         size_t value_count) {
   return get(instance, __func__, Kind::integer, vr, count, value_count,
-             [&](const Values& from, size_t reference, size_t k) { values[k] = from.integer[reference]; });
+             [&](const Unit& from, ValueReference reference, size_t k) { values[k] = from.integer(reference); });
 }
 fmi3Status fmi3GetString(fmi3Instance instance, const fmi3ValueReference vr[], size_t count, fmi3String values[],
                          size_t value_count) {
   return get(instance, __func__, Kind::text, vr, count, value_count,
-             [&](const Values& from, size_t reference, size_t k) { values[k] = from.text[reference].c_str(); });
+             [&](const Unit& from, size_t reference, size_t k) { values[k] = from.values.text[reference].c_str(); });
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance instance, const fmi3ValueReference vr[], size_t count,
@@ -279,7 +294,6 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
   });
 }
 REFUSED(fmi3EnterStepMode, "the unit has no event mode")
-REFUSED(fmi3EnterEventMode, "the unit has no event mode")
 REFUSED(fmi3GetOutputDerivatives, "outputs have no derivatives with respect to time", const fmi3ValueReference[],
         size_t, const fmi3Int32[], fmi3Float64[], size_t)
 
@@ -294,18 +308,58 @@ REFUSED(fmi3SetShiftDecimal, no_clocks, const fmi3ValueReference[], size_t, cons
 REFUSED(fmi3SetShiftFraction, no_clocks, const fmi3ValueReference[], size_t, const fmi3UInt64[], const fmi3UInt64[])
 REFUSED(fmi3ActivateModelPartition, no_clocks, fmi3ValueReference, fmi3Float64)
 
-REFUSED(fmi3EvaluateDiscreteStates, no_states)
-REFUSED(fmi3UpdateDiscreteStates, no_states, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
-        fmi3Float64*)
-REFUSED(fmi3EnterContinuousTimeMode, no_states)
-REFUSED(fmi3CompletedIntegratorStep, no_states, fmi3Boolean, fmi3Boolean*, fmi3Boolean*)
-REFUSED(fmi3SetTime, no_states, fmi3Float64)
-REFUSED(fmi3SetContinuousStates, no_states, const fmi3Float64[], size_t)
-REFUSED(fmi3GetContinuousStateDerivatives, no_states, fmi3Float64[], size_t)
-REFUSED(fmi3GetEventIndicators, no_states, fmi3Float64[], size_t)
-REFUSED(fmi3GetContinuousStates, no_states, fmi3Float64[], size_t)
-REFUSED(fmi3GetNominalsOfContinuousStates, no_states, fmi3Float64[], size_t)
-REFUSED(fmi3GetNumberOfEventIndicators, no_states, size_t*)
-REFUSED(fmi3GetNumberOfContinuousStates, no_states, size_t*)
+// Model exchange: a law without states and event indicators.
+
+fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
+  return in_stage(instance, __func__, {Stage::event, Stage::continuous}, [](Unit& unit) { unit.stage = Stage::event; });
+}
+fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) {
+  return in_stage(instance, __func__, {Stage::initialization, Stage::event}, [](Unit& unit) { unit.evaluate(); });
+}
+fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean* needed, fmi3Boolean* terminate,
+                                    fmi3Boolean* nominals_changed, fmi3Boolean* states_changed,
+                                    fmi3Boolean* time_defined, fmi3Float64*) {
+  return in_stage(instance, __func__, {Stage::event}, [&](Unit& unit) {
+    unit.evaluate();
+    *needed = *terminate = *nominals_changed = *states_changed = *time_defined = false;
+  });
+}
+fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance) {
+  return in_stage(instance, __func__, {Stage::event}, [](Unit& unit) { unit.enter_continuous_time(); });
+}
+fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean, fmi3Boolean* enter_event_mode,
+                                       fmi3Boolean* terminate) {
+  return in_stage(instance, __func__, {Stage::continuous}, [&](Unit& unit) {
+    *terminate = false; // a contact law does not end a simulation
+    *enter_event_mode = unit.wants_event();
+  });
+}
+fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64 time) {
+  return in_stage(instance, __func__, {Stage::event, Stage::continuous}, [&](Unit& unit) {
+    require(std::isfinite(time), "the time is not finite");
+    unit.time = time;
+  });
+}
+fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi3Status fmi3GetEventIndicators(fmi3Instance instance, fmi3Float64[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64[], size_t count) {
+  return no_numbers(instance, __func__, count);
+}
+fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, size_t* count) {
+  return no_count(instance, __func__, count);
+}
+fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, size_t* count) {
+  return no_count(instance, __func__, count);
+}
 
 #undef REFUSED

@@ -2,7 +2,7 @@
 #define MICROSLIP_FMI3_H
 
 /* The functions that a unit has by the Functional Mock-up Interface 3.0, sections 2.2 to 5. All are exported; those of
- * other interface types than co-simulation, of clocks and of types without variables refuse. */
+ * scheduled execution, of clocks and of types without variables refuse. */
 
 #include <stdbool.h>
 #include <stddef.h>

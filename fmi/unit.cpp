@@ -42,9 +42,10 @@ std::filesystem::path folder_of(const char* uri) {
   return {reinterpret_cast<const char8_t*>(path.c_str())};
 }
 
-Unit::Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging)
+Unit::Unit(ModelInfo info, Interface interface, std::filesystem::path resources, Log log, bool logging)
     : values(info.variables), info_(std::move(info)), resources_(std::move(resources)), log_(std::move(log)),
-      logging_(logging), model_(make_model(resources_)), place_(info_.variables.size()) {
+      logging_(logging), model_(make_model(resources_)), interface_(interface), held_(values.integer),
+      place_(info_.variables.size()) {
   for (std::size_t k = 0; k < place_.size(); ++k) {
     const Variable& v = info_.variables[k];
     if (v.part > 0 || v.kind != Kind::real) continue;
@@ -116,6 +117,26 @@ void Unit::evaluate() {
   evaluated_ = true;
 }
 
+void Unit::start() {
+  evaluate();
+  stage = interface_ == Interface::co_simulation ? Stage::stepping : Stage::event;
+}
+
+void Unit::enter_continuous_time() {
+  evaluate();
+  held_ = values.integer;
+  stage = Stage::continuous;
+}
+
+bool Unit::wants_event() {
+  evaluate();
+  return values.integer != held_;
+}
+
+int Unit::integer(ValueReference reference) const {
+  return stage == Stage::continuous ? held_[reference] : values.integer[reference];
+}
+
 void Unit::differentiate() {
   derivatives_ = model().differentiate(values);
 }
@@ -139,6 +160,7 @@ void Unit::restore(const Saved& saved) {
   stage = saved.stage;
   time = saved.time;
   values = saved.values;
+  held_ = values.integer;
   changed(Causality::parameter);
 }
 

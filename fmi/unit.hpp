@@ -9,8 +9,16 @@
 
 namespace microslip::fmi {
 
-/// Stage of an instance in the standard's order of calls (FMI 2.0, section 4.2.4; FMI 3.0, section 4.2).
-enum class Stage { instantiated, initialization, stepping, terminated, error };
+/// Stage of an instance in the standard's order of calls: `stepping` in co-simulation (FMI 2.0, section 4.2.4; FMI 3.0,
+/// section 4.2), `event` and `continuous` time in model exchange (FMI 2.0, section 3.2; FMI 3.0, section 3.2).
+enum class Stage { instantiated, initialization, stepping, event, continuous, terminated, error };
+
+/// Returns true where inputs only may change, and results follow or have followed them.
+constexpr bool is_running(Stage stage) {
+  return stage == Stage::stepping || stage == Stage::event || stage == Stage::continuous;
+}
+
+enum class Interface { co_simulation, model_exchange };
 
 /// The folder of a URI as fmi2Instantiate gets it, file:///tmp/unit/resources; empty if there is none.
 std::filesystem::path folder_of(const char* uri);
@@ -27,7 +35,7 @@ using Log = std::function<void(Severity severity, const char* text)>;
 /// An instance of a functional mock-up unit: its variables, and the model that joins them.
 class Unit {
 public:
-  Unit(ModelInfo info, std::filesystem::path resources, Log log, bool logging);
+  Unit(ModelInfo info, Interface interface, std::filesystem::path resources, Log log, bool logging);
 
   /// Contents of a saved state.
   struct Saved {
@@ -54,6 +62,14 @@ public:
   void changed(Causality causality);
   /// Finds the results. Throws Error for a variable out of range.
   void evaluate();
+  /// Ends the initialization.
+  void start();
+  /// Results that are whole numbers are held in continuous time and follow at events, as the standard wants of discrete
+  /// variables. Returns whether others than those held are due.
+  bool wants_event();
+  /// An integer variable as the importer may see it.
+  int integer(ValueReference reference) const;
+  void enter_continuous_time();
   /// Derivative of a real output by a real input. The references must be those of such.
   double derivative(ValueReference of, ValueReference by) const;
   /// Finds what derivative() gives. Throws as evaluate.
@@ -75,7 +91,9 @@ private:
   Log log_;
   bool logging_;
   std::unique_ptr<Model> model_;
-  std::optional<Values> applied_;        ///< of which the model has the parameters
+  std::optional<Values> applied_; ///< of which the model has the parameters
+  Interface interface_;
+  std::vector<int> held_;                ///< whole numbers in continuous time
   std::vector<std::size_t> place_;       ///< of a real output or input among those of its part
   std::size_t inputs_ = 0, outputs_ = 0; ///< real ones of a part
   std::span<const double> derivatives_;

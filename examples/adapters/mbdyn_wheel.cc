@@ -39,7 +39,7 @@ public:
     const wheel_motion motion = motion_of_node();
     wheel_solve(&wheel_, &motion, &load_);
     if (load_.status == MICROSLIP_INVALID_INPUT) 
-      throw NonlinearSolver::NoConvergence(MBDYN_EXCEPT_ARGS); // the step is repeated with a shorter one
+      throw NonlinearSolver::ErrSimulationDiverged(MBDYN_EXCEPT_ARGS); // the step is repeated with a shorter one
     for (integer k = 1; k <= 6; ++k) residual.PutRowIndex(k, node_->iGetFirstMomentumIndex() + k);
     for (integer k = 1; k <= 3; ++k) {
       residual.PutCoef(k, load_.force[k - 1]);
@@ -100,7 +100,7 @@ private:
   wheel_motion motion_of_node() const {
     wheel_motion motion = {};
     const Vec3 &x = node_->GetXCurr(), &v = node_->GetVCurr(), &omega = node_->GetWCurr();
-    const Vec3 axle = node_->GetRCurr().GetCol(2);
+    const Vec3 axle = node_->GetRCurr().GetVec(2);
     for (int k = 0; k < 3; ++k) {
       motion.position[k] = x(k + 1), motion.velocity[k] = v(k + 1);
       motion.axle[k] = axle(k + 1), motion.angular_velocity[k] = omega(k + 1);

@@ -1,4 +1,4 @@
-"""Checks a co-simulation unit against the rules of FMI for archive and modelDescription.xml: check_fmu.py FILE.fmu
+"""Checks a unit against the rules of FMI for archive and modelDescription.xml: check_fmu.py FILE.fmu
 
 Prints each broken rule and exits with 1 if there is one. The rules are those of FMI 2.0, sections 2.2 (description), 2.3
 (archive) and 4.3 (co-simulation), that concern units like ours: no Boolean variables, no states; fmi3_rules has those of 3.0.
@@ -21,6 +21,9 @@ ATTRIBUTES = {
                      "canInterpolateInputs", "maxOutputDerivativeOrder", "canRunAsynchronuously",
                      "canBeInstantiatedOnlyOncePerProcess", "canNotUseMemoryManagementFunctions",
                      "canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative"},
+    "ModelExchange": {"modelIdentifier", "needsExecutionTool", "completedIntegratorStepNotNeeded",
+                      "canBeInstantiatedOnlyOncePerProcess", "canNotUseMemoryManagementFunctions", "canGetAndSetFMUstate",
+                      "canSerializeFMUstate", "providesDirectionalDerivative"},
     "ScalarVariable": {"name", "valueReference", "description", "causality", "variability", "initial",
                        "canHandleMultipleSetPerTimeInstant"},
     "Real": {"declaredType", "quantity", "unit", "displayUnit", "relativeQuantity", "min", "max", "nominal", "unbounded",
@@ -32,7 +35,7 @@ ATTRIBUTES = {
 }
 REQUIRED = {
     "fmiModelDescription": {"fmiVersion", "modelName", "guid"},
-    "CoSimulation": {"modelIdentifier"},
+    "CoSimulation": {"modelIdentifier"}, "ModelExchange": {"modelIdentifier"},
     "ScalarVariable": {"name", "valueReference"},
     "Category": {"name"},
     "Unknown": {"index"},

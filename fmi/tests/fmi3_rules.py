@@ -17,6 +17,9 @@ ATTRIBUTES = {
                      "maxOutputDerivativeOrder", "recommendedIntermediateInputSmoothness", "providesIntermediateUpdate",
                      "mightReturnEarlyFromDoStep", "canReturnEarlyAfterIntermediateUpdate", "hasEventMode",
                      "providesEvaluateDiscreteStates"},
+    "ModelExchange": {"modelIdentifier", "needsExecutionTool", "canBeInstantiatedOnlyOncePerProcess", "canGetAndSetFMUState",
+                      "canSerializeFMUState", "providesDirectionalDerivatives", "providesAdjointDerivatives",
+                      "providesPerElementDependencies", "needsCompletedIntegratorStep", "providesEvaluateDiscreteStates"},
     "Float64": VARIABLE | {"quantity", "unit", "displayUnit", "relativeQuantity", "unbounded", "nominal", "derivative", "reinit"},
     "Int32": VARIABLE | {"quantity"},
     "String": VARIABLE - {"min", "max", "start"},
@@ -27,7 +30,7 @@ ATTRIBUTES = {
 }
 REQUIRED = {
     "fmiModelDescription": {"fmiVersion", "modelName", "instantiationToken"},
-    "CoSimulation": {"modelIdentifier"},
+    "CoSimulation": {"modelIdentifier"}, "ModelExchange": {"modelIdentifier"},
     "Float64": {"name", "valueReference"}, "Int32": {"name", "valueReference"}, "String": {"name", "valueReference"},
     "Start": {"value"},
     "Category": {"name"}, "Unit": {"name"},
