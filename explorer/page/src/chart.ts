@@ -11,7 +11,7 @@ export interface Curve { name: string; colour: string; values: (number | null)[]
 export interface Band { from: number; to: number; colour: string }
 /** Points that are no curve, at places of their own. */
 export interface Scatter { name: string; colour: string; x: number[]; y: number[] }
-export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number; bands?: Band[]; scatter?: Scatter[] }
+export interface ChartContent { x: number[]; xLabel: string; yLabel: string; curves: Curve[]; present?: number; bands?: Band[]; scatter?: Scatter[]; drag?: (x: number) => void }
 
 /** Curves and points on the places of all of them. */
 function alignedData({ x, curves, scatter }: ChartContent): uPlot.AlignedData {
@@ -65,6 +65,7 @@ export class Chart {
       height: this.height,
       scales: { x: { time: false } },
       legend: { live: false },
+      cursor: { show: false },
       series: [
         { label: content.xLabel },
         ...content.curves.map(({ name, colour, dash, points }) => ({
@@ -75,6 +76,19 @@ export class Chart {
       axes: [{ ...axis, label: content.xLabel, size: 44, labelSize: 18 }, { ...axis, label: content.yLabel, size: 60, labelSize: 18 }],
       hooks: { drawClear: [(plot) => { this.#fillBands(plot); }], draw: [(plot) => { this.#markPresent(plot); }] },
     }, data, (plot, show) => { this.root.prepend(plot.root); show(); });
+    if (content.drag) this.#listen(this.#plot);
+  }
+
+  /** The present point follows the hand. */
+  #listen(plot: uPlot): void {
+    const { over } = plot, move = (event: PointerEvent) => {
+      const x = plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"), xs = this.#content!.x;
+      this.#content?.drag?.(Math.min(Math.max(x, xs[0]!), xs.at(-1)!));
+    };
+    over.style.cursor = "ew-resize";
+    over.style.touchAction = "pan-y";
+    over.addEventListener("pointerdown", (event) => { over.setPointerCapture(event.pointerId); move(event); });
+    over.addEventListener("pointermove", (event) => { if (event.buttons) move(event); });
   }
 
   #fillBands(plot: uPlot): void {

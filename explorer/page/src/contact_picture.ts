@@ -101,9 +101,9 @@ function drawFrame(context: CanvasRenderingContext2D, scene: ContactScene, { map
   const from = isNarrow ? 200 : map.left + 268;
   drawRolling(context, [from, 12], isNarrow ? 44 : 54);
   if (isNarrow) return;
-  arrows(context, [[[from + 116, 12], [from + 116 + (0.92 * spacing * round) / friction, 12]]], "--arrow", 1.35, 5.5);
-  text(context, `${digits(round / 1e6)} MPa on the wheel`, [from + 148, 16]);
+  if (isByState(scene.shown)) arrows(context, [[[from + 116, 12], [from + 116 + (0.92 * spacing * round) / friction, 12]]], "--arrow", 1.35, 5.5);
   if (isByState(scene.shown)) {
+    text(context, `${digits(round / 1e6)} MPa on the wheel`, [from + 148, 16]);
     line(context, [[from + 116, 32], [from + 138, 32]], "--ink", 2.4);
     text(context, "border between both", [from + 148, 36]);
   }
@@ -152,6 +152,21 @@ export function drawContact(canvas: HTMLCanvasElement, scene: ContactScene): Con
     text(context, "MPa", [across.left + across.width / 2, across.top + across.height + 30], { size: 11, align: "center", colour: "--ink2" });
   }
   return layout;
+}
+
+/** The same case by both theories, in the same colours and with the same arrows. */
+export function drawTheories(canvas: HTMLCanvasElement, exact: Sheet[] | undefined, quick: Sheet[] | undefined, { a, b }: ContactScene["ellipse"]): void {
+  const width = canvas.clientWidth;
+  if (width === 0) return;
+  const half = width / 2, scale = Math.min((0.86 * half) / (2 * a), 150 / (2 * b)), height = 2 * b * scale;
+  canvas.style.height = `${String(Math.round(height + 64))}px`;
+  const { context } = fitToScreen(canvas), both = [...(exact ?? []), ...(quick ?? [])], common = scaleOf(both, "friction");
+  ([["exact theory", "--exact", exact], ["quick: FASTSIM2", "--fastsim2", quick]] as const).forEach(([name, colour, sheets], k) => {
+    const middle = half * (k + 0.5), most = sheets && scaleOf(sheets, "friction").largest;
+    text(context, name, [middle, 14], { bold: true, size: 12.5, align: "center", colour });
+    if (sheets) drawPatch(context, sheets, upright([middle, 32 + height / 2], [scale, scale]), { scale: common, spacing: 20, largestArrow: common.largest });
+    text(context, most === undefined ? "computing …" : `up to ${digits(Math.round(most / 1e6))} MPa`, [middle, height + 54], { align: "center", colour: "--ink2" });
+  });
 }
 
 /** What is at a place of the picture, in words. */

@@ -7,8 +7,8 @@ import type { Core, Reply } from "./core.ts";
 import { loadScript } from "./core.ts";
 import { help, input, output } from "./description.ts";
 import { clearCanvas } from "./canvas.ts";
-import { contactValuesAt, drawContact, drawStress, type ContactLayout, type ContactScene } from "./contact_picture.ts";
-import { button, card, controlsOf, element, fillKeys, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Row } from "./elements.ts";
+import { contactValuesAt, drawContact, drawStress, drawTheories, type ContactLayout, type ContactScene } from "./contact_picture.ts";
+import { Keys, Seldom, button, card, controlsOf, element, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Row } from "./elements.ts";
 import { rowHeight, type Shown } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { readPoints, type MeasuredPoints } from "./measured_points.ts";
@@ -94,8 +94,9 @@ export class ContactView {
   readonly #form = new Form("contact", this.root);
   readonly map = element("canvas", { class: "map", role: "img", tabindex: "0" });
   readonly #stress = element("canvas", { class: "map small", role: "img" });
+  readonly #theories = element("canvas", { class: "map small", role: "img", "aria-label": "Adhesion, slip and friction by the exact theory and by FASTSIM2, side by side" });
   readonly #lead = element("p");
-  readonly #keys = element("dl", { class: "panel keys" });
+  readonly #keys = new Keys();
   readonly #hover = element("p", { class: "time" });
   readonly #numbers = element("table", { class: "numbers" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
@@ -115,6 +116,7 @@ export class ContactView {
   #interior: Record<string, number[]> | undefined;
   #hasTable = false;
   #frame = 0;
+  readonly #rest = new Seldom(() => { this.#drawRest(); });
   readonly #sheetsOf = new WeakMap<SurfaceFields, Sheet[]>();
   #layout: ContactLayout | undefined;
   #scene: ContactScene | undefined;
@@ -133,13 +135,14 @@ export class ContactView {
       titleOf("Inside the contact: where the wheel sticks and where it slides", this.#lead),
       controlsOf(this.#controls()),
       element("div", { class: "pictures contact" },
-        this.#keys,
+        this.#keys.root,
         element("div", { class: "column" },
           element("div", { class: "panel main pinned" }, ...this.#mapChoices(), this.map, this.#hover, this.#form.message, this.#remarks, this.#time),
           card("", "Stresses in the lower body, below y = 0", "How hard the rail is strained inside", this.#stressChoice(), this.#stress, this.#stressMessage)),
         element("div", { class: "column" },
           card("", "Forces on the upper body, the wheel", "Negative: against the rolling direction, or to the right.", this.#numbers, this.#tableButton(), this.#spoken),
-          card("", "Creep curves", "Force over one part of the motion, all else as now", this.#variableChoice(), curve, this.#pointsChoice(), this.#pointsMessage))));
+          card("", "Creep curves", "Force over one part of the motion, all else as now", this.#variableChoice(), curve, this.#pointsChoice(), this.#pointsMessage),
+          card("", "Both theories, same case", "Friction force per area, in the same colours; arrows of the same scale", this.#theories))));
     this.#listen();
   }
 
@@ -380,8 +383,17 @@ export class ContactView {
     const unit = variable === "spin" ? "1/m" : "%";
     this.#curveChart.draw({
       x: first.value.map((value) => value * scale), xLabel: `${labelOf(variable)} [${unit}]`, yLabel: `${force === "fx" ? "Fx" : "Fy"} [${forceName}]`,
-      curves, present: present * scale, ...(this.#points ? { scatter: this.#scatter(scale, size) } : {}),
+      curves, present: present * scale, drag: (value) => { this.#setMotion(variable, Number((value / scale).toPrecision(3))); }, ...(this.#points ? { scatter: this.#scatter(scale, size) } : {}),
     }, this.#curveRemarks.join(" "));
+  }
+
+  /** The present point of the creep curve was dragged. */
+  #setMotion(variable: Variable, value: number): void {
+    const key = `motion.${variable}`;
+    this.state.values[key] = value;
+    this.#form.fields.find(({ spec }) => spec.key === key)?.set(value);
+    this.solve();
+    this.changed();
   }
 
   async #askStress(): Promise<void> {
@@ -438,9 +450,17 @@ export class ContactView {
       cut: { x: state.across * a, y: state.cut * b },
     };
     this.#drawScene();
+    this.#showKeys(solved, solved[isExact ? "exact" : "fastsim2"]!);
+    this.#rest.soon();
+  }
+
+  /** What does not have to follow the hand at every frame. */
+  #drawRest(): void {
+    if (!this.#solved) return;
+    this.#tell();
+    drawTheories(this.#theories, this.#sheets("exact"), this.#sheets("fastsim2"), this.#solved.hertz);
     this.#drawStress();
     this.#showNumbers();
-    this.#showKeys(solved, solved[isExact ? "exact" : "fastsim2"]!);
   }
 
   #drawScene(): void {
@@ -458,15 +478,19 @@ export class ContactView {
     const possible = coefficient === undefined ? "" : `${String(Math.round((100 * friction) / Math.max(coefficient * load, 1e-30)))} % of ${digits((coefficient * load) / size)} ${forceName} possible`;
     const length = (half: number) => (2e3 * half).toPrecision(3);
     this.#keyNumbers = [
-      { name: "Load", value: digits(load / size), unit: forceName, note: "pressed together" },
+      { name: "Load", value: digits(load / size), unit: forceName, note: "pressed together", what: input("contact", "load.normal_force").text },
       { name: "Contact patch", value: digits(Number((1e6 * Math.PI * a * b).toPrecision(3))), unit: "mm²", note: `${length(a)} mm × ${length(b)} mm`, what: "Along and across; an ellipse after Hertz" },
-      { name: "Highest pressure", value: Math.round(peak_pressure / 1e6).toLocaleString("en"), unit: "MPa", note: "at the middle", what: output("bodies", "peak_pressure").text },
+      { name: "Highest pressure", value: Math.round(peak_pressure / 1e6).toLocaleString("en"), unit: "MPa", note: "at the middle", what: "The largest pressure within the contact. Steel yields below the surface from some 1500 MPa on; microslip computes elastic bodies." },
       { name: "Sticks and slides", value: "", unit: "", note: `${String(Math.round(100 * share))} % sticks, ${String(Math.round(100 * (1 - share)))} % slides`, share, what: "Shares of the contact where the surfaces stick together and where they slide" },
       { name: "Friction force", value: digits(Number((friction / size).toPrecision(3))), unit: forceName, note: possible, what: "Along the surface; possible is friction times the load" },
       { name: "Heat made", value: digits(Number(found.frictional_power.toPrecision(3))), unit: "W", note: `at ${show(values["motion.rolling_speed"]!, "m/s", "km/h")} km/h`, what: output("bodies", "frictional_power").text },
     ];
-    fillKeys(this.#keys, this.#keyNumbers, this.#frozen?.keys);
-    const does = values["motion.creepage_longitudinal"]!, way = Math.abs(does) < 1e-12 ? "rolls freely along" : does > 0 ? "brakes" : "drives";
+    this.#keys.show(this.#keyNumbers, this.#frozen?.keys);
+  }
+
+  /** The state in a sentence. */
+  #tell(): void {
+    const does = this.state.values["motion.creepage_longitudinal"]!, way = Math.abs(does) < 1e-12 ? "rolls freely along" : does > 0 ? "brakes" : "drives";
     this.#lead.replaceChildren(...long("The patch on which two bodies touch, as a wheel on its rail. "), "Seen ", element("b", {}, "from above"), `; it rolls to the right and ${way}. In the blue part both surfaces stick together, in the orange part they slide. `,
       ...long("Arrows: friction on the wheel. Drag the dashed cuts; arrow keys move them."));
   }

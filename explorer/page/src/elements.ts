@@ -71,15 +71,60 @@ export function fillTable(table: HTMLTableElement, heads: string[], rows: Row[])
 /** One of the few numbers that matter, with its unit and with what it means. */
 export interface KeyNumber { name: string; value: string; unit: string; note: string; what?: string; share?: number }
 
-/** `before`: those of the state that is compared. */
-export function fillKeys(list: HTMLElement, numbers: KeyNumber[], before?: KeyNumber[]): void {
-  list.replaceChildren(...numbers.map(({ name, value, unit, note, what, share }, i) => {
-    const shown = share === undefined
-      ? element("dd", { class: "value" }, value, " ", element("small", {}, unit))
-      : element("dd", {}, element("div", { class: "parts" }, element("i", { style: `width: ${String(100 * share)}%` })));
-    const old = before?.[i], compared = old ? [element("dd", { class: "before" }, `A: ${old.share === undefined ? `${old.value} ${old.unit}` : old.note}`)] : [];
-    return element("div", what ? { title: what } : {}, element("dt", {}, name), shown, element("dd", { class: "note" }, note), ...compared);
-  }));
+/** A "?" that shows and hides a text, and the text. */
+export function helpOf(label: string, ...content: (Node | string)[]): [ask: HTMLButtonElement, help: HTMLElement] {
+  const help = element("div", { class: "help", hidden: "" }, ...content);
+  const ask = button("?", () => {
+    help.hidden = !help.hidden;
+    ask.setAttribute("aria-expanded", String(!help.hidden));
+  }, `what is ${label}?`);
+  ask.className = "ask";
+  ask.setAttribute("aria-expanded", "false");
+  ask.addEventListener("keydown", (event) => { if (event.key === "Escape" && !help.hidden) ask.click(); });
+  return [ask, help];
+}
+
+/** The strip of key numbers, whose texts change in place. */
+export class Keys {
+  readonly root = element("dl", { class: "panel keys" });
+  readonly #shown = new Map<string, { value: HTMLElement; note: HTMLElement; before: HTMLElement }>();
+
+  /** `before`: those of the state that is compared. */
+  show(numbers: KeyNumber[], before?: KeyNumber[]): void {
+    numbers.forEach(({ name, value, unit, note, what, share }, i) => {
+      const shown = this.#shown.get(name) ?? this.#add(name, share !== undefined, what), old = before?.[i];
+      if (share === undefined) shown.value.replaceChildren(value, " ", element("small", {}, unit));
+      else (shown.value.querySelector("i")!).style.width = `${String(100 * share)}%`;
+      shown.note.textContent = note;
+      shown.before.hidden = !old;
+      shown.before.textContent = old ? `A: ${old.share === undefined ? `${old.value} ${old.unit}` : old.note}` : "";
+    });
+  }
+
+  #add(name: string, isShare: boolean, what = ""): { value: HTMLElement; note: HTMLElement; before: HTMLElement } {
+    const value = isShare ? element("dd", {}, element("div", { class: "parts" }, element("i"))) : element("dd", { class: "value" });
+    const made = { value, note: element("dd", { class: "note" }), before: element("dd", { class: "before", hidden: "" }) };
+    const [ask, help] = helpOf(name, what);
+    this.root.append(element("div", {}, element("dt", {}, name, ...(what ? [" ", ask] : [])), made.value, made.note, made.before, ...(what ? [element("dd", {}, help)] : [])));
+    this.#shown.set(name, made);
+    return made;
+  }
+}
+
+const seldom = 150; // [ms]
+/** Something that is done at once, but not again within some time, after which it is made up for. */
+export class Seldom {
+  #done = -Infinity;
+  #timer = 0;
+
+  constructor(readonly run: () => void) {}
+
+  soon(): void {
+    clearTimeout(this.#timer);
+    const wait = this.#done + seldom - performance.now(), now = () => { this.#done = performance.now(); this.run(); };
+    if (wait <= 0) now();
+    else this.#timer = window.setTimeout(now, wait);
+  }
 }
 
 /** With a full stop. */

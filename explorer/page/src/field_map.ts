@@ -51,7 +51,7 @@ function painter({ shown, largest }: Scale): Painter {
   const [sizes, sticks, slides, signed] = [ramps().sizes, ramps().sticks, ramps().slides, ramps().signed].map(pack) as [Uint32Array, Uint32Array, Uint32Array, Uint32Array];
   const last = sizes.length - 1, pick = (colours: Uint32Array, t: number) => colours[t <= 0 ? 0 : t >= 1 ? last : Math.round(t * last)]!;
   const byState = (values: Float64Array) => (values[at.mark]! < 0 ? sticks : slides);
-  if (shown === "friction") return { needs: ["px", "py", "mark"], paint: (values) => pick(byState(values), Math.hypot(values[at.px]!, values[at.py]!) / largest) };
+  if (shown === "friction") return { needs: ["px", "py", "mark"], paint: (values) => pick(byState(values), Math.sqrt(values[at.px]! ** 2 + values[at.py]! ** 2) / largest) };
   if (shown === "used") return { needs: ["used", "mark"], paint: (values) => pick(byState(values), values[at.used]!) };
   if (shown === "adhesion and slip") return { needs: ["mark"], paint: (values) => pick(byState(values), 0.6) };
   if (shown === "px" || shown === "py") return { needs: [shown], paint: (values) => pick(signed, (1 + values[at[shown]]! / largest) / 2) };
@@ -61,7 +61,7 @@ function painter({ shown, largest }: Scale): Painter {
 let raster: HTMLCanvasElement | undefined; // that all maps are painted on first
 
 function fillSheet(context: CanvasRenderingContext2D, sheet: Sheet, { scale: [along, across], isTurned, at: placeOf }: Place, { needs, paint }: Painter): void {
-  const { left, right, bottom, top, places } = sheet, size = (length: number, pixels: number) => Math.max(4, Math.min(160, Math.round((length * pixels) / 2)));
+  const { left, right, bottom, top, places } = sheet, size = (length: number, pixels: number) => Math.max(4, Math.min(120, Math.round((length * pixels) / 2.5)));
   const [nx, ny] = [size(right - left, along), size(top - bottom, across)];
   raster ??= document.createElement("canvas");
   Object.assign(raster, { width: nx, height: ny });

@@ -1,7 +1,7 @@
 // Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's message where it refuses.
 
 import { help, input } from "./description.ts";
-import { button, element, sentence } from "./elements.ts";
+import { element, helpOf, sentence } from "./elements.ts";
 import { limits, type Values, type View } from "./state.ts";
 import { fromSi, parse, show, shownUnit, typedUnits } from "./units.ts";
 import { inWords } from "./words.ts";
@@ -14,19 +14,6 @@ export interface FieldSpec {
   from?: number; // where it ends before the range of the input does
   to?: number;
   ends?: [low: string, high: string]; // words at the ends of the slider
-}
-
-/** A "?" that shows and hides a text, and the text. */
-export function helpOf(label: string, ...content: Node[]): [ask: HTMLButtonElement, help: HTMLElement] {
-  const help = element("div", { class: "help", hidden: "" }, ...content);
-  const ask = button("?", () => {
-    help.hidden = !help.hidden;
-    ask.setAttribute("aria-expanded", String(!help.hidden));
-  }, `what is ${label}?`);
-  ask.className = "ask";
-  ask.setAttribute("aria-expanded", "false");
-  ask.addEventListener("keydown", (event) => { if (event.key === "Escape" && !help.hidden) ask.click(); });
-  return [ask, help];
 }
 
 export class Field {

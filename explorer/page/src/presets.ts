@@ -28,9 +28,9 @@ function measuredWheel(): string {
 
 export const presets: readonly Preset[] = [
   { name: "Tread contact", told: "A wheel on straight track, a little off the middle: it touches on the tread.", make: changed((state) => { state.view = "rail"; }) },
-  { name: "Flange contact", told: "The wheelset has swayed so far that the flange touches the rail's inner side, too.", make: changed((state) => {
+  { name: "Flange contact", told: "The wheelset has swayed so far that it touches in the root of the flange: the rail pushes it back sideways.", make: changed((state) => {
     state.view = "rail";
-    Object.assign(state.rail.values, { "wheel.lateral": 0.0063, "wheel.yaw": 0.004 });
+    Object.assign(state.rail.values, { "wheel.lateral": 0.0066, "wheel.yaw": 0.004 });
   }) },
   { name: "Traction on a wet rail", told: "A locomotive's wheel turns 0.15 % faster than it rolls: on a wet rail most of the contact slides already, and friction falls the faster it slides.", make: changed((state) => {
     state.view = "contact";

@@ -9,8 +9,8 @@ import { digits } from "./units.ts";
 
 export interface Outline { y: number[]; z: number[] }
 export interface Patch {
-  normal_force: number; fx: number; fy: number; place_x: number; place_y: number; place_z: number; angle: number; rail_y: number; peak_pressure: number;
-  contact_area: number; slip_area: number; fields: (ElementFields & { width: number[] }) | undefined; sheets: Sheet[];
+  normal_force: number; fx: number; fy: number; possible: number; place_x: number; place_y: number; place_z: number; angle: number; rail_y: number; peak_pressure: number;
+  contact_area: number; slip_area: number; fields: ElementFields | undefined; sheets: Sheet[];
 }
 export interface Scene {
   rail: Outline; wheel: Outline; patches: Patch[];
@@ -59,7 +59,7 @@ const yawDrawn = 50; // times
 
 /** The handle that turns the wheelset, on the head from above. */
 export function yawHandle({ above: head, section }: Layout, yaw: number): { foot: Point; tip: Point } {
-  const foot: Point = [section.left + 0.88 * section.width, head.top + 0.9 * head.height], length = 0.78 * head.height, angle = Math.min(Math.max(yawDrawn * yaw, -1.2), 1.2);
+  const foot: Point = [section.left + (section.width > 450 ? 0.83 : 0.9) * section.width, head.top + 0.9 * head.height], length = 0.78 * head.height, angle = Math.min(Math.max(yawDrawn * yaw, -1.2), 1.2);
   return { foot, tip: [foot[0] - length * Math.sin(angle), foot[1] - length * Math.cos(angle)] };
 }
 
@@ -124,8 +124,18 @@ function drawForces(context: CanvasRenderingContext2D, at: (y: number, z: number
   }
 }
 
+/** An outline on the screen, without points closer than a pixel to the last one. */
+function pixelsOf({ y, z }: Outline, at: (y: number, z: number) => Point): Point[] {
+  const kept: Point[] = [];
+  y.forEach((value, i) => {
+    const point = at(value, z[i]!), last = kept.at(-1);
+    if (!last || i === y.length - 1 || Math.abs(point[0] - last[0]) + Math.abs(point[1] - last[1]) > 1) kept.push(point);
+  });
+  return kept;
+}
+
 function drawSection(context: CanvasRenderingContext2D, scene: Scene, layout: Layout): void {
-  const { section, isNarrow, middle } = layout, at = sectionPlace(layout), points = ({ y, z }: Outline) => y.map((value, i) => at(value, z[i]!));
+  const { section, isNarrow, middle } = layout, at = sectionPlace(layout), points = (outline: Outline) => pixelsOf(outline, at);
   const foot = section.top + section.height, low = Math.max(...scene.rail.z) - (foot - layout.top) / layout.scale, high = (layout.top - section.top) / layout.scale;
   for (const z of ticks(1e3 * low, 1e3 * high, section.height / 60)) {
     const [, y] = at(0, z / 1e3);
@@ -230,7 +240,7 @@ function drawAbove(context: CanvasRenderingContext2D, scene: Scene, layout: Layo
   const goes = head.left + (isNarrow ? 0.08 : 0.07) * head.width;
   arrows(context, [[[goes, foot - 6], [goes, head.top + 8]]], "--ui", 3, 11);
   text(context, "rolls", [goes + 10, head.top + head.height / 2 - 2], { bold: true, size: 12.5 });
-  text(context, "this way", [goes + 10, head.top + head.height / 2 + 13], { bold: true, size: 12.5 });
+  if (!isNarrow) text(context, "this way", [goes + 10, head.top + head.height / 2 + 13], { bold: true, size: 12.5 });
   drawYaw(context, scene, layout);
   context.save();
   context.beginPath();
@@ -252,10 +262,10 @@ function drawYaw(context: CanvasRenderingContext2D, { yaw }: Scene, layout: Layo
   context.lineWidth = 2;
   context.stroke();
   if (layout.isNarrow) return;
-  const at: Point = [foot[0] - 16, foot[1] - 34];
-  text(context, yaw === 0 ? "wheel points" : "wheel points", at, { align: "right" });
-  text(context, yaw === 0 ? "straight ahead" : `${size} mrad ${yaw > 0 ? "left" : "right"}`, [at[0], at[1] + 15], { align: "right" });
-  text(context, "(drawn × 50)", [at[0], at[1] + 29], { size: 11, align: "right", colour: "--ink2" });
+  const at: Point = [foot[0] + 24, foot[1] - 34];
+  text(context, "wheel points", at);
+  text(context, yaw === 0 ? "straight ahead" : `${size} mrad ${yaw > 0 ? "left" : "right"}`, [at[0], at[1] + 15]);
+  text(context, "(drawn × 50)", [at[0], at[1] + 29], { size: 11, colour: "--ink2" });
 }
 
 function drawLens(context: CanvasRenderingContext2D, scene: Scene, layout: Layout, place: Place): void {
@@ -374,7 +384,7 @@ export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gaug
   [left, right].forEach((side, k) => {
     if (!side) return;
     const middle = middleOf(side.outline.rail), at = (y: number, z: number): Point => [centres[k]! - (y - middle) * scale, top - z * scale];
-    const points = ({ y, z }: Outline) => y.filter((_, i) => i % 4 === 0).map((value, i) => at(value, z[4 * i]!));
+    const points = (outline: Outline) => pixelsOf(outline, at);
     context.save();
     context.beginPath();
     context.rect(centres[k]! - 0.08 * scale, 6, 0.16 * scale, foot);

@@ -5,7 +5,7 @@ import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
 import { help, input, output } from "./description.ts";
-import { button, card, controlsOf, element, fillKeys, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
+import { Keys, Seldom, button, card, controlsOf, element, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
 import { rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
@@ -22,7 +22,7 @@ interface WheelResult {
   wheel: Record<string, (number | string)[]>;
   patches?: Record<string, number[]>; // none where wheel and rail do not touch
   outlines: { rail: Outline; wheel: Outline };
-  fields?: (ElementFields & { width: number[] })[];
+  fields?: RowsOfPatch[];
   status: string; reason?: string; warnings: string[];
 }
 /** What the reader made of a profile. */
@@ -32,6 +32,7 @@ interface Conicity {
   over_lateral_displacement: { lateral: number; rolling_radius_difference: number; left_rolling_radius: number; right_rolling_radius: number }[];
 }
 type Level = "fastsim2" | "exact";
+type RowsOfPatch = ElementFields & { area: number[]; bound: number[] };
 
 const groups: Record<"Where the wheelset stands" | "Load and motion" | "Track and wheelset" | "Material", FieldSpec[]> = {
   "Where the wheelset stands": [
@@ -76,7 +77,7 @@ export class RailView {
   readonly #pair = element("canvas", { class: "map pair", role: "img" });
   readonly #steers = element("p", { class: "steers" });
   readonly #lead = element("p");
-  readonly #keys = element("dl", { class: "panel keys" });
+  readonly #keys = new Keys();
   readonly #numbers = element("table", { class: "numbers" });
   readonly #more = element("p", { class: "hint" });
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
@@ -98,8 +99,8 @@ export class RailView {
   #noRunning = ""; // why there is no conicity
   #later = 0;
   #frame = 0;
-  #pairDrawn = 0;
-  #grabbed: { x: number; y: number; what: "wheel" | "yaw" } | undefined;
+  readonly #rest = new Seldom(() => { this.#drawRest(); });
+  #grabbed: { x: number; y: number; what: "wheel" | "yaw"; box: DOMRect } | undefined;
   #isTold = false;
   #layout: Layout | undefined;
   #scene: Scene | undefined;
@@ -117,7 +118,7 @@ export class RailView {
       titleOf("Where wheel and rail touch, and what they do to each other", this.#lead),
       controlsOf(this.#controls()),
       element("div", { class: "pictures" },
-        this.#keys,
+        this.#keys.root,
         card("wide pinned", "", "", this.section, this.#hover, this.#form.message, this.#refused, this.#time),
         this.#warnings,
         card("wide", "Both wheels", "The same wheelset on both rails, from behind; each wheel carries the load that is set. Profiles to scale, track shortened.", this.#pair, this.#steers),
@@ -230,7 +231,7 @@ export class RailView {
 
   #listen(): void {
     const { section } = this, place = (event: PointerEvent) => {
-      const box = section.getBoundingClientRect();
+      const box = this.#grabbed?.box ?? section.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top] as const;
     };
     section.addEventListener("pointerdown", (event) => {
@@ -240,7 +241,7 @@ export class RailView {
       if (!isYaw && y > layout.above.top + layout.above.height) return;
       section.setPointerCapture(event.pointerId);
       this.#isTold = true;
-      this.#grabbed = { x, y, what: isYaw ? "yaw" : "wheel" };
+      this.#grabbed = { x, y, what: isYaw ? "yaw" : "wheel", box: section.getBoundingClientRect() };
     });
     section.addEventListener("pointermove", (event) => {
       const [x, y] = place(event), layout = this.#layout;
@@ -350,11 +351,11 @@ export class RailView {
     const asked = runningCase(this.state);
     const of = asked + JSON.stringify(this.state.files);
     if (of !== this.#runningOf) {
+      this.#runningOf = of;
       const reply = await this.core.ask<Conicity>("conicity", { call: "conicity", case: asked, files: this.#files() });
-      if (!reply) return;
+      if (!reply || of !== this.#runningOf) return;
       this.#running = reply.result;
       this.#noRunning = reply.error ? sentence(withoutPlace(reply.error.message)) : "";
-      this.#runningOf = of;
     }
     this.#drawRunning();
     this.#drawPair();
@@ -368,7 +369,7 @@ export class RailView {
       return;
     }
     const over = this.#running.over_lateral_displacement.filter((at) => Math.abs(at.rolling_radius_difference) < largestDifference), present = 1e3 * this.state.values["wheel.lateral"]!;
-    this.#radii.draw({
+    this.#radii.draw({ drag: (lateral) => { this.#change("wheel.lateral", Number((lateral / 1e3).toPrecision(4))); },
       x: over.map(({ lateral }) => lateral * 1e3), xLabel: "sideways position [mm], to the left →", yLabel: "left − right [mm]", present,
       curves: [{ name: "radius difference", colour: colours.exact, values: over.map((at) => at.rolling_radius_difference * 1e3) }],
     });
@@ -387,7 +388,7 @@ export class RailView {
     const made = (patches["normal_force"] ?? []).map((normal_force, i): Patch => {
       const at = (name: string) => patches[name]![i]!, f = fields?.[i];
       return {
-        normal_force, fx: at("fx"), fy: at("fy"), place_x: at("place_x"), place_y: at("place_y"), place_z: at("place_z"), angle: at("angle"), rail_y: at("rail_y"),
+        normal_force, ...frictionOf(f, { fx: at("fx"), fy: at("fy"), possible: NaN }), place_x: at("place_x"), place_y: at("place_y"), place_z: at("place_z"), angle: at("angle"), rail_y: at("rail_y"),
         peak_pressure: at("peak_pressure"), contact_area: at("contact_area"), slip_area: at("slip_area"), fields: f, sheets: f ? sheetsOf(f, rowHeight(f.y)) : [],
       };
     });
@@ -404,14 +405,21 @@ export class RailView {
   #drawNow(): void {
     const solved = this.#solved.exact ?? this.#solved.fastsim2;
     if (!solved || !this.#solved.fastsim2?.outlines) return;
-    const remarks = remarksOn(solved);
     this.#drawScene();
     this.#showKeys(solved);
+    this.#rest.soon();
+  }
+
+  /** What does not have to follow the hand at every frame. */
+  #drawRest(): void {
+    const solved = this.#solved.exact ?? this.#solved.fastsim2;
+    if (!solved) return;
+    this.#tell();
     this.#showNumbers();
-    fillRemarks(this.#warnings, remarks, this.#remedies());
+    fillRemarks(this.#warnings, remarksOn(solved), this.#remedies());
     if (this.#head) this.#head.show(solved.outlines.rail, this.#patchesOf(solved));
     this.#drawRunning();
-    if (performance.now() - this.#pairDrawn > 100) this.#drawPair(); // which is drawn at rest in any case
+    this.#drawPair();
   }
 
   #drawScene(): void {
@@ -426,37 +434,41 @@ export class RailView {
     };
     this.#layout = drawScene(this.section, scene);
     this.#scene = scene;
+    this.section.setAttribute("aria-valuenow", (1e3 * lateral).toFixed(2));
+  }
+
+  /** The state in a sentence. */
+  #tell(): void {
+    const { "wheel.lateral": lateral = 0, "wheel.yaw": yaw = 0 } = this.state.values;
     const stands = lateral === 0 ? "in the middle of the track" : `${Math.abs(1e3 * lateral).toFixed(1)} mm to the ${side(lateral, "left", "right")} of the track's middle`;
-    const turns = scene.yaw === 0 ? "points straight ahead" : `is turned ${Math.abs(1e3 * scene.yaw).toFixed(1)} mrad to the ${side(scene.yaw, "left", "right")}`;
+    const turns = yaw === 0 ? "points straight ahead" : `is turned ${Math.abs(1e3 * yaw).toFixed(1)} mrad to the ${side(yaw, "left", "right")}`;
     this.#lead.replaceChildren("Cut through the ", element("b", {}, "left wheel"), " and its rail", ...long(", to scale; you look along the track, the way the train goes"), `. The wheelset stands ${stands} and ${turns}. `,
       ...long("Drag the wheel (Shift: ten times finer) or the handle that turns it; arrow keys do the same."));
-    const where = scene.patches.map((patch) => `${digits(patch.rail_y * 1e3)} mm`).join(" and ");
+    const where = this.#scene!.patches.map((patch) => `${digits(patch.rail_y * 1e3)} mm`).join(" and ");
     this.section.setAttribute("aria-label", `Wheel, moved sideways; wheel and rail seen along the track, contact on the rail at y = ${where || "no place"}`);
-    this.section.setAttribute("aria-valuenow", (1e3 * lateral).toFixed(2));
     this.section.setAttribute("aria-valuetext", `${stands}, ${turns}`);
   }
 
   #showKeys(solved: WheelResult): void {
     const patches = this.#patchesOf(solved), sum = (of: (patch: Patch) => number) => patches.reduce((all, patch) => all + of(patch), 0);
     const area = sum(({ contact_area }) => contact_area), slipping = sum(({ slip_area }) => slip_area), friction = sum(({ fx, fy }) => Math.hypot(fx, fy));
-    const possible = this.state.values["friction.coefficient"]! * sum(({ normal_force }) => normal_force), peak = Math.max(0, ...patches.map(({ peak_pressure }) => peak_pressure));
+    const possible = sum((patch) => patch.possible), peak = Math.max(0, ...patches.map(({ peak_pressure }) => peak_pressure));
     const wheel = (name: string) => Number(solved.wheel[name]?.[0]), ratio = wheel("y_over_q"), limit = wheel("nadal_limit");
     const size = patches.length === 1 ? sizeOf(patches[0]!) : patches.length ? `in ${String(patches.length)} parts` : "no contact";
     const climbing = ratio > limit ? "above the limit: it can climb" : ratio > 0.7 * limit ? "close to climbing the rail" : "far from climbing the rail";
     const share = area > 0 ? 1 - slipping / area : 0, minus = (words: string) => words.replace("-", "−");
     this.#keyNumbers = [
-      { name: "Load on this wheel", value: digits(wheel("force_z") / 1e3), unit: "kN", note: "upwards, from the rail", what: output("wheel", "force_z").text },
-      { name: "Contact patch", value: digits(Math.round(1e6 * area)), unit: "mm²", note: size, what: output("patch", "contact_area").text },
-      { name: "Highest pressure", value: Math.round(peak / 1e6).toLocaleString("en"), unit: "MPa", note: peak / 1e6 > 1000 ? `${digits(Math.round(peak / 1e5) / 10)} N on each mm²` : "", what: output("patch", "peak_pressure").text },
-      { name: "Sticks and slides", value: "", unit: "", note: area > 0 ? `${String(Math.round(100 * share))} % sticks, ${String(Math.round(100 * (1 - share)))} % slides` : "nothing", share, what: "Shares of the contact where the surfaces stick together and where they slide" },
-      { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: possible > 0 ? `${String(Math.round((100 * friction) / possible))} % of ${(possible / 1e3).toFixed(1)} kN possible` : "", what: "Along the surface, summed over the patches; possible is friction times the force square to the surface" },
+      { name: "Load on this wheel", value: digits(wheel("force_z") / 1e3), unit: "kN", note: "upwards, from the rail", what: `What the rail carries of the wheelset through this wheel. ${output("wheel", "force_z").text}.` },
+      { name: "Contact patch", value: digits(Math.round(1e6 * area)), unit: "mm²", note: size, what: `The area of steel that touches, as large as a fingernail. ${output("patch", "contact_area").text}.` },
+      { name: "Highest pressure", value: Math.round(peak / 1e6).toLocaleString("en"), unit: "MPa", note: peak / 1e6 > 1000 ? `${digits(Math.round(peak / 1e5) / 10)} N on each mm²` : "", what: `The largest pressure within the contact. Rail steel yields below the surface from some 1500 MPa on; microslip computes elastic steel. ${output("patch", "peak_pressure").text}.` },
+      { name: "Sticks and slides", value: "", unit: "", note: area > 0 ? `${String(Math.round(100 * share))} % sticks, ${String(Math.round(100 * (1 - share)))} % slides` : "nothing", share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip). What slides wears." },
+      { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: possible > 0 ? `${String(Math.round((100 * friction) / possible))} % of ${(possible / 1e3).toFixed(1)} kN possible` : "", what: "Along the surface, summed over the patches; possible is the friction coefficient times the pressure, summed" },
       { name: "Climbing (Y/Q)", value: minus(ratio.toFixed(2)), unit: `limit ${limit.toFixed(2)}`, note: climbing, what: `${output("wheel", "y_over_q").text}. ${output("wheel", "nadal_limit").text}.` },
     ];
-    fillKeys(this.#keys, this.#keyNumbers, this.#frozen?.keys);
+    this.#keys.show(this.#keyNumbers, this.#frozen?.keys);
   }
 
   #drawPair(): void {
-    this.#pairDrawn = performance.now();
     const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines, right = this.#right;
     if (!solved || !outlines) return;
     const words = (name: string, of: WheelResult, radius: number | undefined) => {
@@ -499,13 +511,20 @@ export class RailView {
     return [
       { when: /solved as flat/, name: "Use the curved shape", run: () => { this.#shapeTo("curved"); } },
       { when: /derailed|do not touch|profile's end|end of (a|the) profile/, name: "Back on the rail", run: back },
-      { when: /hundredth of Young/, name: "Away from the flange", run: back },
-      ...roles.map((role): Remedy => ({
-        when: new RegExp(`(?=.*smooth with a wavelength)(?=.*${role === "rail" ? "rail|\\.prr" : "wheel|\\.prw"})`), name: `Smooth the ${role === "rail" ? "rail" : "wheel"}`,
-        run: () => { this.#smooth(role, "0.004"); },
-      })),
+      { when: /hundredth of Young|may climb/, name: "Away from the flange", run: back },
+      ...roles.map((role): Remedy => {
+        const file = this.state.profiles[role === "rail" ? "rail" : "wheel"].replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&");
+        return { when: new RegExp(`^${file}: .*(leave smoothing_length out|smooth with)`), name: `Smooth the ${role === "rail" ? "rail" : "wheel"}`, run: () => { this.#smooth(role, ""); } };
+      }),
     ];
   }
+}
+
+/** Friction of a patch summed along its surface, which turns where the patch is curved, and the most that it can be. */
+function frictionOf(f: RowsOfPatch | undefined, otherwise: Pick<Patch, "fx" | "fy" | "possible">): Pick<Patch, "fx" | "fy" | "possible"> {
+  if (!f) return otherwise;
+  const sum = (of: number[]) => of.reduce((all, value, k) => all + value * f.area[k]!, 0);
+  return { fx: sum(f.px), fy: sum(f.py), possible: sum(f.bound) };
 }
 
 /** Length along and width across of a patch. */
@@ -524,10 +543,8 @@ function nearest(running: Conicity | undefined, lateral: number): { left: number
 }
 
 /** Warnings of a result, its status unless it is ok, and why. */
-function remarksOn({ warnings, status, reason, wheel }: WheelResult): string[] {
-  const [ratio, limit] = ["y_over_q", "nadal_limit"].map((name) => Number(wheel[name]?.[0]));
-  const climbs = ratio! > limit! ? [`Flange climbing: Y/Q = ${ratio!.toFixed(2)} is above Nadal's limit ${limit!.toFixed(2)}, so this wheel can climb its rail`] : [];
-  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...climbs, ...warnings].map(sentence);
+function remarksOn({ warnings, status, reason }: WheelResult): string[] {
+  return [...(status === "ok" ? [] : [statusInWords(status, reason)]), ...warnings].map(sentence);
 }
 
 /** What is wrong with where the wheel is, in few words for the picture. */
@@ -535,8 +552,8 @@ function troubleOf(solved: WheelResult): string {
   const all = remarksOn(solved).join(" ");
   if (/derailed/.test(all)) return "Derailed: the flange is not inside the rail any more";
   if (/do not touch/.test(all)) return "Lifted: wheel and rail do not touch";
-  if (/Flange climbing/.test(all)) return "The flange can climb: Y/Q is above Nadal's limit";
-  if (/hundredth of Young/.test(all)) return "No steel bears this pressure";
+  if (/flange may climb/.test(all)) return "The flange may climb: Y/Q is above Nadal's limit";
+  if (/hundredth of Young/.test(all)) return "Steel yields far below this pressure";
   if (Number(solved.wheel["at_profile_end"]?.[0]) > 0) return "The contact reaches the end of a profile";
   return solved.status === "ok" ? "" : "No solution here: see below";
 }

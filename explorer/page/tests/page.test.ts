@@ -711,7 +711,7 @@ test("examples set all that they are about; changes are undone and done again; t
   await settled(page);
   assert.equal(await lateral.inputValue(), "5");
   await page.getByRole("button", { name: "End", exact: true }).click();
-  assert.equal(await seen.locator(".keys .before").count(), 0);
+  assert.equal(await seen.locator(".keys .before").locator("visible=true").count(), 0);
   await page.getByRole("button", { name: "Reset all" }).click();
   assert.equal(await lateral.inputValue(), "3");
   assert.deepEqual(errors, []);
@@ -762,6 +762,12 @@ test("what is wrong is said in the picture's words, and the page does what it ad
   await page.getByLabel("Smooth the wheel", { exact: true }).selectOption("0.004");
   await settled(page);
   assert.match(readFileSync(await saved(page, "case as TOML"), "utf8"), /smoothing_length = "4 mm"/);
+  await page.locator("section:not([hidden])").getByRole("button", { name: "Measured profile" }).click();
+  await page.getByLabel("Smooth the wheel", { exact: true }).selectOption("0");
+  await advice.getByText(/measured_wheel.txt: the points scatter by .* leave smoothing_length out/).waitFor();
+  await does("Smooth the wheel");
+  await advice.waitFor({ state: "hidden" });
+  assert.equal(await page.getByLabel("Smooth the wheel", { exact: true }).inputValue(), "");
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -784,6 +790,14 @@ test("measured points stand in the creep curves; a file without them is refused 
   await page.close();
 });
 
+/** On small screens the picture is seen while a control is. */
+async function inSight(page: Page, view: string): Promise<void> {
+  const box = async (selector: string) => (await page.locator(`section:not([hidden]) ${selector}`).locator("visible=true").first().boundingBox())!;
+  const [picture, control] = [await box(".pinned canvas"), await box(".controls .field")], { height } = page.viewportSize()!;
+  assert.ok(control.y >= 0 && control.y + control.height <= height, `${view}: a control at ${control.y}`);
+  assert.ok(picture.y >= 0 && control.y - picture.y > 200, `${view}: ${control.y - picture.y} pixels of the picture above the controls`);
+}
+
 test("every control has a name; nothing is wider than a narrow screen", async () => {
   for (const view of ["Contact", "Wheel on rail", "Start and stop", "Nip"])
     for (const [width, scheme] of [[400, "dark"], [1400, "light"]] as const) {
@@ -795,6 +809,7 @@ test("every control has a name; nothing is wider than a narrow screen", async ()
         at.offsetParent && !(at.getAttribute("aria-label") ?? at.textContent ?? "").trim() && !document.querySelector(`label[for="${at.id}"]`)).map((at) => at.outerHTML));
       assert.deepEqual(unnamed, []);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is wider than ${width}`);
+      if (width === 400) await inSight(page, view);
       if (shots) await page.screenshot({ path: path.join(shots, `${view.replaceAll(" ", "_")}_${width}.png`), fullPage: true });
       assert.deepEqual(errors, []);
       await page.close();
