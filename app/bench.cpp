@@ -5,6 +5,7 @@
 #include "app/machine.hpp"
 #include "app/progress_bar.hpp"
 #include "io/creep_table_file.hpp"
+#include "io/nearest_word.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
 #include "microslip/rolling/solver.hpp"
@@ -256,17 +257,29 @@ constexpr const char* footer =
     R"(Each line is the median of runs for a second on one core, and its ratio to another line: times depend on
 the machine and on what else it does, ratios hardly. docs/performance.md has more.
 
+With the word vehicle: a wheelset, a bogie and a car over an irregular track, in times of real time, where
+microslip was built with Simbody; docs/vehicle.md describes them.
+
 Example:
   microslip bench)";
 
 } // namespace
 
-void add_bench_command(Command& program) {
+void add_bench_command(Command& program, int& exit_code, int (*vehicle)(bool json)) {
   Command command =
       program.add_subcommand("bench", "Print what a contact costs on this machine, within a minute", footer);
+  const auto subject = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
+  command.add_option("SUBJECT", *subject, "vehicle: a running vehicle in place of contacts");
   add_json_flag(command, *json);
-  command.callback([json] { bench(*json); });
+  command.callback([=, &exit_code] {
+    if (*subject == "vehicle")
+      exit_code = vehicle(*json);
+    else if (subject->empty())
+      bench(*json);
+    else
+      throw Error("there is nothing called " + io::printable(*subject) + " to measure; did you mean vehicle?");
+  });
 }
 
 } // namespace microslip::app

@@ -7,8 +7,9 @@ namespace microslip::app {
 /// Adds `microslip batch`, which sets `exit_code` to 1 if a contact could not be solved.
 void add_batch_command(Command& program, int& exit_code);
 
-/// Adds `microslip bench`, which prints what a contact costs on this machine.
-void add_bench_command(Command& program);
+/// Adds `microslip bench`, which prints what a contact costs on this machine, and with the word `vehicle` by how much a
+/// vehicle runs faster than real time, by a function that is told whether to print JSON.
+void add_bench_command(Command& program, int& exit_code, int (*vehicle)(bool json));
 
 /// Adds `microslip completion`, which prints a script that completes the program's commands and options in a shell.
 void add_completion_command(Command& program);

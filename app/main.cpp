@@ -32,7 +32,7 @@ void add_commands(Command& program, int& exit_code) {
   add_convert_command(program, exit_code);
   add_table_command(program, exit_code);
   add_validate_command(program, exit_code, run_studies_program);
-  add_bench_command(program);
+  add_bench_command(program, exit_code, [](bool) { return go_on_as_studies(); });
   add_completion_command(program);
   add_manual_command(program);
   program.footer(footer);

@@ -9,7 +9,7 @@
 
 namespace microslip::app {
 
-int run_studies_program(const ValidateArguments&) {
+int go_on_as_studies() {
   std::filesystem::path file = io::program_file();
   file.replace_filename("microslip-validate" + file.extension().string());
   std::error_code error;
@@ -18,6 +18,10 @@ int run_studies_program(const ValidateArguments&) {
   const int code = go_on_as(file);
   if (code < 0) throw Error(file.string() + " cannot be started: " + std::generic_category().message(-code));
   return code;
+}
+
+int run_studies_program(const ValidateArguments&) {
+  return go_on_as_studies();
 }
 
 constexpr const char* footer =

@@ -24,7 +24,9 @@ struct ValidateArguments {
 /// Adds `microslip validate`, whose exit code is what `run` returns.
 void add_validate_command(Command& program, int& exit_code, int (*run)(const ValidateArguments& arguments));
 
-/// Goes on as microslip-validate, the program beside this one that has the studies. Throws Error if it is not there.
+/// Goes on as microslip-validate, the program beside this one that has the studies and the vehicle, with the arguments
+/// of this one. Throws Error if it is not there.
+int go_on_as_studies();
 int run_studies_program(const ValidateArguments& arguments);
 
 } // namespace microslip::app

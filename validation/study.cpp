@@ -48,6 +48,7 @@ constexpr std::array all_studies = {
     study("spence", run_spence),
     study("subsurface", run_subsurface),
     study("temperature", run_temperature),
+    study("vehicle", run_vehicle),
     study("viscoelastic-cylinders", run_viscoelastic_cylinders),
     study("wheel-levels", run_wheel_levels),
     study("wheel-rail", run_wheel_rail),

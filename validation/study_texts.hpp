@@ -46,6 +46,7 @@ inline constexpr std::array study_texts = {
     StudyText{"spence", "a sphere pressed on a rigid plane with friction, stage by stage"},
     StudyText{"subsurface", "displacements and stresses inside the bodies; how near to the surface they hold"},
     StudyText{"temperature", "surface temperatures of a sliding wheel beside CONTACT's, and Hertzian heat"},
+    StudyText{"vehicle", "a car on a multibody program: energy, wavelengths, integrators, forces in a curve"},
     StudyText{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads"},
     StudyText{"wheel-levels", "fast theories of a wheel on a rail beside the exact one; their largest jumps"},
     StudyText{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy"},

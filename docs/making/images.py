@@ -70,6 +70,8 @@ SOURCES = (
            {"wheelset.png": "wheelset.png"}),
     Source("build/release/bin/wheelset_on_profiles examples/profiles {folder} && /usr/bin/python3 examples/wheelset/plot.py {folder}",
            {"wheelset_on_profiles.png": "wheelset.png"}, slow=True),
+    Source("build/release/bin/vehicle examples/profiles {folder} && /usr/bin/python3 examples/vehicle/plot.py {folder}",
+           {"vehicle.png": "vehicle.png"}, slow=True),
     Source("/usr/bin/python3 examples/wear/wear.py {folder} && /usr/bin/python3 examples/wear/plot.py {folder}",
            {"wear.png": "wear.png"}, slow=True),
     Source("cmake --install build/release --prefix {folder}/microslip --component libraries && "

@@ -1,7 +1,6 @@
 #include "implicit_integrator.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -55,7 +54,6 @@ void ImplicitIntegrator::predict(double h, Vector& q, Vector& u) const {
 
 /// In generalised coordinates: the columns of H of a body are its axes of rotation and of displacement in the ground.
 void ImplicitIntegrator::make_newton_matrix(double g) {
-  const auto begin = std::chrono::steady_clock::now();
   slopes_.clear();
   for (const SlopedForce* force : vehicle_.sloped_forces()) force->add_slopes(state_, slopes_);
   const int bodies = vehicle_.bodies();
@@ -93,7 +91,6 @@ void ImplicitIntegrator::make_newton_matrix(double g) {
   factors_.factor(matrix_);
   matrix_g_ = g;
   ++counts_.jacobians;
-  counts_.jacobian_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 double ImplicitIntegrator::error_of(const Vector& q, const Vector& u, double h) const {

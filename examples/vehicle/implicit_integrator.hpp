@@ -17,7 +17,7 @@ public:
     double step = 1e-3;                  ///< [s], the longest one
     std::optional<double> accuracy = {}; ///< of a step: 1 is 1 mm, 1 mrad, 1 m/s, 1 rad/s. None: steps are never
                                          ///< shortened but where Newton's method fails
-    double newton_tolerance = 1e-5; ///< of velocities [m/s], [rad/s]
+    double newton_tolerance = 1e-5;      ///< of velocities [m/s], [rad/s]
     int most_iterations = 6;
     /// Iterations that slow down so far call for new derivatives [-].
     double slow = 0.2;
@@ -25,7 +25,6 @@ public:
   struct Counts {
     long steps = 0, rejected_by_error = 0, rejected_by_newton = 0, evaluations = 0, iterations = 0, jacobians = 0;
     long rejected_at_patch_change = 0; ///< of the rejected, where a wheel had other patches than at the step's begin
-    double jacobian_seconds = 0;       ///< with the factorisation
     double iterations_a_step() const {
       return steps ? static_cast<double>(iterations) / static_cast<double>(steps) : 0;
     }

@@ -8,9 +8,9 @@
 #include "runs.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -22,8 +22,8 @@ namespace {
 constexpr double radius = 300, cant = 0.1, curve_speed = 24; // [m], [rad], [m/s]: 97 mm of cant deficiency
 constexpr double curve_time = 11;
 
-std::shared_ptr<const Track> curve() {
-  return std::make_shared<Track>(Track::curve(radius, cant, 40, 60, 80));
+std::shared_ptr<const TrackLine> curve() {
+  return std::make_shared<TrackLine>(TrackLine::curve(radius, cant, 40, 60, 80));
 }
 
 /// Writes a file that is there when it is whole.
@@ -46,18 +46,19 @@ void print_cost(const char* name, const Run& run, double duration, double second
               contacts.statuses[static_cast<std::size_t>(microslip::Status::no_contact)], contacts.doubtful());
 }
 
+/// Processor time that it takes [s].
 template <class Each> double run_for(Run& run, double duration, double each, const Each& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   for (int k = 1; k * each <= duration + 1e-9; ++k) {
     run.integrator.step_to(k * each);
     work();
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 void rough_straight(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies) {
   Run run(parameters, bodies,
-          std::make_shared<Track>(std::vector<Track::Knot>{{0, 0, 0}}, std::make_shared<Irregularity>(1)));
+          std::make_shared<TrackLine>(std::vector<TrackLine::Knot>{{0, 0, 0}}, std::make_shared<Irregularity>(1)));
   constexpr double duration = 4;
   double most = 0, least_load = 1e9;
   const double seconds = run_for(run, duration, 0.01, [&] {

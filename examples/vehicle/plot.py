@@ -64,7 +64,7 @@ def draw_contacts(axes, data, folder):
     label(axes, "Where the wheels touch", "time [s]", "y on the wheel's profile [mm]")
     axes.set_xlim(time[0], time[-1])
     axes.annotate("flange", (0.01, 0.02), xycoords="axes fraction", color=GREY, fontsize=8)
-    axes.legend(loc="center right", frameon=False, fontsize=8, markerscale=3)
+    axes.legend(loc="center", frameon=False, fontsize=8, markerscale=3)
 
 
 def draw_wear(axes, data):

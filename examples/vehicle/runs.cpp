@@ -28,7 +28,7 @@ std::vector<double> hunting_amplitudes(const VehicleParameters& parameters, cons
   for (const double speed : speeds) {
     VehicleParameters p = parameters;
     p.speed = speed;
-    Run run(p, bodies, std::make_shared<Track>());
+    Run run(p, bodies, std::make_shared<TrackLine>());
     SimTK::State state = run.vehicle.start();
     if (!found.empty() && found.back() > small) { // the motion goes on, faster or slower along the track
       const double ratio = speed / last.getU()[Vehicle::forward];
@@ -52,23 +52,25 @@ std::vector<double> hunting_amplitudes(const VehicleParameters& parameters, cons
   return found;
 }
 
-double kinematic_wavelength(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-                            double displacement) {
+KinematicSwing kinematic_swing(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
+                               double displacement) {
   VehicleParameters p = parameters;
   p.kind = VehicleParameters::Kind::wheelset;
-  Run run(p, bodies, std::make_shared<Track>(), {}, {.step = 2e-3});
+  Run run(p, bodies, std::make_shared<TrackLine>(), {}, {.step = 2e-3});
   SimTK::State state = run.vehicle.start();
   run.vehicle.position(state, 0, Vehicle::left) = displacement;
   run.integrator.start(state);
   constexpr double begin = 5, end = 80, step = 0.02; // along the track [m]
   std::vector<double> crossings;
-  double before = 0, place_before = 0;
-  for (double place = begin; place < end; place += step) {
+  double before = 0, place_before = 0, least = 0, most = 0;
+  for (double place = begin; place < end && crossings.size() < 3; place += step) {
     run.integrator.step_to(place / p.speed);
     const SimTK::State& now = run.integrator.state();
     const double y = now.getQ()[Vehicle::left], x = now.getQ()[Vehicle::forward];
     if (before < 0 && y >= 0) crossings.push_back(x - (x - place_before) * y / (y - before));
+    if (!crossings.empty()) least = std::min(least, y), most = std::max(most, y);
     before = y, place_before = x;
   }
-  return crossings.size() < 2 ? 0 : (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+  if (crossings.size() < 3) return {};
+  return {.wavelength = (crossings[2] - crossings[0]) / 2, .amplitude = (most - least) / 2};
 }

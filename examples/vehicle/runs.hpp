@@ -12,8 +12,9 @@ struct Run {
   Vehicle vehicle;
   ImplicitIntegrator integrator;
 
-  Run(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies, std::shared_ptr<const Track> track,
-      const WheelRailForces::Options& contacts = {}, const ImplicitIntegrator::Options& steps = {})
+  Run(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
+      std::shared_ptr<const TrackLine> track, const WheelRailForces::Options& contacts = {},
+      const ImplicitIntegrator::Options& steps = {})
       : vehicle(parameters, bodies, std::move(track), contacts), integrator(vehicle, steps) {
     integrator.start(vehicle.start());
   }
@@ -36,7 +37,12 @@ std::vector<WheelRecord> record(const Vehicle& vehicle);
 std::vector<double> hunting_amplitudes(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
                                        std::span<const double> speeds, double lateral_speed, double duration);
 
-/// Wavelength of the motion of a free wheelset with a small lateral displacement [m], over several of them; 0 if it
-/// does not swing.
-double kinematic_wavelength(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-                            double displacement);
+/// Motion of a free wheelset over two of its periods.
+struct KinematicSwing {
+  double wavelength = 0; ///< [m]; 0 if it does not swing
+  double amplitude = 0;  ///< [m]
+};
+
+/// From a lateral displacement, after 5 m; within 80 m.
+KinematicSwing kinematic_swing(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
+                               double displacement);

@@ -84,7 +84,7 @@ RailLine Irregularity::right(double distance) const {
   return {part * at(alignment, distance), part * (at(level, distance) + -half_distance * at(cross_level, distance))};
 }
 
-Track::Track(std::vector<Knot> knots, std::shared_ptr<const Irregularity> irregularity)
+TrackLine::TrackLine(std::vector<Knot> knots, std::shared_ptr<const Irregularity> irregularity)
     : knots_(std::move(knots)), irregularity_(std::move(irregularity)) {
   Place place;
   for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
@@ -102,7 +102,7 @@ Track::Track(std::vector<Knot> knots, std::shared_ptr<const Irregularity> irregu
   begins_.push_back(knots_.back().distance), starts_.push_back(place);
 }
 
-std::vector<Track::Knot> Track::curve(double radius, double cant, double begin, double transition, double arc) {
+std::vector<TrackLine::Knot> TrackLine::curve(double radius, double cant, double begin, double transition, double arc) {
   const double angle = std::copysign(cant, radius);
   return {{0, 0, 0},
           {begin, 0, 0},
@@ -111,16 +111,16 @@ std::vector<Track::Knot> Track::curve(double radius, double cant, double begin, 
           {begin + 2 * transition + arc, 0, 0}};
 }
 
-Track Track::mirrored() const {
+TrackLine TrackLine::mirrored() const {
   std::vector<Knot> knots = knots_;
   for (Knot& knot : knots) knot.curvature = -knot.curvature, knot.cant = -knot.cant;
-  Track track(std::move(knots), irregularity_);
+  TrackLine track(std::move(knots), irregularity_);
   track.mirrored_ = !mirrored_;
   return track;
 }
 
 /// x = integral of cos of the heading, a polynomial of degree 2, by five points of Gauss and Legendre.
-Track::Place Track::on(const Place& start, double length) {
+TrackLine::Place TrackLine::on(const Place& start, double length) {
   constexpr std::array points = {0.0, 0.5384693101056831, 0.9061798459386640};
   constexpr std::array weights = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
   const auto heading = [&](double s) { return start.heading + s * (start.curvature + s * start.bend / 2); };
@@ -137,13 +137,13 @@ Track::Place Track::on(const Place& start, double length) {
   return place;
 }
 
-Track::Place Track::along(double distance) const {
+TrackLine::Place TrackLine::along(double distance) const {
   const auto next = std::upper_bound(begins_.begin(), begins_.end(), distance);
   const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, next - begins_.begin() - 1));
   return on(starts_[k], distance - begins_[k]);
 }
 
-double Track::nearest(const Vec3& p, double start) const {
+double TrackLine::nearest(const Vec3& p, double start) const {
   double s = start;
   for (int round = 0; round < 20; ++round) {
     const Place c = along(s);
@@ -155,7 +155,7 @@ double Track::nearest(const Vec3& p, double start) const {
   return s;
 }
 
-TrackFrame Track::centre(double distance) const {
+TrackFrame TrackLine::centre(double distance) const {
   const Place p = along(distance);
   const Rotation axes = Rotation(p.heading, SimTK::ZAxis) * Rotation(-p.cant, SimTK::XAxis);
   return {{axes, Vec3(p.x, p.y, 0)},
@@ -163,7 +163,7 @@ TrackFrame Track::centre(double distance) const {
           Vec3(-p.twist, -std::sin(p.cant) * p.curvature, std::cos(p.cant) * p.curvature)};
 }
 
-TrackFrame Track::rail(double distance, bool left) const {
+TrackFrame TrackLine::rail(double distance, bool left) const {
   TrackFrame frame = centre(distance);
   if (!irregularity_) return frame;
   RailLine line = left != mirrored_ ? irregularity_->left(distance) : irregularity_->right(distance);

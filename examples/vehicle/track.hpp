@@ -54,7 +54,7 @@ struct TrackFrame {
 };
 
 /// A track on level ground that begins at the origin along x. Curvature and cant are linear between knots.
-class Track {
+class TrackLine {
 public:
   struct Knot {
     double distance = 0;  ///< [m], ascending
@@ -63,12 +63,12 @@ public:
   };
 
   /// Straight for ever.
-  Track() : Track({{0, 0, 0}}) {}
-  explicit Track(std::vector<Knot> knots, std::shared_ptr<const Irregularity> irregularity = {});
+  TrackLine() : TrackLine({{0, 0, 0}}) {}
+  explicit TrackLine(std::vector<Knot> knots, std::shared_ptr<const Irregularity> irregularity = {});
   /// Straight, a transition, an arc, a transition, straight. Curves to the right have a radius < 0.
   static std::vector<Knot> curve(double radius, double cant, double begin, double transition, double arc);
   /// The track in a mirror whose plane is x, z.
-  Track mirrored() const;
+  TrackLine mirrored() const;
 
   /// The distance of the point of the centre line that is nearest to p; `start` [m] is near to it.
   double nearest(const SimTK::Vec3& p, double start) const;

@@ -179,7 +179,7 @@ void Vehicle::add_bogie(double centre, double dead_load, MobilizedBodyIndex* bod
 }
 
 Vehicle::Vehicle(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-                 std::shared_ptr<const Track> track, const WheelRailForces::Options& options)
+                 std::shared_ptr<const TrackLine> track, const WheelRailForces::Options& options)
     : parameters_(parameters), track_(std::move(track)), matter_(system_), forces_(system_) {
   const VehicleParameters& p = parameters_;
   contacts_ = new WheelRailForces(matter_, bodies, track_, options);

@@ -60,12 +60,12 @@ public:
   static constexpr double gravity = 9.81;
 
   Vehicle(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-          std::shared_ptr<const Track> track, const WheelRailForces::Options& options = {});
+          std::shared_ptr<const TrackLine> track, const WheelRailForces::Options& options = {});
 
   const SimTK::MultibodySystem& system() const { return system_; }
   const SimTK::SimbodyMatterSubsystem& matter() const { return matter_; }
   const VehicleParameters& parameters() const { return parameters_; }
-  const Track& track() const { return *track_; }
+  const TrackLine& track() const { return *track_; }
   WheelRailForces& contacts() const { return *contacts_; }
   /// Forces with derivatives.
   const std::vector<const SlopedForce*>& sloped_forces() const { return sloped_; }
@@ -92,7 +92,7 @@ private:
   SimTK::MobilizedBodyIndex add_wheelset(double along);
 
   VehicleParameters parameters_;
-  std::shared_ptr<const Track> track_;
+  std::shared_ptr<const TrackLine> track_;
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_;
   SimTK::GeneralForceSubsystem forces_;

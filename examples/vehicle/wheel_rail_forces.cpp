@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 using microslip::TrackSide, microslip::WheelVariable;
 using SimTK::Mat33, SimTK::MobilizedBodyIndex, SimTK::Rotation, SimTK::SpatialVec, SimTK::State, SimTK::Transform,
     SimTK::Vec3, SimTK::Vec6;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 Vec3 vector(const microslip::Vec3<double>& v) {
   return {v.x, v.y, v.z};
@@ -34,8 +33,9 @@ bool is_number(const microslip::WheelRailSolution& s) {
   return std::isfinite(s.force.x + s.force.y + s.force.z + s.moment.x + s.moment.y + s.moment.z);
 }
 
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
+/// Of the process since it began [s].
+double processor_time() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 } // namespace
@@ -50,7 +50,7 @@ long WheelRailForces::Counts::doubtful() const {
 }
 
 WheelRailForces::WheelRailForces(const SimTK::SimbodyMatterSubsystem& matter, const microslip::WheelRailBodies& bodies,
-                                 std::shared_ptr<const Track> track, const Options& options)
+                                 std::shared_ptr<const TrackLine> track, const Options& options)
     : matter_(matter), bodies_(bodies), track_(std::move(track)), options_(options),
       half_base_(microslip::place_wheel(bodies.wheelset, bodies.wheel).lateral) {}
 
@@ -150,7 +150,7 @@ void WheelRailForces::count(const Wheel& wheel) const {
 
 void WheelRailForces::calcForce(const State& state, SimTK::Vector_<SpatialVec>& body_forces, SimTK::Vector_<Vec3>&,
                                 SimTK::Vector&) const {
-  const auto begin = Clock::now();
+  const double begin = processor_time();
   for (Wheelset& wheelset : wheelsets_) find_place(state, wheelset);
   of_all_wheels([](Wheel& wheel) { wheel.law.solve(wheel.state, {}, wheel.found); });
   for (Wheelset& wheelset : wheelsets_) {
@@ -161,7 +161,7 @@ void WheelRailForces::calcForce(const State& state, SimTK::Vector_<SpatialVec>& 
     }
     body_forces[wheelset.body] += wheelset.left.force + wheelset.right.force;
   }
-  counts_.seconds += seconds_since(begin);
+  counts_.seconds += processor_time() - begin;
 }
 
 /// Of F and M by the ten numbers of the state that a small motion of the body changes.
@@ -233,7 +233,7 @@ void WheelRailForces::add_differences(const State& state, Wheelset& wheelset, Sp
 }
 
 void WheelRailForces::add_slopes(const State& state, SpatialSlopes& slopes) const {
-  const auto begin = Clock::now();
+  const double begin = processor_time();
   if (options_.differences) {
     for (Wheelset& wheelset : wheelsets_) add_differences(state, wheelset, slopes);
   } else {
@@ -249,5 +249,5 @@ void WheelRailForces::add_slopes(const State& state, SpatialSlopes& slopes) cons
       counts_.differentiated += 2;
     }
   }
-  counts_.seconds += seconds_since(begin);
+  counts_.seconds += processor_time() - begin;
 }

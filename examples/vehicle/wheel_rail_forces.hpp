@@ -6,13 +6,12 @@
 #include <microslip/railway/wheel_rail.hpp>
 
 #include <array>
-#include <chrono>
 #include <memory>
 #include <vector>
 
 /// The forces of rails on wheelsets: all of a vehicle, since they are solved side by side.
 ///
-/// Of each wheel, the frame of its rail moves along with it (Track::rail). Position, angles and velocities of the
+/// Of each wheel, the frame of its rail moves along with it (TrackLine::rail). Position, angles and velocities of the
 /// wheelset relative to that frame are a microslip::WheelState, with the rail in its nominal position; force and moment
 /// of its solution, the latter moved to the wheelset's centre, act on the body. A frame that follows the rail leaves no
 /// velocities of irregularities: a rail that bends to the left moves nothing to the left.
@@ -35,7 +34,7 @@ public:
     long differentiated = 0;        ///< with derivatives by the library
     std::array<long, 7> statuses{}; ///< of wheels, by microslip::Status
     long patch_changes = 0;         ///< wheels that touched in another number of patches than the time before
-    double seconds = 0;             ///< that all of it took
+    double seconds = 0;             ///< processor time that all of it took, on all threads
     /// Statuses that are neither ok nor no_contact.
     long doubtful() const;
   };
@@ -58,7 +57,7 @@ public:
   /// Of wheelsets whose bodies have their origin in the middle of the axle and y along it to the left. `bodies` of a
   /// left wheel are those of the right one too.
   WheelRailForces(const SimTK::SimbodyMatterSubsystem& matter, const microslip::WheelRailBodies& bodies,
-                  std::shared_ptr<const Track> track, const Options& options);
+                  std::shared_ptr<const TrackLine> track, const Options& options);
   void add(SimTK::MobilizedBodyIndex body, double distance);
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
@@ -92,7 +91,7 @@ private:
 
   const SimTK::SimbodyMatterSubsystem& matter_;
   microslip::WheelRailBodies bodies_;
-  std::shared_ptr<const Track> track_;
+  std::shared_ptr<const TrackLine> track_;
   Options options_;
   double half_base_; ///< from the wheelset's centre to a wheel's [m]
   // Solvers start from their last state, and results are kept: Simbody calls forces by const functions.

@@ -9,12 +9,12 @@ namespace {
 
 using SimTK::Vec3;
 
-Track curved_track() {
-  return Track(Track::curve(300, 0.1, 50, 60, 100), std::make_shared<Irregularity>(3));
+TrackLine curved_track() {
+  return TrackLine(TrackLine::curve(300, 0.1, 50, 60, 100), std::make_shared<Irregularity>(3));
 }
 
-TEST(Track, ACircleIsACircle) {
-  const Track track({{0, 1.0 / 300, 0}, {700, 1.0 / 300, 0}});
+TEST(TrackLine, ACircleIsACircle) {
+  const TrackLine track({{0, 1.0 / 300, 0}, {700, 1.0 / 300, 0}});
   for (const double s : {1.0, 123.4, 699.0}) {
     const Vec3 p = track.centre(s).pose.p();
     EXPECT_NEAR(p[0], 300 * std::sin(s / 300), 1e-11);
@@ -23,9 +23,9 @@ TEST(Track, ACircleIsACircle) {
 }
 
 /// The end of a clothoid of curvature s/A^2 by Fresnel's integrals, from their series.
-TEST(Track, ATransitionIsAClothoid) {
+TEST(TrackLine, ATransitionIsAClothoid) {
   const double length = 60, radius = 300;
-  const Track track(Track::curve(radius, 0, 0.5, length, 10));
+  const TrackLine track(TrackLine::curve(radius, 0, 0.5, length, 10));
   double x = 0, y = 0;
   const double turn = length / (2 * radius);
   double term = 1;
@@ -38,8 +38,8 @@ TEST(Track, ATransitionIsAClothoid) {
   EXPECT_NEAR(p[1], y, 1e-10);
 }
 
-TEST(Track, ThePointNearestToAPointOfTheFrameIsItsOrigin) {
-  const Track track = curved_track();
+TEST(TrackLine, ThePointNearestToAPointOfTheFrameIsItsOrigin) {
+  const TrackLine track = curved_track();
   for (const double s : {20.0, 80.0, 150.0, 230.0}) {
     const auto frame = track.centre(s);
     EXPECT_NEAR(track.nearest(frame.pose * Vec3(0, 0.7, 0), s + 3), s, 1e-9);
@@ -47,8 +47,8 @@ TEST(Track, ThePointNearestToAPointOfTheFrameIsItsOrigin) {
 }
 
 /// Pose of the frame by differences beside what it says of its turning.
-TEST(Track, ARailsFrameTurnsAsItSays) {
-  const Track track = curved_track();
+TEST(TrackLine, ARailsFrameTurnsAsItSays) {
+  const TrackLine track = curved_track();
   constexpr double step = 1e-4;
   for (const bool left : {true, false})
     for (const double s : {75.0, 97.3, 160.0}) {

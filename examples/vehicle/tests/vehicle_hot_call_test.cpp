@@ -10,7 +10,7 @@ namespace {
 
 TEST(WheelRailForces, TakeNoMemoryAfterTheFirstStep) {
   const VehicleParameters parameters;
-  Vehicle vehicle(parameters, measured_profiles(PROFILES, parameters), std::make_shared<Track>());
+  Vehicle vehicle(parameters, measured_profiles(PROFILES, parameters), std::make_shared<TrackLine>());
   const SimTK::State& state = vehicle.start();
   vehicle.system().realize(state, SimTK::Stage::Velocity);
   SimTK::Vector_<SimTK::SpatialVec> forces(vehicle.bodies() + 1, SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));

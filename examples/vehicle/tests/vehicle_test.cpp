@@ -19,15 +19,15 @@ struct Running {
   Vehicle vehicle;
   ImplicitIntegrator integrator;
 
-  explicit Running(const VehicleParameters& p, std::shared_ptr<const Track> track = std::make_shared<Track>(),
+  explicit Running(const VehicleParameters& p, std::shared_ptr<const TrackLine> track = std::make_shared<TrackLine>(),
                    const WheelRailForces::Options& options = {}, const ImplicitIntegrator::Options& steps = {})
       : vehicle(p, measured_profiles(PROFILES, p), std::move(track), options), integrator(vehicle, steps) {
     integrator.start(vehicle.start());
   }
 };
 
-std::shared_ptr<const Track> rough_curve() {
-  return std::make_shared<Track>(Track::curve(300, 0.1, 30, 60, 60), std::make_shared<Irregularity>(1));
+std::shared_ptr<const TrackLine> rough_curve() {
+  return std::make_shared<TrackLine>(TrackLine::curve(300, 0.1, 30, 60, 60), std::make_shared<Irregularity>(1));
 }
 
 TEST(Vehicle, StandsInEquilibriumWhileItRollsOnStraightTrack) {
@@ -45,7 +45,8 @@ TEST(Vehicle, StandsInEquilibriumWhileItRollsOnStraightTrack) {
 /// In a steady curve without irregularities the forces of all contacts are mass times acceleration.
 TEST(Vehicle, ForcesOfAllContactsHoldItInACurve) {
   const double radius = 400, speed = 20, cant = 0.05;
-  const auto track = std::make_shared<Track>(std::vector<Track::Knot>{{0, 0, 0}, {30, 0, 0}, {60, 1 / radius, cant}});
+  const auto track =
+      std::make_shared<TrackLine>(std::vector<TrackLine::Knot>{{0, 0, 0}, {30, 0, 0}, {60, 1 / radius, cant}});
   Running run(parameters_of(Kind::bogie, speed), track);
   run.integrator.step_to(6);
   SimTK::Vec3 sum(0);
@@ -76,7 +77,7 @@ TEST(Vehicle, EnergyIsKept) {
 
 TEST(Vehicle, AMirroredTrackGivesTheMirroredRunToTheLastBit) {
   const auto track = rough_curve();
-  const auto mirrored = std::make_shared<Track>(track->mirrored());
+  const auto mirrored = std::make_shared<TrackLine>(track->mirrored());
   Running run(parameters_of(Kind::car), track), mirror(parameters_of(Kind::car), mirrored);
   run.integrator.step_to(1), mirror.integrator.step_to(1);
   const auto &q = run.integrator.state().getQ(), &r = mirror.integrator.state().getQ();
@@ -109,7 +110,8 @@ TEST(Vehicle, DerivativesOfForcesAreThoseOfDifferences) {
 
 TEST(Vehicle, ErrorsFallAtLeastWithTheSquareOfTheStep) {
   const auto at_end = [](double step) {
-    Running run(parameters_of(Kind::wheelset), std::make_shared<Track>(), {}, {.step = step, .newton_tolerance = 1e-9});
+    Running run(parameters_of(Kind::wheelset), std::make_shared<TrackLine>(), {},
+                {.step = step, .newton_tolerance = 1e-9});
     SimTK::State state = run.vehicle.start();
     run.vehicle.position(state, 0, Vehicle::left) = 2e-4;
     run.integrator.start(state);
@@ -135,7 +137,7 @@ TEST(Vehicle, ThreadsChangeNothing) {
 
 TEST(Vehicle, DampingOfContactsTakesTheBounce) {
   const auto left_over = [](double damping) {
-    Running run(parameters_of(Kind::wheelset), std::make_shared<Track>(), {.normal_damping = damping},
+    Running run(parameters_of(Kind::wheelset), std::make_shared<TrackLine>(), {.normal_damping = damping},
                 {.step = 1e-4, .newton_tolerance = 1e-8});
     SimTK::State state = run.vehicle.start();
     run.vehicle.velocity(state, 0, Vehicle::up) = 0.005;
