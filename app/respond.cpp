@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
+#include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
 #include "app/pictures.hpp"
