@@ -118,7 +118,7 @@ export function drawContact(canvas: HTMLCanvasElement, scene: ContactScene): Con
   const width = canvas.clientWidth, layout = layOut(width, scene.ellipse), isNarrow = width < 520, { place, map, along, across } = layout;
   canvas.style.height = `${String(Math.round(layout.height))}px`;
   const { context } = fitToScreen(canvas);
-  drawAxes(context, map, place, { xLabel: isNarrow ? "" : "x, along the rail [mm]", yLabel: "y, across [mm]" });
+  drawAxes(context, map, place, { xLabel: isNarrow ? "" : "x, along the rail [mm]", yLabel: isNarrow ? "" : "y, across [mm]" });
   drawPatch(context, scene.sheets, place, { scale: scaleOf(scene.sheets, scene.shown), ...(["slip", "pressure", "px", "py"].includes(scene.shown) ? {} : { spacing: isNarrow ? 22 : spacing }) });
   if (isByState(scene.shown)) nameAreas(context, scene.sheets, place);
   if (scene.compared) {

@@ -32,16 +32,16 @@ export function middleOf({ y }: Outline): number {
 }
 
 export function layOut(width: number, rail: Outline): Layout {
-  const isNarrow = width < 620, size = Math.min(Math.max((Math.max(...rail.y) - Math.min(...rail.y)) / railWidth, 0.5), 3);
+  const isNarrow = width < 860, size = Math.min(Math.max((Math.max(...rail.y) - Math.min(...rail.y)) / railWidth, 0.5), 3);
   const left = isNarrow ? 26 : 58, plot = isNarrow ? width - left - 4 : Math.min(width - left - 340, 0.63 * width);
   const scale = plot / ((fieldSide + gaugeSide) * size), shown = (isNarrow ? 0.75 : 1) * (above + below) * size * scale;
   const section: Box = { left, top: 26, width: plot, height: shown };
   const head: Box = { left, top: section.top + shown + (isNarrow ? 6 : 26), width: plot, height: (isNarrow ? 0.021 : 0.033) * size * scale };
-  const foot = head.top + head.height + (isNarrow ? 20 : 36);
-  const lens: Box = isNarrow ? { left: 4, top: foot, width: 0.46 * width, height: 132 } : { left: left + plot + 40, top: 178, width: width - left - plot - 70, height: head.top + head.height - 178 };
+  const foot = head.top + head.height + (isNarrow ? 20 : 36), glass = Math.max(132, 0.36 * width);
+  const lens: Box = isNarrow ? { left: 4, top: foot, width: 0.46 * width, height: glass } : { left: left + plot + 40, top: 178, width: width - left - plot - 70, height: head.top + head.height - 178 };
   return {
     scale, section, above: head, lens, isNarrow, middle: middleOf(rail), top: section.top + (isNarrow ? 0.4 : 0.5) * shown,
-    legend: isNarrow ? [lens.left + lens.width + 30, foot + 12] : [lens.left, 20], height: isNarrow ? foot + 140 : foot,
+    legend: isNarrow ? [lens.left + lens.width + 30, foot + 12] : [lens.left, 20], height: isNarrow ? foot + glass + 8 : foot,
   };
 }
 
@@ -372,7 +372,7 @@ export interface Pair { left: Side; right: Side | undefined; lateral: number; ga
 export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gauge }: Pair): void {
   const width = canvas.clientWidth;
   if (width === 0) return;
-  const isNarrow = width < 620, scale = isNarrow ? 0.44 * width / 0.14 : Math.min((0.235 * width) / 0.14, 1900), top = 22 + 0.02 * scale;
+  const isNarrow = width < 780, scale = isNarrow ? 0.44 * width / 0.14 : Math.min((0.235 * width) / 0.14, 1900), top = 22 + 0.02 * scale;
   const centres = isNarrow ? [0.24 * width, 0.76 * width] : [0.305 * width, 0.695 * width];
   const foot = top + 0.036 * scale, height = isNarrow ? foot + 148 : foot + 34;
   canvas.style.height = `${String(Math.round(height))}px`;
