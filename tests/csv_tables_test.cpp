@@ -219,7 +219,8 @@ TEST(CsvTables, LeaveNothingBehindAFailure) {
     EXPECT_EQ(folder.entries(), (Names{"bad.toml", "cut.h5"}));
   };
   expect_refused("convert cut.h5", "cut.h5: cannot be read as HDF5");
-  expect_refused("convert cut.h5 -o out.xlsx", "out.xlsx: tables of a result file need a name that ends with .csv");
+  expect_refused("convert cut.h5 -o out.xlsx",
+                 "out.xlsx: needs a name that ends with .csv, for tables, or .vtp, for surfaces with fields");
   expect_refused("convert none.h5", "none.h5: cannot be read");
   expect_refused("solve bad.toml -o out.csv", "[body1] is missing");
   expect_refused("convert cut.h5 -o none/out.csv", "cut.h5: cannot be read as HDF5");
