@@ -261,9 +261,11 @@ void add_options(Command& command, ConicityArguments& arguments) {
   const auto path = [&](const char* name, fs::path& value, const char* what) {
     return command.add_option(name, value, what);
   };
-  path("WHEEL", arguments.wheel, "profile of both wheels, or of the left one: .prw, .whl or columns of y and z")
+  path("WHEEL", arguments.wheel,
+       "profile of both wheels, or of the left one: .prw, .whl, columns of y and z, or a standard's name, as S1002")
       .required();
-  path("RAIL", arguments.rail, "profile of both rails, or of the left one: .prr, .ban or columns of y and z")
+  path("RAIL", arguments.rail,
+       "profile of both rails, or of the left one: .prr, .ban, columns of y and z, or a standard's name, as 60E1")
       .required();
   path("--right-wheel FILE", arguments.right_wheel,
        "profile of the right wheel, if it is another one; read as WHEEL is");

@@ -1,6 +1,7 @@
 #include "io/wheel_rail_case.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/railway/profile/profile_dimensions.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "tests/support/case_text.hpp"
@@ -49,6 +50,17 @@ TEST(WheelRailCase, ReadsTheShortestCase) {
   EXPECT_EQ(input.states[0].state.yaw, 0);
   EXPECT_EQ(input.states[0].state.pitch_velocity, 30.0 / 0.46);
   EXPECT_TRUE(input.varied.empty());
+}
+
+TEST(WheelRailCase, TakesProfilesOfStandardsByName) {
+  const std::string own = parse(wheel_rail_text).wheel.report.source; // a path with s1002.prw
+  const auto named = [&](const std::string& keys) { return parse_with("\"" + own + "\"", keys).wheel; };
+  const auto thickness = [](const Profile& wheel) { return wheel_dimensions(wheel, 0).flange_thickness.value(); };
+  EXPECT_EQ(named("\"S1002\"").report.format, "EN 13715");
+  EXPECT_NEAR(thickness(named("\"S1002\"").profile), thickness(parse(wheel_rail_text).wheel.profile), 1e-8);
+  EXPECT_NEAR(thickness(named("\"S1002\"\nflange_thickness = \"30.5 mm\"").profile), 30.5e-3, 2e-7);
+  EXPECT_NE(message_with("\"" + own + "\"", "\"S1002\"\nunit = \"mm\"").find("unit does not apply"), std::string::npos);
+  EXPECT_NE(message_with("\"" + own + "\"", "\"60E1\"").find("of a rail, not of a wheel"), std::string::npos);
 }
 
 TEST(WheelRailCase, ReadsStrengthsAndPointsInsideWhereTheyAreGiven) {
