@@ -64,9 +64,9 @@ fit::FittedCurves find_fit(const FitArguments& arguments, const io::CaseInputs& 
 std::vector<std::string> interval_texts(const fit::FittedParameter& one, const PrintedUnit& unit) {
   const auto text = [&](double value) { return fmt::format("{:.4g}", value * unit.factor); };
   if (one.is_held) return {text(one.value), "held"};
-  const bool open_below = one.parameter.scale == fit::ParameterScale::log ? one.lower <= 0 : one.lower <= 0;
-  const bool open_above =
-      std::isinf(one.upper) || (one.parameter.scale == fit::ParameterScale::logit && one.upper >= 1);
+  const bool is_share = one.parameter.scale == fit::ParameterScale::logit, is_negative = one.parameter.sign < 0;
+  const bool open_below = is_negative ? std::isinf(one.lower) : one.lower <= 0;
+  const bool open_above = is_negative ? one.upper >= 0 : std::isinf(one.upper) || (is_share && one.upper >= 1);
   return {text(one.value),
           fmt::format("{} to {}", open_below ? "open" : text(one.lower), open_above ? "open" : text(one.upper))};
 }

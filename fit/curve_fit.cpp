@@ -251,7 +251,7 @@ std::vector<CurveFit> CurveFitter::fit(std::vector<CurveModel> models) const {
   }
   const auto report = run_batch(fits.size(), batch_options(options_), [&] {
     return [&](std::size_t first, std::size_t, const Progress&) {
-      CurveFit& one = fits[first];
+      CurveFit& one = fits[fits.size() - 1 - first]; // those with the most parameters, which take longest, begin
       if (curves_.points.size() > one.free.size() + 2) search(one, 5);
     };
   });
@@ -343,10 +343,9 @@ void CurveFitter::find_intervals(CurveFit& fit) const {
   const double widest = std::log(4.);
   for (std::size_t j = 0; j < k; ++j) {
     FittedParameter& one = fit.parameters[fit.free[j]];
-    one.lower = one.parameter.from_working(ends[2 * j]);
-    one.upper = std::isinf(ends[2 * j + 1]) && one.parameter.scale == ParameterScale::log
-                    ? infinite
-                    : one.parameter.from_working(ends[2 * j + 1]);
+    one.lower = one.parameter.from_working(ends[2 * j]); // of an infinite coordinate 0, or infinite
+    one.upper = one.parameter.from_working(ends[2 * j + 1]);
+    if (one.parameter.sign < 0) std::swap(one.lower, one.upper);
     one.is_identified = ends[2 * j + 1] - ends[2 * j] < widest;
   }
 }
@@ -361,8 +360,10 @@ CurveFit CurveFitter::hold_unidentified(const CurveFit& fit) const {
     double width = 0;
     for (const FittedParameter& one : now.parameters) {
       if (one.is_held || one.is_identified || one.of_model == 0) continue;
-      const double wide =
-          one.parameter.to_working(std::min(one.upper, 1e300)) - one.parameter.to_working(std::max(one.lower, 1e-300));
+      const auto coordinate = [&](double end) {
+        return one.parameter.to_working(one.parameter.sign * std::clamp(one.parameter.sign * end, 1e-300, 1e300));
+      };
+      const double wide = std::abs(coordinate(one.upper) - coordinate(one.lower));
       if (wide > width) width = wide, worst = one.of_model;
     }
     if (worst == held.size()) return now;

@@ -26,8 +26,8 @@ struct FittedParameter {
   std::string run = {};     ///< of a run's friction, if there are several
   std::size_t of_model = 0; ///< index among the model's parameters
   double value = 0;
-  /// Ends of the 95 % interval, from the profile of the sum of squares; infinite, or 0 at the lower end, where it is
-  /// open. Those of a held parameter are its value.
+  /// Ends of the 95 % interval, from the profile of the sum of squares; where it is open the one that is further from 0
+  /// is infinite, the other one 0. Those of a held parameter are its value.
   double lower = 0, upper = 0;
   bool is_held = false;      ///< at its start, not fitted
   bool is_identified = true; ///< false: its interval is open or wider than a factor of 4 (of p/(1 - p) for a share), or

@@ -101,13 +101,13 @@ Theory theory_of(const io::CaseInputs& base) {
 
 double CurveParameter::to_working(double value) const {
   constexpr double end = 1e-6; // of shares, whose ends are infinitely far
-  if (scale == ParameterScale::log) return std::log(value);
+  if (scale == ParameterScale::log) return std::log(sign * value);
   const double share = std::clamp(value, end, 1 - end);
   return std::log(share / (1 - share));
 }
 
 double CurveParameter::from_working(double working) const {
-  return scale == ParameterScale::log ? std::exp(working) : 1 / (1 + std::exp(-working));
+  return scale == ParameterScale::log ? sign * std::exp(working) : 1 / (1 + std::exp(-working));
 }
 
 CurveModel::CurveModel(CurveShape shape, std::string_view law, const io::CaseInputs& base)
@@ -122,7 +122,7 @@ CurveModel::CurveModel(CurveShape shape, std::string_view law, const io::CaseInp
   std::vector<std::pair<std::string_view, double>> of_case;
   for (const CurveParameter& one : parameters_)
     if (const auto given = one.name.starts_with("polach") ? std::nullopt : number_of(base, one.name);
-        given && *given > 0 && (one.scale == ParameterScale::log || *given < 1))
+        given && (one.name == hardening ? *given != 0 : *given > 0) && (one.scale == ParameterScale::log || *given < 1))
       of_case.emplace_back(one.name, *given);
   start_from(of_case);
   const double given_thickness = number_of(base, thickness).value_or(1.25e-3); // that of CONTACT's user guide
@@ -138,7 +138,7 @@ CurveModel::CurveModel(CurveShape shape, std::string_view law, const io::CaseInp
 void CurveModel::start_from(std::span<const std::pair<std::string_view, double>> values) {
   for (const auto& [name, value] : values)
     for (CurveParameter& one : parameters_)
-      if (one.name == name) one.start = value;
+      if (one.name == name) one.start = value, one.sign = value < 0 ? -1 : 1;
 }
 
 double CurveModel::value_of(std::string_view name, std::span<const double> values) const {
@@ -204,9 +204,8 @@ const std::vector<StartingValues>& starting_values() {
       {"eurosprinter_layer", guide, {{at_rest, 0.33}, {ratio, 0.424}, {decay, 0.5545}, {modulus, 8.2e9}}},
       {"clay", hou, {{yield_stress, 200e6}, {hardening, 400e9}}},
       {"molybdenum_disulphide", hou, {{yield_stress, 20e6}, {hardening, 20e9}}},
-      // Parameters are positive: those that do not harden, or soften, give their yield stress alone.
-      {"magnetite", hou, {{yield_stress, 560e6}}},
-      {"sand", hou, {{yield_stress, 400e6}}},
+      {"magnetite", hou, {{yield_stress, 560e6}}}, // it does not harden: a parameter is not 0
+      {"sand", hou, {{yield_stress, 400e6}, {hardening, -200e9}}},
   };
   return all;
 }

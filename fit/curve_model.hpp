@@ -10,7 +10,7 @@
 
 namespace microslip::fit {
 
-/// Coordinate in which a parameter is fitted: its logarithm, or log(p/(1 - p)) of a share in (0, 1).
+/// Coordinate in which a parameter is fitted: the logarithm of its size, or log(p/(1 - p)) of a share in (0, 1).
 enum class ParameterScale { log, logit };
 
 /// Parameter of a creep curve.
@@ -21,6 +21,7 @@ struct CurveParameter {
   double start = 1; ///< where the fit begins, and its value where the data do not identify it
   /// Whether only measurements at several speeds identify it; otherwise it stays at `start`.
   bool needs_speeds = false;
+  double sign = 1; ///< of its values, that of `start`: -1 only for the hardening of a layer that gets softer
 
   double to_working(double value) const;
   double from_working(double working) const;

@@ -2,10 +2,13 @@
 
 #include "io/case_file.hpp"
 #include "io/option_words.hpp"
+#include "microslip/batch/batch.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace microslip::fit {
@@ -102,12 +105,22 @@ FittedCurves fit_creep_curves(io::MeasuredCurves curves, std::vector<CurveModel>
   fitter.find_intervals(full);
   CurveFit best = fitter.hold_unidentified(full);
   Collinearity collinearity = collinearity_of(full);
-  auto bands = curve_bands(fitter.freed(best, full.free), curves, options.elements);
   auto others = not_told_apart(fits, taken);
-  const auto further = further_measurement(fitter, best, full.free, curves, options.elements);
-  const double of_case = rms_of_case(best, curves);
+  std::vector<CurveBand> bands;
+  std::optional<FurtherMeasurement> further;
   std::optional<LargestDifference> difference;
-  if (!others.empty()) difference = largest_difference(best, fits[others.front()], curves, options.elements);
+  double of_case = 0;
+  const std::function<void()> tasks[] = {
+      [&] { further = further_measurement(fitter, best, full.free, curves, options.elements); },
+      [&] { bands = curve_bands(fitter.freed(best, full.free), curves, options.elements); },
+      [&] { of_case = rms_of_case(best, curves); },
+      [&] {
+        if (!others.empty()) difference = largest_difference(best, fits[others.front()], curves, options.elements);
+      }};
+  const auto report = run_batch(std::size(tasks), {.threads = options.threads, .progress = options.progress}, [&] {
+    return [&](std::size_t first, std::size_t, const Progress&) { tasks[first](); };
+  });
+  if (!report.complete) throw Stopped();
   return {.curves = std::move(curves),
           .fits = std::move(fits),
           .taken = taken,

@@ -121,6 +121,38 @@ TEST(CreepCurveFit, FindsAYieldingLayerByTheExactTheory) {
   for (std::size_t j = 0; j < truth.size(); ++j) EXPECT_NEAR(fit.parameters[j].value / truth[j], 1, 0.03);
 }
 
+/// As of sand: the hardening has the sign that it begins with, a case's or a published one's.
+TEST(CreepCurveFit, FindsALayerThatGetsSofter) {
+  CurveModel model(CurveShape::hardening_layer, "coulomb", contact("exact"));
+  const auto sand = std::find_if(starting_values().begin(), starting_values().end(),
+                                 [](const StartingValues& set) { return set.name == "sand"; });
+  model.start_from(sand->values);
+  ASSERT_EQ(model.parameters().back().name, "layer.hardening");
+  EXPECT_EQ(model.parameters().back().start, -200e9);
+  const std::pair<std::string_view, double> reached[] = {{"layer.yield_stress", 120e6}}; // below mu p_n, unlike sand's
+  model.start_from(reached);
+  const std::vector<double> truth = {0.34, 150e6, -0.4e12};
+  const auto curves = curve_of(model, truth, points_at(1e-3, 0.02, 14), 0, 1, 10);
+  const CurveFitter fitter(curves, {.elements = 10});
+  CurveFit fit = fitter.fit({model}).front();
+  EXPECT_LT(fit.rms, 1e-3);
+  for (std::size_t j = 0; j < truth.size(); ++j)
+    EXPECT_NEAR(fit.parameters[j].value / truth[j], 1, j == 2 ? 0.15 : 0.05);
+  fitter.find_intervals(fit);
+  for (const FittedParameter& one : fit.parameters) {
+    EXPECT_LE(one.lower, one.value) << one.parameter.name;
+    EXPECT_GE(one.upper, one.value) << one.parameter.name;
+  }
+  const CurveModel of_case(CurveShape::hardening_layer, "polach", [] {
+    io::CaseInputs inputs = contact("exact");
+    inputs.set("layer.thickness", 1e-3);
+    inputs.set("layer.shear_modulus", 1e9);
+    inputs.set("layer.hardening", -3e11);
+    return inputs;
+  }());
+  EXPECT_EQ(of_case.parameters().back().start, -3e11);
+}
+
 /// Full sliding with Coulomb friction is the mean of the points: all is known in closed form.
 TEST(CreepCurveFit, OfFullSlidingIsAMean) {
   const CurveModel model(CurveShape::clean, "coulomb", contact());
