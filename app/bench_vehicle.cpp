@@ -27,8 +27,8 @@ int bench_vehicle(bool json) {
     return ExitCode::done;
   }
   fmt::print("{}\n\n{:<28}{:>8}{:>17}{:>12}{:>12}{:>15}{:>14}\n{:<28}{:>8}{:>17}{:>12}{:>12}{:>15}{:>14}\n", machine(),
-             "steps of 1 ms", "wheels", "times real time", "of elapsed", "share of", "processor time", "evaluations", "",
-             "", "of the processor", "time", "contacts", "a wheel [us]", "a step");
+             "steps of 1 ms", "wheels", "times real time", "of elapsed", "share of", "processor time", "evaluations",
+             "", "", "of the processor", "time", "contacts", "a wheel [us]", "a step");
   for (const auto& row : speeds)
     fmt::print("{:<28}{:>8}{:>17.2f}{:>12.2f}{:>11.0f}%{:>15.1f}{:>14.2f}\n", row.name, row.wheels, row.real_time,
                row.real_time_elapsed, 100 * row.contact_share, 1e6 * row.seconds_a_wheel, row.evaluations_a_step);

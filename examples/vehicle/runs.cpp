@@ -53,12 +53,12 @@ std::vector<double> hunting_amplitudes(const VehicleParameters& parameters, cons
 }
 
 KinematicSwing kinematic_swing(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-                               double displacement) {
+                               double yaw) {
   VehicleParameters p = parameters;
   p.kind = VehicleParameters::Kind::wheelset;
   Run run(p, bodies, std::make_shared<TrackLine>(), {}, {.step = 2e-3});
   SimTK::State state = run.vehicle.start();
-  run.vehicle.position(state, 0, Vehicle::left) = displacement;
+  run.vehicle.position(state, 0, Vehicle::yaw) = yaw;
   run.integrator.start(state);
   constexpr double begin = 5, end = 80, step = 0.02; // along the track [m]
   std::vector<double> crossings;

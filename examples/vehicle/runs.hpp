@@ -43,6 +43,6 @@ struct KinematicSwing {
   double amplitude = 0;  ///< [m]
 };
 
-/// From a lateral displacement, after 5 m; within 80 m.
+/// From a yaw angle [rad], after 5 m; within 80 m.
 KinematicSwing kinematic_swing(const VehicleParameters& parameters, const microslip::WheelRailBodies& bodies,
-                               double displacement);
+                               double yaw);
