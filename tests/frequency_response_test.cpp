@@ -142,7 +142,10 @@ TEST(FrequencyResponse, ByLoadIsThatOfAContactThatGrowsAndShrinks) {
     const auto rolling = [&] {
       return [&, problem = TangentialProblem({{contact.shear_modulus, contact.poisson_ratio, 0}}, grid),
               last = VectorField()](double amplitude, double angle) mutable {
-        TangentialInput input{.motion = ContactMotion::transient, .creepage = contact.creepage, .tolerance = 1e-8};
+        TangentialInput input;
+        input.motion = ContactMotion::transient;
+        input.creepage = contact.creepage;
+        input.tolerance = 1e-8;
         input.previous = last.x.empty() ? nullptr : &last;
         const ContactSolution s = problem.solve(bounds_on_grid(contact, grid, 1 + amplitude * std::cos(angle)), input);
         last = s.fields.traction;
