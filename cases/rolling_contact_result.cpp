@@ -306,6 +306,52 @@ void write_curve(io::ResultWriter& file, const std::string& theory, const CreepC
   write("mz", "N m", &ContactForces::mz);
 }
 
+/// Coefficients of a law that depends on the slip velocity, a row for each pressure and temperature of a table, and
+/// those that the table has.
+void write_friction_law(io::ResultWriter& file, const FrictionLaw& law) {
+  if (law.kind() == FrictionLaw::Kind::coulomb) return;
+  constexpr int points = 200, points_between = 16; // of a law; of a table, whose velocities may be far apart
+  const FrictionTable* const table = law.table();
+  const std::vector<double> one = {0}, &of_table = table != nullptr ? table->grid().slip_velocities : one;
+  const auto axis = [&](const std::vector<double>& values) { return values.empty() ? one : values; };
+  const std::vector<double> pressures = table != nullptr ? axis(table->grid().pressures) : one,
+                            temperatures = table != nullptr ? axis(table->grid().temperatures) : one;
+  std::vector<double> velocities = {0};
+  const auto add = [&](double to, int count) {
+    const double from = velocities.back();
+    for (int k = 1; k <= count && to > from; ++k) velocities.push_back(from + (to - from) * k / count);
+  };
+  if (table != nullptr) {
+    for (const double v : of_table) add(v, points_between);
+    add(1.15 * of_table.back(), 1);
+  } else {
+    double fastest = 0;
+    for (const FrictionTerm& term : law.terms())
+      if (term.drop > 0) fastest = std::max(fastest, 6 * term.half_velocity);
+    add(fastest, points);
+  }
+  if (velocities.size() == 1) return; // nothing falls
+  std::vector<double> coefficients, at_nodes, pressure_of, temperature_of;
+  for (const double p : pressures)
+    for (const double t : temperatures) {
+      pressure_of.push_back(p), temperature_of.push_back(t);
+      for (const double v : velocities) coefficients.push_back(law.coefficient(v, p, t));
+      for (const double v : of_table) at_nodes.push_back(law.coefficient(v, p, t));
+    }
+  const std::size_t curves = pressure_of.size();
+  const std::string group = "friction_law/";
+  file.array(group + "slip_velocity", velocities, "m/s", "slip velocity");
+  file.array(group + "coefficient", coefficients, "-", "coefficient of friction, a row for each curve",
+             {curves, velocities.size()});
+  if (law.depends_on_pressure()) file.array(group + "pressure", pressure_of, "Pa", "pressure of each curve");
+  if (law.depends_on_temperature())
+    file.array(group + "temperature", temperature_of, "deg C", "temperature of each curve");
+  if (table == nullptr) return;
+  file.array(group + "slip_velocity_of_table", of_table, "m/s", "slip velocities that the table has");
+  file.array(group + "coefficient_of_table", at_nodes, "-", "coefficient that it has at them, a row for each curve",
+             {curves, of_table.size()});
+}
+
 /// Writes the assumption of results for simpler bodies than the case's.
 void write_assumption(io::ResultWriter& file, const std::string& group, const std::string& assumption) {
   if (!assumption.empty()) file.attribute(group, "assumes", assumption);
@@ -406,6 +452,7 @@ void write_result(const io::RollingCase& input, const RollingContactResult& resu
     file.scalar("table/largest_ratio", table->axes().largest_ratio, "-", "largest a/b of it");
   }
   write_assumption(file, "hertz", hertz_assumption(input));
+  write_friction_law(file, input.problem.friction.law);
   std::string warnings;
   for (const auto& warning : result.warnings) warnings.append(warnings.empty() ? "" : "\n").append(warning);
   if (!warnings.empty()) file.attribute("/", "warnings", warnings);

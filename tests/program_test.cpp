@@ -262,7 +262,7 @@ TEST(Program, SaysWhatHertzAndFastsim2Assume) {
 TEST(Program, SolvesEveryExampleWithPictures) {
   const std::map<std::string, Names> pictures = {
       {"hertzian_contact", {"areas.png", "creep_curve.png", "tractions.png"}},
-      {"two_rollers", {"areas.png", "creep_curve.png", "tractions.png"}},
+      {"two_rollers", {"areas.png", "creep_curve.png", "friction_law.png", "tractions.png"}},
       {"rubber_roller", {"creep_curve.png", "nip.png"}},
       {"coated_roller", {"areas.png", "creep_curve.png", "nip.png", "tractions.png"}},
       {"starting_to_roll", {"areas.png", "history.png", "tractions.png"}}};

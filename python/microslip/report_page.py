@@ -211,6 +211,7 @@ def listing(name):
 def pictures(document):
     """The pictures of the result as parts of the page, all to about one scale."""
     found = plot.figures(document["result_file"])
+    found.pop("friction_law.png", None)  # which the inputs tell
     is_of_bodies = document["kind"] == "rolling_contact"
     with ResultFile(document["result_file"]) as result:
         if "tractions.png" in found:

@@ -7,6 +7,7 @@ from matplotlib.colors import Normalize
 
 from microslip.contact_cells import ADHESION, SLIP, is_line_contact, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
+from microslip.friction_law_picture import friction_law_picture
 from microslip.history_picture import history_picture
 from microslip.nip_picture import nip_picture
 from microslip.interior_picture import interior_picture, interior_points
@@ -29,6 +30,8 @@ def rolling_contact_pictures(result):
     if "creep_curve" in result:
         with_curve = [theory for theory in theories if f"creep_curve/{theory}" in result]
         figures["creep_curve.png"] = creep_curve_picture(result, with_curve)
+    if "friction_law" in result:
+        figures["friction_law.png"] = friction_law_picture(result)
     if "nip" in result:
         figures["nip.png"] = nip_picture(result, cells["exact"])
     if "exact/history" in result:
