@@ -83,7 +83,8 @@ constexpr DamageField all_fields[] = {
 };
 
 template <class Table> auto* find(const Table& table, std::string_view name) {
-  const auto* const found = std::ranges::find(table, name, [](const auto& one) { return one.name; });
+  const auto* const found =
+      std::find_if(std::begin(table), std::end(table), [&](const auto& one) { return one.name == name; });
   return found == std::end(table) ? nullptr : found;
 }
 
