@@ -59,8 +59,9 @@ std::vector<double> wavelengths_of(const RespondArguments& arguments) {
 io::RollingCase read_case(const fs::path& path, const std::string& text) {
   const std::string name = path.string();
   if (io::is_wheelset_case(text, name) || io::is_wheel_rail_case(text, name))
-    throw Error(name + ": responses are those of two bodies, [body1] and [body2]; of a wheel on a rail by the ellipse and "
-                       "the load of one of its patches, which `microslip solve` prints");
+    throw Error(name +
+                ": responses are those of two bodies, [body1] and [body2]; of a wheel on a rail by the ellipse and "
+                "the load of one of its patches, which `microslip solve` prints");
   return io::parse_case(text, name);
 }
 
@@ -87,12 +88,13 @@ void print_text(const cases::FrequencyResponseResult& result) {
   fmt::print("Responses of the forces, in parts of those of very long waves, and their lags\n");
   fmt::print("{:>12} {:>12} {:>16} {:>16} {:>16} {:>10}\n", "wavelength", "frequency", "Fx by xi", "Fy by eta",
              "Fx by Fn", "filter");
-  fmt::print("{:>12} {:>12} {:>16} {:>16} {:>16} {:>10}\n", "[mm]", "[Hz]", "[-], [deg]", "[-], [deg]", "[-], [deg]", "[-]");
+  fmt::print("{:>12} {:>12} {:>16} {:>16} {:>16} {:>10}\n", "[mm]", "[Hz]", "[-], [deg]", "[-], [deg]", "[-], [deg]",
+             "[-]");
   const std::size_t stride = (result.response.at.size() + 14) / 15; // at most some 15 lines
   for (std::size_t k = 0; k < result.response.at.size(); k += stride) {
     const ForceResponse& r = result.response.at[k];
-    fmt::print("{:>12.4g} {:>12.4g} {:>16} {:>16} {:>16} {:>10.4f}\n", 1e3 * result.wavelengths[k], result.frequencies[k],
-               size_and_lag(r.by_creepage[0][0], still.by_creepage[0][0]),
+    fmt::print("{:>12.4g} {:>12.4g} {:>16} {:>16} {:>16} {:>10.4f}\n", 1e3 * result.wavelengths[k],
+               result.frequencies[k], size_and_lag(r.by_creepage[0][0], still.by_creepage[0][0]),
                size_and_lag(r.by_creepage[1][1], still.by_creepage[1][1]), size_and_lag(r.by_load[0], still.by_load[0]),
                result.filter[k]);
   }

@@ -1,12 +1,13 @@
 #include "cases/frequency_response_result.hpp"
 
+#include "microslip/decimal.hpp"
 #include "microslip/rolling/solver.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
+#include <string>
+#include <utility>
 
 namespace microslip::cases {
 namespace {
@@ -40,9 +41,12 @@ std::vector<Column> columns_of(const std::vector<ForceResponse>& at) {
   std::vector<Column> out;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 4; ++j) {
-      const std::string name = fmt::format("{}_by_{}", forces[i].name, causes[j].name);
+      const std::string name = std::string(forces[i].name) + "_by_" + causes[j].name;
       const std::string unit = std::string(forces[i].unit) + causes[j].unit;
-      Column real{name + "_real", unit, fmt::format("amplitude of {} by that of {}, real part", forces[i].text, causes[j].text), {}};
+      Column real{name + "_real",
+                  unit,
+                  std::string("amplitude of ") + forces[i].text + " by that of " + causes[j].text + ", real part",
+                  {}};
       Column imaginary{name + "_imaginary", unit, "imaginary part; of the other sign than the real one: a lag", {}};
       for (const ForceResponse& r : at) {
         const std::complex<double> value = response(r, i, j);
@@ -59,7 +63,8 @@ std::vector<Column> columns_of(const FrequencyResponseResult& result) {
   std::vector<Column> out = {{"wavelength", "m", "along the track", result.wavelengths},
                              {"frequency", "Hz", "rolling speed over the wavelength", result.frequencies}};
   for (Column& column : columns_of(result.response.at)) out.push_back(std::move(column));
-  out.push_back({"contact_filter", "-", "normal force that a roughness wave makes at a given approach, over that of an endless one",
+  out.push_back({"contact_filter", "-",
+                 "normal force that a roughness wave makes at a given approach, over that of an endless one",
                  result.filter});
   return out;
 }
@@ -75,7 +80,8 @@ Method method_of(const io::RollingCase& input) {
 
 FrequencyResponseResult find_frequency_response(const io::RollingCase& input, const std::vector<double>& wavelengths,
                                                 const Progress& progress) {
-  FrequencyResponseResult out{.wavelengths = wavelengths, .frequencies = {}, .filter = {}, .response = {}, .quasistatic = {}, .warnings = {}};
+  FrequencyResponseResult out{
+      .wavelengths = wavelengths, .frequencies = {}, .filter = {}, .response = {}, .quasistatic = {}, .warnings = {}};
   std::vector<double> wavenumbers = {0};
   for (const double length : wavelengths) wavenumbers.push_back(2 * std::numbers::pi / length);
   const Method method = method_of(input);
@@ -91,15 +97,17 @@ FrequencyResponseResult find_frequency_response(const io::RollingCase& input, co
   const double shortest = *std::min_element(wavelengths.begin(), wavelengths.end());
   const double resolved = elements_in_wave * 2 * contact.a / method.mx;
   if (shortest < resolved)
-    out.warnings.push_back(fmt::format(
-        "waves shorter than {:.3g} mm have fewer than {:.0f} elements: responses to them are rough; a solution.grid with "
-        "{:.0f} elements along the track resolves all",
-        1e3 * resolved, elements_in_wave, std::ceil(elements_in_wave * 2 * contact.a / shortest)));
+    out.warnings.push_back("waves shorter than " + rounded_text(1e3 * resolved, 3) + " mm have fewer than " +
+                           rounded_text(elements_in_wave, 3) +
+                           " elements: responses to them are rough; a solution.grid with " +
+                           rounded_text(std::ceil(elements_in_wave * 2 * contact.a / shortest), 9) +
+                           " elements along the track resolves all");
   return out;
 }
 
 void write_frequency_response(io::ResultWriter& file, const FrequencyResponseResult& result) {
-  for (const Column& column : columns_of(result)) file.array(column.name, column.values, column.unit, column.description);
+  for (const Column& column : columns_of(result))
+    file.array(column.name, column.values, column.unit, column.description);
   for (const Column& column : columns_of({result.quasistatic}))
     if (column.name.ends_with("_real"))
       file.scalar("quasistatic/" + column.name.substr(0, column.name.size() - 5), column.values[0], column.unit,

@@ -98,7 +98,9 @@ std::string place_of(const TestCase& test) {
 }
 
 void print_row(Report& report, const TangentialModel& model, const ModelErrors& e, const TestCase& worst, double unit) {
-  const auto pair = [](const ErrorStatistics& s) { return fmt::format("{:7.4f} {:7.4f} {:6.3f}", s.rms, s.p99, s.largest); };
+  const auto pair = [](const ErrorStatistics& s) {
+    return fmt::format("{:7.4f} {:7.4f} {:6.3f}", s.rms, s.p99, s.largest);
+  };
   const std::string moment = model.has_moment ? fmt::format("{:7.4f}", e.mz.rms) : fmt::format("{:>7}", "-");
   report.line(fmt::format("  {:<50} {}  {}  {} {:7.4f} {:7.4f} {:8.2f}  {}", model.name, pair(e.fx), pair(e.fy), moment,
                           e.power.rms, e.force_in_part.rms, e.seconds / unit, place_of(worst)));
@@ -115,12 +117,15 @@ bool run_models(const StudyOptions& options, std::ostream& out) {
   report.heading(fmt::format("creep forces of {} ellipses beside the exact theory, {} + {} elements", contacts.size(),
                              finest / 2, finest));
   report.count("reference solutions that do not converge", reference.failures, 0);
-  report.line("errors over mu Fn, mu Fn c of Mz, mu Fn (|xi| + |eta| + c |phi|) of T-gamma; 'in part': of the force, cases "
-              "with adhesion and slip;");
-  report.line("time over that of FASTSIM2 on 10 x 10, one contact at a time; the worst force is at a/b, scaled spin, angle, "
-              "scaled creepage");
-  report.line(fmt::format("  {:<50} {:>7} {:>7} {:>6}  {:>7} {:>7} {:>6}  {:>7} {:>7} {:>7} {:>8}  {}", "", "Fx rms", "99 %", "worst",
-                          "Fy rms", "99 %", "worst", "Mz rms", "T-gamma", "in part", "time", "worst at"));
+  report.line(
+      "errors over mu Fn, mu Fn c of Mz, mu Fn (|xi| + |eta| + c |phi|) of T-gamma; 'in part': of the force, cases "
+      "with adhesion and slip;");
+  report.line(
+      "time over that of FASTSIM2 on 10 x 10, one contact at a time; the worst force is at a/b, scaled spin, angle, "
+      "scaled creepage");
+  report.line(fmt::format("  {:<50} {:>7} {:>7} {:>6}  {:>7} {:>7} {:>6}  {:>7} {:>7} {:>7} {:>8}  {}", "", "Fx rms",
+                          "99 %", "worst", "Fy rms", "99 %", "worst", "Mz rms", "T-gamma", "in part", "time",
+                          "worst at"));
   const std::vector<TangentialModel> models = tangential_models();
   std::vector<ModelErrors> errors;
   for (const TangentialModel& model : models) {

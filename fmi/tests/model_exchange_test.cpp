@@ -1,5 +1,5 @@
-// Units in model exchange, by 2.0 and 3.0: outputs follow the inputs at once, as a step of co-simulation has them; whole
-// numbers wait for events; steps back leave no trace.
+// Units in model exchange, by 2.0 and 3.0: outputs follow the inputs at once, as a step of co-simulation has them;
+// whole numbers wait for events; steps back leave no trace.
 
 #include "fmi/tests/importer3.hpp"
 
@@ -117,8 +117,8 @@ TEST(ModelExchange, WholeNumbersWaitForEvents) {
 TEST(ModelExchange, ByFmi3AsByFmi2) {
   Exchange2 exchange2;
   Messages3 messages;
-  fmi3Instance unit = FMI3(fmi3InstantiateModelExchange)("exchange", token3().c_str(), (folder3 + "/resources/").c_str(),
-                                                         false, true, &messages, log_message3);
+  fmi3Instance unit = FMI3(fmi3InstantiateModelExchange)(
+      "exchange", token3().c_str(), (folder3 + "/resources/").c_str(), false, true, &messages, log_message3);
   ASSERT_NE(unit, nullptr) << messages.last;
   ASSERT_EQ(FMI3(fmi3EnterInitializationMode)(unit, false, 0, 0, false, 0), fmi3OK);
   ASSERT_EQ(FMI3(fmi3ExitInitializationMode)(unit), fmi3OK);

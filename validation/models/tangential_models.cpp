@@ -26,8 +26,9 @@ TangentialModel marching(MarchingScheme scheme, FlexibilityModel flexibility, in
   options.bound = bound;
   const char* name = scheme == MarchingScheme::fastsim ? "FASTSIM" : "FASTSIM2";
   const char* shape = bound == TractionBound::parabolic ? "" : ", elliptic bound";
-  return {fmt::format("{0}, {1}, {2} x {2}{3}", name, flexibilities, cells, shape), source, true,
-          [solver = std::make_shared<RowSolver>(scheme, options)](const EllipticContact& c) { return solver->solve(c); }};
+  return {
+      fmt::format("{0}, {1}, {2} x {2}{3}", name, flexibilities, cells, shape), source, true,
+      [solver = std::make_shared<RowSolver>(scheme, options)](const EllipticContact& c) { return solver->solve(c); }};
 }
 
 TangentialModel fastrip(int cells) {
@@ -65,7 +66,8 @@ std::vector<TangentialModel> tangential_models() {
       marching(fastsim2, three, 10, parabolic, "3 flexibilities", "Vollebregt & Wilders 2011"),
       marching(fastsim2, blended, 10, parabolic, "blended", "Vollebregt & Wilders 2011; Vollebregt & Voltr")};
   const auto table = std::make_shared<CreepForceTable>(io::read_creep_table(io::shipped_creep_table()));
-  models.push_back({"creep-force table", "this project", true, [table](const EllipticContact& c) { return table->solve(c); }});
+  models.push_back(
+      {"creep-force table", "this project", true, [table](const EllipticContact& c) { return table->solve(c); }});
   for (const int elements : {12, 24}) models.push_back(exact(elements));
   return models;
 }

@@ -150,7 +150,8 @@ private:
 
   void read() {
     format_ = format_of(record_.file);
-    io::ProfileFile file = io::parse_profile_file(format_, io::read_profile_text(record_.file), record_.file);
+    // In CONTACT's files of columns y is the first one, whatever the shape.
+    io::ProfileFile file = io::parse_profile_file(format_, io::read_profile_text(record_.file), record_.file, 1, "y,z");
     if (file.role && *file.role != role_) fail("is not the profile of a " + std::string(to_string(role_)));
     if (format_ == io::ProfileFormat::simpack) unit_ = 1e3 * file.unit.value_or(1);
     mirrored_y_ = file.mirrored_y;

@@ -81,7 +81,7 @@ private:
 };
 
 /// Prints the slopes of a law, the linear critical speed that they alone make, and the time of a call.
-void print_law(Vehicle& vehicle, const std::string& name, double shear_modulus) {
+void print_law(DytsiVehicle& vehicle, const std::string& name, double shear_modulus) {
   const std::unique_ptr<CreepLaw> law = make_creep_law(name);
   const double modulus = shear_modulus > 0 ? shear_modulus : dytsi_shear_modulus;
   const Slopes found = slopes(*law, modulus);
@@ -107,7 +107,7 @@ double lowest_speed(const std::vector<LimitCycle>& cycles) {
 }
 
 void run(const std::string& input, const std::string& law, double shear_modulus, const char* cycles_file) {
-  Vehicle vehicle(input);
+  DytsiVehicle vehicle(input);
   if (law != "dytsi") use_creep_law(make_creep_law(law), shear_modulus);
   const LinearCriticalSpeed linear = linear_critical_speed(vehicle, 40, 180);
   std::printf("%s: linear critical speed %.3f m/s at %.3f Hz", law.c_str(), linear.speed, linear.frequency);

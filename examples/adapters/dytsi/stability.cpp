@@ -24,7 +24,7 @@ struct Matrix {
 
 /// Derivatives of f by central differences, which are linear enough over 1e-6 m, rad, m/s: the table of contact
 /// geometry has points every 1e-5 m.
-Matrix jacobian(const Vehicle& vehicle, State state) {
+Matrix jacobian(const DytsiVehicle& vehicle, State state) {
   const double step = 1e-6;
   const std::size_t size = state.size();
   Matrix result{size, std::vector<double>(size * size)};
@@ -41,7 +41,7 @@ Matrix jacobian(const Vehicle& vehicle, State state) {
   return result;
 }
 
-State equilibrium(const Vehicle& vehicle) {
+State equilibrium(const DytsiVehicle& vehicle) {
   const std::size_t size = vehicle.size();
   State state(size, 0.0), rate(size);
   const std::unique_ptr<gsl_permutation, void (*)(gsl_permutation*)> order(gsl_permutation_alloc(size),
@@ -63,7 +63,7 @@ State equilibrium(const Vehicle& vehicle) {
 /// Runge and Kutta's classical method of fourth order.
 class Simulation {
 public:
-  explicit Simulation(const Vehicle& vehicle)
+  explicit Simulation(const DytsiVehicle& vehicle)
       : vehicle_(vehicle), rates_(4, State(vehicle.size())), at_(vehicle.size()) {}
 
   /// Simulates for a time [s] and returns the largest lateral displacement of the first wheelset [m] meanwhile.
@@ -93,7 +93,7 @@ private:
   }
 
   static constexpr double step_ = 1e-3;
-  const Vehicle& vehicle_;
+  const DytsiVehicle& vehicle_;
   std::vector<State> rates_;
   State at_;
 };
@@ -104,7 +104,7 @@ constexpr double disturbance = 8e-3; // to begin with [m]: wheels touch their fl
 /// Limit cycles at falling speeds, with the motion that each has left.
 class CycleSearch {
 public:
-  explicit CycleSearch(Vehicle& vehicle) : vehicle_(vehicle), simulation_(vehicle) {}
+  explicit CycleSearch(DytsiVehicle& vehicle) : vehicle_(vehicle), simulation_(vehicle) {}
 
   /// Simulates for a time [s] at a speed [m/s] and returns whether the motion has not died; if so, keeps it.
   bool lives(double speed, State& state, double time) {
@@ -143,7 +143,7 @@ private:
     return *living_.begin();
   }
 
-  Vehicle& vehicle_;
+  DytsiVehicle& vehicle_;
   Simulation simulation_;
   std::map<double, State> living_;
   std::map<double, double> amplitudes_;
@@ -151,7 +151,7 @@ private:
 
 } // namespace
 
-Mode hunting_mode(Vehicle& vehicle, double speed) {
+Mode hunting_mode(DytsiVehicle& vehicle, double speed) {
   vehicle.set_speed(speed);
   Matrix matrix = jacobian(vehicle, equilibrium(vehicle));
   gsl_matrix_view view = matrix.view();
@@ -171,7 +171,7 @@ Mode hunting_mode(Vehicle& vehicle, double speed) {
   return result;
 }
 
-LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double high) {
+LinearCriticalSpeed linear_critical_speed(DytsiVehicle& vehicle, double low, double high) {
   const auto growth = [&](double speed) { return hunting_mode(vehicle, speed).growth; };
   const double least = growth(low), largest = growth(high);
   if (least > 0 || largest < 0)
@@ -183,7 +183,7 @@ LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double h
   return {speed, hunting_mode(vehicle, speed).frequency};
 }
 
-std::vector<LimitCycle> limit_cycles(Vehicle& vehicle, double highest_speed) {
+std::vector<LimitCycle> limit_cycles(DytsiVehicle& vehicle, double highest_speed) {
   CycleSearch search(vehicle);
   State state = vehicle.displaced(disturbance);
   double low = highest_speed;

@@ -18,7 +18,7 @@ struct Mode {
 /// equilibrium, which Newton's method finds. It is looked for between 1 and 7 Hz: below the car sways, and above the
 /// wheelsets bounce on springs without damping. Cost: some 400 evaluations of f. Throws std::runtime_error if there is
 /// none.
-Mode hunting_mode(Vehicle& vehicle, double speed);
+Mode hunting_mode(DytsiVehicle& vehicle, double speed);
 
 /// Speed at which the hunting mode begins to grow.
 struct LinearCriticalSpeed {
@@ -28,7 +28,7 @@ struct LinearCriticalSpeed {
 
 /// Finds it by Alefeld, Potra and Shi's method. Throws std::runtime_error unless the mode decays at `low` and grows at
 /// `high` [m/s].
-LinearCriticalSpeed linear_critical_speed(Vehicle& vehicle, double low, double high);
+LinearCriticalSpeed linear_critical_speed(DytsiVehicle& vehicle, double low, double high);
 
 /// Amplitude below which a motion dies [m]: limit cycles reach flanges, 5 mm and more.
 constexpr double least_amplitude = 3e-3;
@@ -45,6 +45,6 @@ struct LimitCycle {
 /// has left. From the last that lives on for 20 s more, bisection finds the speed where they die, to 0.1 m/s, with 20 s
 /// for each: the nonlinear critical speed. Runge and Kutta's method of fourth order with 1 ms. Throws
 /// std::runtime_error if no cycle lives on.
-std::vector<LimitCycle> limit_cycles(Vehicle& vehicle, double highest_speed);
+std::vector<LimitCycle> limit_cycles(DytsiVehicle& vehicle, double highest_speed);
 
 #endif

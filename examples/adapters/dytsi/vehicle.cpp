@@ -9,7 +9,7 @@
 int RunningMode_graphics = 1; // DYTSI reports its progress otherwise
 ExecMode Simulation::execMode = NO_THREADS;
 
-Vehicle::Vehicle(const std::string& input_file) {
+DytsiVehicle::DytsiVehicle(const std::string& input_file) {
   using namespace xercesc;
   XMLPlatformUtils::Initialize();
   XercesDOMParser parser; // owns the document, whose elements the model reads while it is set up
@@ -26,22 +26,22 @@ Vehicle::Vehicle(const std::string& input_file) {
   model_->init();
 }
 
-Vehicle::~Vehicle() = default;
+DytsiVehicle::~DytsiVehicle() = default;
 
-void Vehicle::set_speed(double speed) {
+void DytsiVehicle::set_speed(double speed) {
   model_->getExternalComponents()->set_v(speed);
 }
 
-std::size_t Vehicle::size() const {
+std::size_t DytsiVehicle::size() const {
   return static_cast<std::size_t>(model_->get_N_DOF());
 }
 
-std::size_t Vehicle::first_wheelset() const {
+std::size_t DytsiVehicle::first_wheelset() const {
   return static_cast<std::size_t>(model_->getComponentList()[3]->get_startingDOF() +
                                   DYTSI_Modelling::WheelSetComponent::Y);
 }
 
-State Vehicle::displaced(double lateral) const {
+State DytsiVehicle::displaced(double lateral) const {
   State state(size(), 0.0);
   for (DYTSI_Modelling::Component* component : model_->getComponentList()) {
     if (component == model_->getComponentList().front()) continue; // the car
@@ -50,7 +50,7 @@ State Vehicle::displaced(double lateral) const {
   return state;
 }
 
-void Vehicle::derivative(const State& state, State& rate) const {
+void DytsiVehicle::derivative(const State& state, State& rate) const {
   if (model_->computeFun(0, state.data(), rate.data()) != 0)
     throw std::runtime_error("DYTSI finds no forces for this state: beyond the table of contact geometry");
 }

@@ -14,12 +14,12 @@ class CooperriderOrthogonalModel;
 using State = std::vector<double>;
 
 /// Car, two bogies and four wheelsets on straight level track: y' = f(y), at a speed that can be set.
-class Vehicle {
+class DytsiVehicle {
 public:
   /// Reads an input file of DYTSI, whose table of contact geometry is looked for from the working folder. Throws
   /// std::runtime_error, with the file and the reason.
-  explicit Vehicle(const std::string& input_file);
-  ~Vehicle();
+  explicit DytsiVehicle(const std::string& input_file);
+  ~DytsiVehicle();
 
   void set_speed(double speed); ///< [m/s]
   std::size_t size() const;     ///< number of states

@@ -1,5 +1,5 @@
-// The load of a wheel and its derivatives take no memory and no lock, write nothing and throw nothing, in any state: with
-// FASTSIM2, wheel_1.toml, and with a table, wheel_9.toml.
+// The load of a wheel and its derivatives take no memory and no lock, write nothing and throw nothing, in any state:
+// with FASTSIM2, wheel_1.toml, and with a table, wheel_9.toml.
 
 #include "../wheel.h"
 #include "tests/support/call_counters.hpp"
