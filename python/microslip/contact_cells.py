@@ -86,6 +86,8 @@ class ContactCells:
     def at(self, values, x, y, vanishes, outline=None):
         """Values at points of the contact, or of a part of it that an outline tells; of a single row they hold across it."""
         outline = outline or self.outline
+        if not self.inside.any():  # nothing touches, or there is no friction
+            return np.zeros(np.shape(x))
         if self.is_regular or len(outline.parts) != 1:
             return self._interpolated(values, self.inside, x, y)
         mesh = StarMesh(outline.parts[0])
