@@ -101,8 +101,8 @@ void bind_results(py::module_& module) {
           "k = omega/V = 2 pi/wavelength, shape (n) [1/m]; none where the steady state is not solved.")
       .def_property_readonly("by_creepage", &responses_by_creepage,
                              "Complex amplitudes of fx [N], fy [N], mz [N m] by those of xi [-], eta [-], phi [1/m], "
-                             "e^(i omega t), shape\n"
-                             "(n, 3, 3); at k = 0 the Jacobian of ExactDerivatives.")
+                             "e^(i omega t),\n"
+                             "shape (n, 3, 3); at k = 0 the Jacobian of ExactDerivatives.")
       .def_property_readonly("by_load", &responses_by_load, "The same by that of the normal force [N], shape (n, 3).")
       .def_readonly("products", &FrequencyResponse::products, "Products that the responses took [-].");
   add_value(response, {"solution", "wavenumber", "by_creepage", "by_load"});
