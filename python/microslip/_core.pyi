@@ -851,8 +851,8 @@ class FrequencyResponse:
         """k = omega/V = 2 pi/wavelength, shape (n) [1/m]; none where the steady state is not solved."""
     @property
     def by_creepage(self) -> NDArray[numpy.float64]:
-        """Complex amplitudes of fx [N], fy [N], mz [N m] by those of xi [-], eta [-], phi [1/m], e^(i omega t), shape
-        (n, 3, 3); at k = 0 the Jacobian of ExactDerivatives."""
+        """Complex amplitudes of fx [N], fy [N], mz [N m] by those of xi [-], eta [-], phi [1/m], e^(i omega t),
+        shape (n, 3, 3); at k = 0 the Jacobian of ExactDerivatives."""
     @property
     def by_load(self) -> NDArray[numpy.float64]:
         """The same by that of the normal force [N], shape (n, 3)."""
