@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -572,6 +572,52 @@ const countRequests = `
   window.asked = [];
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message) { window.asked.push(message.request ? JSON.parse(message.request).call : "put"); return post.call(this, message); };`;
+
+/** Which points of the picture have the colour of a variable of the style sheet: ones and zeros. */
+async function pointsOf(page: Page, colour: string): Promise<string> {
+  return page.evaluate((name) => {
+    const canvas = document.querySelector<HTMLCanvasElement>("section:not([hidden]) canvas.map")!, wanted = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, Math.max(canvas.width, 1), Math.max(canvas.height, 1)), of = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
+    let found = "";
+    for (let i = 0; i < data.length; i += 4) found += of.every((value, k) => data[i + k] === value) ? "1" : "0";
+    return found;
+  }, colour);
+}
+
+test("controls, texts and bodies are there before the core has answered, at the place of its answer", async () => {
+  const { page, errors } = await opened("#", undefined, "window.Worker = class { postMessage() {} terminate() {} };"); // it never does
+  await page.getByText("wheelset stands 3.0 mm to the left").waitFor();
+  const colours = ["--wheel", "--rail"], first = [await pointsOf(page, "--wheel"), await pointsOf(page, "--rail")];
+  assert.equal(await page.locator("section:not([hidden]) .keys .note", { hasText: "computing" }).count(), 6);
+  assert.ok(await page.locator("section:not([hidden]) .field").count() > 10);
+  const { page: whole, errors: others } = await opened("#");
+  await row(whole, "lateral force");
+  for (const [i, colour] of colours.entries()) { // where no arrows and words of the result are
+    const drawn = await pointsOf(whole, colour), all = [...drawn].filter((point) => point === "1").length, both = [...drawn].filter((point, k) => point === "1" && first[i]![k] === "1").length;
+    assert.ok(all > 0.02 * drawn.length && both > 0.99 * all, `${colour}: ${both} of ${all} points were there before`);
+  }
+  assert.deepEqual([...errors, ...others], []);
+  await page.close();
+  await whole.close();
+});
+
+test("what the page loads before a table or a picture in three dimensions has less than 3 MB; without a core it says so", async () => {
+  const files = ["index.html", "page.css", "page.js", "explorer_core.js"], sizes = files.map((name) => statSync(path.join(folder, name)).size);
+  const { page, requests } = await opened("#");
+  await row(page, "lateral force");
+  assert.deepEqual(requests.filter((url) => url.startsWith("file:")).map((url) => path.basename(url.replace("#", ""))).sort(), [...files].sort());
+  assert.ok(sizes.reduce((all, size) => all + size) < 3e6, `${sizes.join(" + ")} bytes`);
+  await page.getByText("in three dimensions").click();
+  await page.locator(".head canvas").waitFor();
+  await page.close();
+  const without = path.join(scratch, "without");
+  mkdirSync(without);
+  for (const name of files.slice(0, 3)) copyFileSync(path.join(folder, name), path.join(without, name));
+  const alone = await browser.newPage();
+  await alone.goto(`file://${without}/index.html`);
+  await alone.getByText("explorer_core.js is missing beside this page").waitFor();
+  await alone.close();
+});
 
 test("a hidden page computes nothing, and what was asked meanwhile once it is seen again", async () => {
   const { page, errors } = await opened("", undefined, `${countRequests}
