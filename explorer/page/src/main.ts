@@ -126,6 +126,7 @@ class Page {
       made.setAttribute("aria-selected", String(name === view));
       made.tabIndex = name === view ? 0 : -1;
     }
+    this.#compare.hidden = !("freeze" in this.#views[view]);
     const exports = Object.entries(this.#views[view].exports()).map(([text, run]) => button(text, run));
     this.#exports.replaceChildren(...exports);
     this.#views[view].solve();

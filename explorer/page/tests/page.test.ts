@@ -4,6 +4,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -843,6 +844,68 @@ async function inSight(page: Page, view: string): Promise<void> {
   assert.ok(control.y >= 0 && control.y + control.height <= height, `${view}: a control at ${control.y}`);
   assert.ok(picture.y >= 0 && control.y - picture.y > 200, `${view}: ${control.y - picture.y} pixels of the picture above the controls`);
 }
+
+/** Contrast of two colours as WCAG 2 defines it. */
+function contrast(one: string, other: string): number {
+  const light = (hex: string) => {
+    const [r, g, b] = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+  };
+  const [low, high] = [light(one), light(other)].sort((a, b) => a - b);
+  return (high! + 0.05) / (low! + 0.05);
+}
+
+test("colours of both themes: texts have a contrast of 4.5 on all that they stand on, lines and marks of 3", () => {
+  const themes = [...readFileSync(new URL("../src/page.css", import.meta.url), "utf8").matchAll(/:root[^{]*\{([^}]*)\}/g)].map(([, block]) => new Map([...block!.matchAll(/(--[\w-]+): (#[0-9a-f]{6})/g)].map(([, name, colour]) => [name!, colour!])));
+  assert.equal(themes.length, 2);
+  const texts: Record<string, string[]> = {
+    "--ink": ["--paper", "--panel", "--well", "--ui-soft", "--warn-soft", "--wheel", "--rail", "--stick-soft", "--slide-soft"], "--ink2": ["--paper", "--panel", "--well", "--ui-soft", "--wheel", "--rail"],
+    "--ink3": ["--paper", "--panel"], "--ui-ink": ["--ui"], "--bad": ["--paper", "--panel", "--bad-soft"],
+  };
+  const marks = ["--ui", "--edge", "--stick", "--slide", "--wheel-edge", "--rail-edge", "--exact", "--fastsim2", "--table", "--accent1", "--accent2", "--accent3", "--arrow", "--ink3"];
+  for (const [i, theme] of themes.entries()) {
+    const check = (one: string, other: string, least: number) => {
+      const found = contrast(theme.get(one)!, theme.get(other)!);
+      assert.ok(found >= least, `${["light", "dark"][i]!}: ${one} on ${other} has ${found.toFixed(2)}`);
+    };
+    for (const [text, grounds] of Object.entries(texts)) for (const ground of grounds) check(text, ground, 4.5);
+    for (const mark of marks) check(mark, "--panel", 3);
+  }
+});
+
+test("axe-core finds nothing in any view, wide and light, narrow and dark; each field is one stop of the keyboard", async () => {
+  interface Found { violations: { id: string; nodes: { html: string }[] }[] }
+  for (const [width, scheme] of [[1400, "light"], [400, "dark"]] as const) {
+    const { page, errors } = await opened("#", { width, height: 900 }, undefined, scheme);
+    await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
+    for (const view of ["Wheel on rail", "Contact", "Start and stop", "Nip"]) {
+      await page.getByRole("tab", { name: view }).click();
+      await settled(page);
+      const { violations } = await page.evaluate(() => (window as unknown as { axe: { run: (root: Document, what: unknown) => Promise<Found> } }).axe.run(document, { resultTypes: ["violations"] }));
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], view);
+      const stops = await page.evaluate(() => [...document.querySelectorAll("section:not([hidden]) .field:has(input[type=text])")].map((at) => [...at.querySelectorAll<HTMLElement>("input")].filter(({ tabIndex }) => tabIndex >= 0).length));
+      assert.ok(stops.length > 5 && stops.every((count) => count === 1), `${view}: ${stops.join(" ")}`);
+    }
+    assert.deepEqual(errors, []);
+    await page.close();
+  }
+});
+
+test("every view has a title, a sentence of its state and six key numbers; A | B is where it compares", async () => {
+  const { page, errors } = await opened("#");
+  for (const [view, words] of [["Wheel on rail", "3.0 mm to the left"], ["Contact", ""], ["Start and stop", "12 kN backwards, 50 % of what friction can bear"], ["Nip", "4 kN into one with a rubber cover 15 mm thick"]] as const) {
+    await page.getByRole("tab", { name: view }).click();
+    await settled(page);
+    const shown = page.locator("section:not([hidden])");
+    assert.equal(await shown.locator("h2").count(), 1);
+    assert.ok((await shown.locator(".lead").textContent())!.includes(words) && (await shown.locator(".lead").textContent())!.length > 60, `${view}: ${await shown.locator(".lead").textContent() ?? ""}`);
+    assert.equal(await shown.locator(".keys dt").count(), 6);
+    for (const text of await shown.locator(".keys .value, .keys .note").allTextContents()) assert.doesNotMatch(text, /NaN|undefined|Infinity/);
+    assert.equal(await page.getByRole("button", { name: "compare A | B" }).isVisible(), view === "Wheel on rail" || view === "Contact");
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
 
 test("every control has a name; nothing is wider than a narrow screen", async () => {
   for (const view of ["Contact", "Wheel on rail", "Start and stop", "Nip"])
