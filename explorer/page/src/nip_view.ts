@@ -71,7 +71,7 @@ export class NipView {
   readonly #numbers = element("table", { class: "numbers" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #more = element("p", { class: "hint" });
-  readonly #perMetre = element("p", { class: "hint" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
+  readonly #perMetre = element("p", { class: "hint", hidden: "" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
   readonly #lead = element("p");
   readonly #keys = new Keys();
   readonly #above: HTMLElement;
@@ -279,10 +279,10 @@ export class NipView {
     this.#keys.show([
       { name: "Nip width", value: (1e3 * size.along).toFixed(1), unit: "mm", note: this.#ofCylinders ? "along the rolling" : `along the rolling, ${(1e3 * size.across).toFixed(0)} mm across`, what: "How long the contact is in the direction of rolling, in its middle." },
       { name: "Highest pressure", value: digits(given.peak_pressure / 1e6), unit: "MPa", note: `cover pressed in by ${digits(1e3 * given.approach)} mm`, what: `${output("bodies", "peak_pressure").text}. ${output("bodies", "approach").text}.` },
-      { name: "Free roller's speed", value: isFree ? free.speed_ratio.toFixed(4) : "–", unit: "", note: isFree ? `${minus((100 * faster).toFixed(2))} % against its radius` : "not solved", what: "Surface speed of the upper roller over that of the covered one, both of the undeformed radius, where no force along passes." },
+      { name: "Free roller's speed", value: isFree ? free.speed_ratio.toFixed(4) : "–", unit: "", note: isFree ? `${Math.abs(100 * faster).toFixed(2)} % ${faster < 0 ? "slower" : "faster"} than its radius says` : "not solved", what: "Surface speed of the upper roller over that of the covered one, both of the undeformed radius, where no force along passes." },
       { name: "Sticks and slides", value: "", unit: "", note: `${percent(share)} % sticks, ${percent(1 - share)} % slides`, share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip)." },
       { name: "Force along", value: minus(digits(Math.round(given.fx))), unit: `N${per}`, note: `${percent(Math.abs(given.fx) / possible)} % of ${digits(possible / 1e3)} kN${per} possible`, what: `${output("bodies", "fx").text}.` },
-      { name: "Heat made by friction", value: digits(given.frictional_power), unit: `W${per}`, note: `at ${digits(values["motion.rolling_speed"]!)} m/s`, what: `${output("bodies", "frictional_power").text}.` },
+      { name: "Frictional heat", value: digits(given.frictional_power), unit: `W${per}`, note: `at ${digits(values["motion.rolling_speed"]!)} m/s`, what: `${output("bodies", "frictional_power").text}.` },
     ]);
   }
 

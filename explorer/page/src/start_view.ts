@@ -52,7 +52,7 @@ export class StartView {
   readonly #given: Record<keyof StartState["given"], Choice>;
   readonly #map = element("canvas", { class: "map", role: "img" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
-  readonly #spoken = element("p", { "aria-live": "polite" });
+  readonly #spoken = element("p", { "aria-live": "polite" }, "computing …");
   readonly #lead = element("p");
   readonly #keys = new Keys();
   readonly #time = element("p", { class: "time" });
