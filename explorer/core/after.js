@@ -1,4 +1,4 @@
-  return startModule().then((module) => {
+  return startModule(options).then((module) => {
     const texts = (text) => {
       const size = module.lengthBytesUTF8(text) + 1;
       const at = module._malloc(size);

@@ -6,4 +6,5 @@ import { fileURLToPath } from "node:url";
 const folder = path.join(path.dirname(fileURLToPath(import.meta.url)), "../../examples/profiles");
 const names = ["60e1.prr", "s1002.prw"];
 const texts = await Promise.all(names.map((name) => readFile(path.join(folder, name), "utf8")));
-export const builtInProfiles = { BUILT_IN_PROFILES: JSON.stringify(Object.fromEntries(names.map((name, k) => [name, texts[k]]))) };
+export const profileTexts = Object.fromEntries(names.map((name, k) => [name, texts[k]]));
+export const builtInProfiles = { BUILT_IN_PROFILES: JSON.stringify(profileTexts) };

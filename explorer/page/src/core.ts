@@ -1,8 +1,9 @@
 // The core in a worker: requests go in as JSON, replies come out. Of the requests of one channel only the newest waits, and
 // while the page is hidden all of them do. As long as one of them is under way the page is marked as busy.
 
-/** What explorer_core.js defines; its text runs in the worker. */
+/** What explorer_core.js defines: a function whose text runs in the worker, and its WebAssembly, zipped, in base64. */
 declare const microslipCore: ((...args: unknown[]) => unknown) | undefined;
+declare const microslipWasm: string;
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export interface Request { call: string; case?: string; files?: Record<string, string>; [key: string]: unknown }
@@ -32,7 +33,12 @@ export function loadScript(name: string): Promise<void> {
 
 function workerText(): string {
   return `"use strict";
-const core = (${String(microslipCore)})();
+async function unzipped(letters) {
+  const binary = atob(letters), bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+const core = unzipped("${microslipWasm}").then((wasmBinary) => (${String(microslipCore)})({ wasmBinary }));
 onmessage = async ({ data }) => {
   try {
     const made = await core;
@@ -45,21 +51,22 @@ onmessage = async ({ data }) => {
 }
 
 export class Core {
-  readonly #worker: Worker;
+  #worker: Worker | undefined; // once its script is there; until then requests wait
   readonly #waiting = new Map<string, Waiting>();
   #running: ((reply: Reply<never>) => void) | undefined;
 
-  private constructor() {
-    this.#worker = new Worker(URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" })));
-    this.#worker.onmessage = ({ data }: MessageEvent<string>) => { this.#finish(JSON.parse(data) as Reply<never>); };
-    this.#worker.onerror = (event) => { this.#finish({ error: { message: event.message || "the core has stopped" } }); };
+  constructor() {
     document.addEventListener("visibilitychange", () => { this.#next(); });
   }
 
-  static async start(): Promise<Core> {
+  /** Loads it, and begins with what has been asked meanwhile. */
+  async start(): Promise<void> {
     if (typeof WebAssembly !== "object") throw new Error("this browser has no WebAssembly, which the computation needs");
     await loadScript(hasVectors() ? "explorer_core.js" : "explorer_core_plain.js");
-    return new Core();
+    this.#worker = new Worker(URL.createObjectURL(new Blob([workerText()], { type: "text/javascript" })));
+    this.#worker.onmessage = ({ data }: MessageEvent<string>) => { this.#finish(JSON.parse(data) as Reply<never>); };
+    this.#worker.onerror = (event) => { this.#finish({ error: { message: event.message || "the core has stopped" } }); };
+    this.#next();
   }
 
   /** The reply, or undefined if a newer request of the same channel replaced this one before it began. */
@@ -76,7 +83,7 @@ export class Core {
   put(name: string, bytes: Uint8Array): Promise<unknown> {
     return new Promise((resolve) => {
       const start = () => {
-        if (this.#running) { setTimeout(start, 5); return; }
+        if (this.#running || !this.#worker) { setTimeout(start, 5); return; }
         this.#running = resolve;
         this.#worker.postMessage({ put: name, bytes });
       };
@@ -94,7 +101,7 @@ export class Core {
   }
 
   #startNext(): void {
-    if (this.#running || document.hidden) return;
+    if (this.#running || !this.#worker || document.hidden) return;
     const [first] = this.#waiting;
     if (!first) return;
     const [channel, { request, done }] = first;

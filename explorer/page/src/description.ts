@@ -19,7 +19,7 @@ export interface Input {
 export interface Output { unit: string; label?: string; text: string }
 /** Numbers by which one in a unit is multiplied and divided to be in SI. */
 export type Scale = [times: number, over: number];
-interface Description {
+export interface Description {
   inputs: Record<"bodies" | "wheel", Record<string, Input>>;
   outputs: Record<"bodies" | "fields" | "wheel" | "patch", Record<string, Output>>;
   units: Record<string, Record<string, Scale>>;
@@ -30,13 +30,20 @@ let builtFrom: string;
 /** Which microslip the core is. */
 export const version = (): string => builtFrom;
 
-/** Asks the core, before anything of the page is made. */
+/** Takes over what a core has said, before anything of the page is made. */
+export function describe(said: Description, by: string): void {
+  description = said;
+  builtFrom = by;
+}
+
+/** Asks a core, which the page's build does. */
 export async function readDescription(core: Pick<Core, "ask">): Promise<void> {
   const reply = await core.ask<Description>("description", { call: "description" });
   if (!reply?.result) throw new Error(reply?.error?.message ?? "the core does not answer");
-  description = reply.result;
-  builtFrom = (await core.ask<{ version: string }>("version", { call: "version" }))?.result?.version ?? "";
+  describe(reply.result, (await core.ask<{ version: string }>("version", { call: "version" }))?.result?.version ?? "");
 }
+
+export const described = (): Description => description;
 
 function named<Of>(table: Record<string, Of>, name: string): Of {
   const found = table[name];

@@ -61,7 +61,7 @@ export function controlsOf(groups: HTMLElement[]): HTMLElement {
 export interface Row { name: string; unit: string; values: string[]; what?: string }
 
 export function fillTable(table: HTMLTableElement, heads: string[], rows: Row[]): void {
-  const head = element("tr", {}, element("th", {}), ...heads.map((text) => element("th", { scope: "col" }, text)), element("th", {}, ""));
+  const head = element("tr", {}, element("td"), ...heads.map((text) => element("th", { scope: "col" }, text)), element("td", { class: "unit" }));
   const body = rows.map((row) =>
     element("tr", row.what ? { title: row.what } : {}, element("th", { scope: "row" }, row.name), ...row.values.map((value) => element("td", {}, value)),
             element("td", { class: "unit" }, row.unit)));
@@ -94,7 +94,10 @@ export class Keys {
     numbers.forEach(({ name, value, unit, note, what, share }, i) => {
       const shown = this.#shown.get(name) ?? this.#add(name, share !== undefined, what), old = before?.[i];
       if (share === undefined) shown.value.replaceChildren(value, " ", element("small", {}, unit));
-      else (shown.value.querySelector("i")!).style.width = `${String(100 * share)}%`;
+      else {
+        shown.value.querySelector("i")!.style.width = `${String(100 * share)}%`;
+        shown.value.style.visibility = Number.isNaN(share) ? "hidden" : "visible";
+      }
       shown.note.textContent = note;
       shown.before.hidden = !old;
       shown.before.textContent = old ? `A: ${old.share === undefined ? `${old.value} ${old.unit}` : old.note}` : "";

@@ -4,14 +4,17 @@ import "./page.css";
 import { ContactView } from "./contact_view.ts";
 import { startOf, stateOfCase, type Start } from "./case_inputs.ts";
 import { Core, hasVectors } from "./core.ts";
-import { readDescription } from "./description.ts";
+import { describe } from "./description.ts";
 import { button, element, long } from "./elements.ts";
 import { NipView } from "./nip_view.ts";
 import { presets } from "./presets.ts";
 import { RailView } from "./rail_view.ts";
 import { StartView } from "./start_view.ts";
+import type { FirstAnswers } from "./first_answers.ts";
 import { decode, encode, initialState, type State, type View } from "./state.ts";
 import { Tour } from "./tour.ts";
+
+declare const FIRST_ANSWERS: FirstAnswers;
 
 const names: Record<View, string> = { rail: "Wheel on rail", contact: "Contact", start: "Start and stop", nip: "Nip" };
 const mostSteps = 200; // that can be undone
@@ -61,7 +64,7 @@ class Page {
     const share = button("Share", () => {
       void navigator.clipboard.writeText(location.href).then(() => { this.say("The link is on the clipboard; it holds all that is set here."); },
                                                              () => { this.say("The address of this page is the link: it holds all that is set here."); });
-    }, "copy link");
+    }, "Share: copy the link");
     const theme = button("☾", () => { document.documentElement.dataset["theme"] = document.documentElement.dataset["theme"] === "dark" ? "light" : "dark"; this.#redraw(); }, "light or dark");
     const reset = button("Reset all", () => { this.#show({ ...initialState(), view: this.state.view }, ""); this.#changed(); });
     const tour = button("?", () => { this.#tour.start(); }, "take the tour");
@@ -123,6 +126,7 @@ class Page {
       made.setAttribute("aria-selected", String(name === view));
       made.tabIndex = name === view ? 0 : -1;
     }
+    this.#compare.hidden = !("freeze" in this.#views[view]);
     const exports = Object.entries(this.#views[view].exports()).map(([text, run]) => button(text, run));
     this.#exports.replaceChildren(...exports);
     this.#views[view].solve();
@@ -239,15 +243,24 @@ async function start(): Promise<void> {
   const root = document.getElementById("page")!;
   setTheme();
   try {
-    const core = await Core.start();
-    await readDescription(core);
-    const page = new Page(core, initialState(), root);
+    describe(FIRST_ANSWERS.description, FIRST_ANSWERS.version);
+    const core = new Core(), page = new Page(core, initialState(), root);
+    const loaded = drawn().then(() => core.start());
+    loaded.catch((error: unknown) => { page.say(`The explorer cannot compute: ${error instanceof Error ? error.message : String(error)}.`); });
     if (location.hash.length > 1) await page.follow(location.hash);
     else page.open("rail");
     await page.begin();
   } catch (error) {
     root.replaceChildren(element("p", { class: "message", role: "alert" }, `The explorer cannot start: ${error instanceof Error ? error.message : String(error)}.`));
   }
+}
+
+/** Once the browser has shown what there is to show: a script that is read meanwhile would hold it up. */
+function drawn(): Promise<void> {
+  return new Promise((resolve) => {
+    requestAnimationFrame(() => { setTimeout(resolve); });
+    setTimeout(resolve, 200); // a hidden page has no frames
+  });
 }
 
 void start();

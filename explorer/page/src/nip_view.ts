@@ -5,7 +5,7 @@ import { Chart, type Band } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
 import { output } from "./description.ts";
-import { card, controlsOf, element, fillRemarks, fillTable, save, sentence, statusInWords, titleOf, type Row } from "./elements.ts";
+import { Keys, card, controlsOf, element, fillRemarks, fillTable, save, sentence, statusInWords, titleOf, type Row } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
@@ -71,8 +71,9 @@ export class NipView {
   readonly #numbers = element("table", { class: "numbers" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
   readonly #more = element("p", { class: "hint" });
-  readonly #perMetre = element("p", { class: "hint" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
+  readonly #perMetre = element("p", { class: "hint", hidden: "" }, "Cylinders: load, forces, moments and powers are those of a metre along them.");
   readonly #lead = element("p");
+  readonly #keys = new Keys();
   readonly #above: HTMLElement;
   readonly #spoken = element("p", { class: "spoken", "aria-live": "polite" });
   readonly #time = element("p", { class: "time" });
@@ -86,11 +87,11 @@ export class NipView {
     this.#along = new Chart(along, 280);
     this.#curve = new Chart(curve);
     this.#above = card("wide", "The nip from above", "x and y have scales of their own; blue sticks, orange slides", element("div", { class: "choices" }, this.#shownChoice()), this.#map);
-    this.#lead.textContent = "A hard roller is pressed into one with a rubber cover and both roll; you look along the nip, from where the material comes in at the right to where it leaves at the left. Behind the curves: blue where both surfaces stick together, orange where they slide.";
     this.root.append(
       titleOf("A rubber-covered roller: pressure and friction in the nip", this.#lead),
       controlsOf(this.#controls()),
       element("div", { class: "pictures" },
+        this.#keys.root,
         card("wide pinned", "Along the nip, in its middle", "", along, stateLegend(), this.#form.message, this.#remarks, this.#time),
         card("", "The nip as it is set, and with a free roller", "", this.#numbers, this.#spoken, this.#perMetre,
           element("p", { class: "hint" }, "Free: no longitudinal force. The speed ratio is the upper roller's surface speed over the covered one's, both of the undeformed radius: (2 − ξ)/(2 + ξ) with the creepage ξ.")),
@@ -109,6 +110,7 @@ export class NipView {
   /** The nip and the free roller first; the curve once nothing has changed for a while. */
   solve(): void {
     const solved = nipCase(this.state);
+    this.#tell();
     void this.core.ask<NipResult>("nip", { call: "nip", case: solved }).then((reply) => {
       if (!reply) return;
       clearTimeout(this.#later);
@@ -119,6 +121,12 @@ export class NipView {
       this.draw();
       this.#later = window.setTimeout(() => { this.#askCurve(solved); }, 150);
     });
+  }
+
+  /** What is set in a sentence, and what one sees. */
+  #tell(): void {
+    const { values } = this.state, load = values["load.normal_force"]!, per = this.#ofCylinders ? " a metre" : "";
+    this.#lead.textContent = `A hard roller is pressed with ${digits(load / 1e3)} kN${per} into one with a rubber cover ${digits(1e3 * values[layer("thickness")]!)} mm thick, and both roll at ${digits(values["motion.rolling_speed"]!)} m/s. You look along the nip, from where the material comes in at the right to where it leaves at the left. Behind the curves: blue where both surfaces stick together, orange where they slide.`;
   }
 
   exports(): Record<string, () => void> {
@@ -238,8 +246,8 @@ export class NipView {
     });
   }
 
-  #showNumbers({ given, free }: NipResult, size: { along: number; across: number }): void {
-    const ofFree = (text: string) => (free.status === "ok" ? text : "–");
+  #showNumbers(found: NipResult, size: { along: number; across: number }): void {
+    const { given, free } = found, ofFree = (text: string) => (free.status === "ok" ? text : "–");
     const both = (text: (of: Totals) => string) => [text(given), ofFree(text(free))];
     const row = (name: Exclude<keyof Totals, "status" | "reason" | "speed_ratio">, unit?: string): Row => {
       const { unit: si, text, label } = output("bodies", name), shown = unit ?? shownUnit(si);
@@ -255,6 +263,7 @@ export class NipView {
       { name: "approach over thickness", unit: "%", values: both((of) => digits((100 * of.approach) / thickness)) },
       row("frictional_power"), row("my"),
     ]);
+    this.#showKeys(found, size);
     const notOk = (name: string, { status, reason }: Totals) => (status === "ok" ? [] : [`${name}: ${sentence(statusInWords(status, reason))}`]);
     const tooDeep = indentation > largestIndentation
       ? [`The cover gives way by ${digits(100 * indentation)} % of its thickness: beyond ${String(100 * largestIndentation)} % strains are too large for linear elasticity, and numbers are rough.`] : [];
@@ -262,6 +271,19 @@ export class NipView {
     const text = `nip ${digits(size.along * 1e3)} mm wide, peak pressure ${digits(given.peak_pressure / 1e6)} MPa, force ${digits(given.fx)} N`;
     this.#spoken.textContent = text;
     this.#map.setAttribute("aria-label", `${this.state.shown} in the nip from above: ${text}`);
+  }
+
+  #showKeys({ given, free, fields: { state } }: NipResult, size: { along: number; across: number }): void {
+    const of = (wanted: number) => state.filter((one) => one === wanted).length, share = of(1) / Math.max(of(1) + of(2), 1), percent = (value: number) => String(Math.round(100 * value)), minus = (value: string) => value.replace("-", "−");
+    const { values } = this.state, possible = values["friction.coefficient"]! * values["load.normal_force"]!, per = this.#ofCylinders ? "/m" : "", isFree = free.status === "ok", faster = free.speed_ratio - 1;
+    this.#keys.show([
+      { name: "Nip width", value: (1e3 * size.along).toFixed(1), unit: "mm", note: this.#ofCylinders ? "along the rolling" : `along the rolling, ${(1e3 * size.across).toFixed(0)} mm across`, what: "How long the contact is in the direction of rolling, in its middle." },
+      { name: "Highest pressure", value: digits(given.peak_pressure / 1e6), unit: "MPa", note: `cover pressed in by ${digits(1e3 * given.approach)} mm`, what: `${output("bodies", "peak_pressure").text}. ${output("bodies", "approach").text}.` },
+      { name: "Free roller's speed", value: isFree ? free.speed_ratio.toFixed(4) : "–", unit: "", note: isFree ? `${Math.abs(100 * faster).toFixed(2)} % ${faster < 0 ? "slower" : "faster"} than its radius says` : "not solved", what: "Surface speed of the upper roller over that of the covered one, both of the undeformed radius, where no force along passes." },
+      { name: "Sticks and slides", value: "", unit: "", note: `${percent(share)} % sticks, ${percent(1 - share)} % slides`, share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip)." },
+      { name: "Force along", value: minus(digits(Math.round(given.fx))), unit: `N${per}`, note: `${percent(Math.abs(given.fx) / possible)} % of ${digits(possible / 1e3)} kN${per} possible`, what: `${output("bodies", "fx").text}.` },
+      { name: "Frictional heat", value: digits(given.frictional_power), unit: `W${per}`, note: `at ${digits(values["motion.rolling_speed"]!)} m/s`, what: `${output("bodies", "frictional_power").text}.` },
+    ]);
   }
 
   /** Of the case whose nip is shown: the state may be another one by now, and one that is refused. */

@@ -18,6 +18,7 @@ export interface Scene {
   names: { wheel: string; rail: string };
   trouble: string; // what is wrong with where the wheel is, in words
   compared: { wheel: Outline; patches: Patch[] } | undefined;
+  isComputing: boolean; // the patches
   isTold: boolean; // that the wheel can be dragged
 }
 
@@ -319,7 +320,7 @@ function drawLens(context: CanvasRenderingContext2D, scene: Scene, layout: Layou
   context.lineWidth = 1.6;
   context.stroke();
   context.restore();
-  if (!frame) text(context, "no contact", [lens.left + lens.width / 2, lens.top + lens.height / 2], { align: "center", colour: "--ink2" });
+  if (!frame) text(context, scene.isComputing ? "computing …" : "no contact", [lens.left + lens.width / 2, lens.top + lens.height / 2], { align: "center", colour: "--ink2" });
 }
 
 function drawLensAxes(context: CanvasRenderingContext2D, { lens, isNarrow }: Layout, pixels: number): void {

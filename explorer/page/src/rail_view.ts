@@ -3,25 +3,29 @@
 import { forPeople, isHowRead, moreInWords, railCase, railPython, runningCase } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
-import type { Core } from "./core.ts";
+import { loadScript, type Core } from "./core.ts";
 import { help, input, output } from "./description.ts";
 import { Keys, Seldom, button, card, controlsOf, element, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
 import { rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
-import { RailHead } from "./rail_head.ts";
-import { drawPair, drawScene, valuesAt, yawAt, yawHandle, type Layout, type Outline, type Patch, type Scene } from "./rail_picture.ts";
+import type { FirstAnswers, Outlines } from "./first_answers.ts";
+import type { RailHead } from "./rail_head.ts";
+import { drawPair, drawScene, valuesAt, yawAt, yawHandle, type Layout, type Patch, type Scene } from "./rail_picture.ts";
 import { sheetsOf, type ElementFields } from "./sheet.ts";
-import { shapes, type RailState } from "./state.ts";
+import { initialState, shapes, type RailState } from "./state.ts";
 import { digits, show, shownUnit } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
+declare const FIRST_ANSWERS: FirstAnswers;
+/** What rail_head.js defines. */
+declare const microslipRailHead: { RailHead: typeof RailHead };
 
 interface WheelResult {
   states: Record<string, number[]>;
   wheel: Record<string, (number | string)[]>;
   patches?: Record<string, number[]>; // none where wheel and rail do not touch
-  outlines: { rail: Outline; wheel: Outline };
+  outlines: Outlines;
   fields?: RowsOfPatch[];
   status: string; reason?: string; warnings: string[];
 }
@@ -74,7 +78,7 @@ export class RailView {
   readonly #shape: Choice;
   readonly #smoothing: Record<(typeof roles)[number], Choice>;
   readonly section = element("canvas", { class: "map", role: "slider", tabindex: "0", "aria-valuemin": "-8", "aria-valuemax": "8" });
-  readonly #pair = element("canvas", { class: "map pair", role: "img" });
+  readonly #pair = element("canvas", { class: "map pair", role: "img", "aria-label": "Both wheels on their rails" });
   readonly #steers = element("p", { class: "steers" });
   readonly #lead = element("p");
   readonly #keys = new Keys();
@@ -140,6 +144,7 @@ export class RailView {
   }
 
   solve(): void {
+    if (!this.#solved.fastsim2) this.draw();
     void this.#ask("fastsim2").then((drawn) => { if (drawn) void this.#ask("exact"); });
     clearTimeout(this.#later);
     this.#later = window.setTimeout(() => {
@@ -223,8 +228,11 @@ export class RailView {
   #threeDimensions(): HTMLElement {
     const head = element("div", { class: "head" }), made = element("details", { class: "panel wide" }, element("summary", {}, "Pressure on the rail head in three dimensions"), head);
     made.addEventListener("toggle", () => {
-      if (made.open) this.#head ??= new RailHead(head);
-      this.draw();
+      if (!made.open || this.#head) return;
+      void loadScript("rail_head.js").then(() => {
+        this.#head ??= new microslipRailHead.RailHead(head);
+        this.draw();
+      }, (error: unknown) => { head.textContent = `No picture: ${error instanceof Error ? error.message : String(error)}.`; });
     });
     return made;
   }
@@ -404,8 +412,11 @@ export class RailView {
 
   #drawNow(): void {
     const solved = this.#solved.exact ?? this.#solved.fastsim2;
-    if (!solved || !this.#solved.fastsim2?.outlines) return;
-    this.#drawScene();
+    if (!solved || !this.#solved.fastsim2?.outlines) {
+      this.#drawBodies();
+      return;
+    }
+    this.#drawScene(solved, this.#solved.fastsim2.outlines, solved.states["lateral"]![0]!);
     this.#showKeys(solved);
     this.#rest.soon();
   }
@@ -422,14 +433,23 @@ export class RailView {
     this.#drawPair();
   }
 
-  #drawScene(): void {
-    const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines;
-    if (!solved || !outlines) return;
-    const { values, profiles } = this.state, lateral = values["wheel.lateral"]!, moved = lateral - solved.states["lateral"]![0]!;
+  /** Wheel and rail before the core has answered, which the page knows of its own profiles where it begins. */
+  #drawBodies(): void {
+    const first = initialState().rail, { values, profiles } = this.state;
+    this.#showKeys(undefined);
+    const isKnown = ["track.cant", "track.gauge", "wheelset.flange_back_distance"].every((key) => values[key] === first.values[key]);
+    if (!isKnown || profiles.rail !== first.profiles.rail || profiles.wheel !== first.profiles.wheel || Object.keys(this.state.files).length) return;
+    this.#drawScene(undefined, FIRST_ANSWERS.outlines, first.values["wheel.lateral"]!);
+    this.#tell();
+  }
+
+  /** `outlinesAt`: the sideways position of the wheel that the outlines show. */
+  #drawScene(solved: WheelResult | undefined, outlines: Outlines, outlinesAt: number): void {
+    const { values, profiles } = this.state, lateral = values["wheel.lateral"]!, moved = lateral - outlinesAt;
     const wheel = moved === 0 ? outlines.wheel : { y: outlines.wheel.y.map((y) => y + moved), z: outlines.wheel.z };
     const cant = values["track.cant"]!, lean = cant === 0 ? "upright" : `leans inwards 1:${digits(Math.round(1 / Math.tan(cant)))}`;
     const scene: Scene = {
-      rail: outlines.rail, wheel, patches: this.#patchesOf(solved), yaw: values["wheel.yaw"]!, trouble: troubleOf(solved), isTold: this.#isTold, compared: this.#frozen?.scene,
+      rail: outlines.rail, wheel, patches: solved ? this.#patchesOf(solved) : [], yaw: values["wheel.yaw"]!, trouble: solved ? troubleOf(solved) : "", isComputing: !solved, isTold: this.#isTold, compared: this.#frozen?.scene,
       names: { wheel: `${nameOf(profiles.wheel)}, radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: `${nameOf(profiles.rail)}, ${lean}` },
     };
     this.#layout = drawScene(this.section, scene);
@@ -449,15 +469,16 @@ export class RailView {
     this.section.setAttribute("aria-valuetext", `${stands}, ${turns}`);
   }
 
-  #showKeys(solved: WheelResult): void {
-    const patches = this.#patchesOf(solved), sum = (of: (patch: Patch) => number) => patches.reduce((all, patch) => all + of(patch), 0);
+  /** Without a result: their names. */
+  #showKeys(solved: WheelResult | undefined): void {
+    const patches = solved ? this.#patchesOf(solved) : [], sum = (of: (patch: Patch) => number) => patches.reduce((all, patch) => all + of(patch), 0);
     const area = sum(({ contact_area }) => contact_area), slipping = sum(({ slip_area }) => slip_area), friction = sum(({ fx, fy }) => Math.hypot(fx, fy));
     const possible = sum((patch) => patch.possible), peak = Math.max(0, ...patches.map(({ peak_pressure }) => peak_pressure));
-    const wheel = (name: string) => Number(solved.wheel[name]?.[0]), ratio = wheel("y_over_q"), limit = wheel("nadal_limit");
+    const wheel = (name: string) => Number(solved?.wheel[name]?.[0]), ratio = wheel("y_over_q"), limit = wheel("nadal_limit");
     const size = patches.length === 1 ? sizeOf(patches[0]!) : patches.length ? `in ${String(patches.length)} parts` : "no contact";
     const climbing = ratio > limit ? "above the limit: it can climb" : ratio > 0.7 * limit ? "close to climbing the rail" : "far from climbing the rail";
     const share = area > 0 ? 1 - slipping / area : 0, minus = (words: string) => words.replace("-", "−");
-    this.#keyNumbers = [
+    const numbers: KeyNumber[] = [
       { name: "Load on this wheel", value: digits(wheel("force_z") / 1e3), unit: "kN", note: "upwards, from the rail", what: `What the rail carries of the wheelset through this wheel. ${output("wheel", "force_z").text}.` },
       { name: "Contact patch", value: digits(Math.round(1e6 * area)), unit: "mm²", note: size, what: `The area of steel that touches, as large as a fingernail. ${output("patch", "contact_area").text}.` },
       { name: "Highest pressure", value: Math.round(peak / 1e6).toLocaleString("en"), unit: "MPa", note: peak / 1e6 > 1000 ? `${digits(Math.round(peak / 1e5) / 10)} N on each mm²` : "", what: `The largest pressure within the contact. Rail steel yields below the surface from some 1500 MPa on; microslip computes elastic steel. ${output("patch", "peak_pressure").text}.` },
@@ -465,6 +486,7 @@ export class RailView {
       { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: possible > 0 ? `${String(Math.round((100 * friction) / possible))} % of ${(possible / 1e3).toFixed(1)} kN possible` : "", what: "Along the surface, summed over the patches; possible is the friction coefficient times the pressure, summed" },
       { name: "Climbing (Y/Q)", value: minus(ratio.toFixed(2)), unit: `limit ${limit.toFixed(2)}`, note: climbing, what: `${output("wheel", "y_over_q").text}. ${output("wheel", "nadal_limit").text}.` },
     ];
+    this.#keyNumbers = solved ? numbers : numbers.map((number) => ({ ...number, value: "…", unit: "", note: "computing", ...(number.share === undefined ? {} : { share: NaN }) }));
     this.#keys.show(this.#keyNumbers, this.#frozen?.keys);
   }
 

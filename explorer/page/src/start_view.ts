@@ -4,7 +4,8 @@ import { forPeople, startCase, toPython } from "./case_text.ts";
 import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
-import { button, card, controlsOf, element, fillRemarks, save, sentence, statusInWords, titleOf } from "./elements.ts";
+import { output } from "./description.ts";
+import { Keys, button, card, controlsOf, element, fillRemarks, save, sentence, statusInWords, titleOf } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
@@ -51,8 +52,9 @@ export class StartView {
   readonly #given: Record<keyof StartState["given"], Choice>;
   readonly #map = element("canvas", { class: "map", role: "img" });
   readonly #remarks = element("ul", { class: "remarks", role: "status" });
-  readonly #spoken = element("p", { "aria-live": "polite" });
+  readonly #spoken = element("p", { "aria-live": "polite" }, "computing …");
   readonly #lead = element("p");
+  readonly #keys = new Keys();
   readonly #time = element("p", { class: "time" });
   readonly #slider = element("input", { type: "range", min: "0", max: "0", step: "1", "aria-label": "distance rolled" });
   readonly #play: HTMLButtonElement;
@@ -84,11 +86,11 @@ export class StartView {
         const component = /^motion\.force_(.*)$/.exec(key)?.[1] as keyof StartState["given"] | undefined;
         return component ? [this.#given[component].root, made[key]!] : [made[key]!];
       }));
-    this.#lead.textContent = "A wheel at rest is put under a force, then it rolls. At first slip begins all around the edge (Cattaneo); rolling brings it to the trailing edge, and after about one length of the contact nothing changes any more (Carter). With given creepages tractions begin at zero.";
     this.root.append(
       titleOf("Starting and braking: how friction builds up as a wheel begins to roll", this.#lead),
       controlsOf([presetButtons(), group("Contact"), group("Motion"), group("Bodies")]),
       element("div", { class: "pictures" },
+        this.#keys.root,
         card("wide pinned", "", "", element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#form.message, this.#remarks, this.#time),
         card("", "Along y = 0", "Friction force per area, and the most that friction can bear", cut),
         card("", "Creepage", "By how much the wheel turns slower or drifts", creepages),
@@ -113,10 +115,21 @@ export class StartView {
       const [, given, component] = /^motion\.(force|creepage)_(.*)$/.exec(spec.key) ?? [];
       if (component) root.hidden = this.state.given[component as keyof StartState["given"]] !== given;
     }
+    this.#tell();
     this.#form.show();
   }
 
+  /** What is done to the wheel in a sentence, and what follows. */
+  #tell(): void {
+    const { given, values } = this.state, friction = values["friction.coefficient"]! * values["load.normal_force"]!;
+    const force = values["motion.force_longitudinal"]!, across = given.lateral === "force" ? values["motion.force_lateral"]! : 0, size = given.longitudinal === "force" ? Math.hypot(force, across) : Math.abs(across);
+    this.#lead.textContent = size > 0
+      ? `A wheel at rest is put under ${digits(size / 1e3)} kN${across === 0 ? (force < 0 ? " backwards" : " forwards") : ""}, ${digits(Math.round((100 * size) / friction))} % of what friction can bear, then it rolls. At first it slides all around the edge (Cattaneo); rolling brings that to the trailing edge, and after about one length of the contact nothing changes any more (Carter).`
+      : "A wheel begins to roll with the creepage that is given: friction begins at zero and builds up from the leading edge, over about one length of the contact, until nothing changes any more.";
+  }
+
   solve(): void {
+    this.#tell();
     void this.core.ask<Transient>("transient", { call: "transient", case: startCase(this.state) }).then((reply) => {
       if (!reply) return;
       this.#form.refuse(reply.error?.message ?? "");
@@ -182,7 +195,22 @@ export class StartView {
     for (const chart of [this.#creepages, this.#forces]) chart.draw({ ...chart.content!, present: frame.distance * 1e3 });
     const text = frame.distance === 0 ? "at rest, forces put on" : `rolled ${digits(frame.distance * 1e3)} mm, ${digits(frame.distance / (2 * a))} lengths of the contact`;
     this.#spoken.textContent = text;
+    this.#showKeys(found, frame);
     this.#map.setAttribute("aria-label", `adhesion, slip and tractions ${text}`);
+  }
+
+  #showKeys({ bound, hertz: { a, b }, frames }: Transient, { distance, fx, fy, creepage_longitudinal, px, py, state }: Frame): void {
+    const of = (wanted: number) => state.filter((one) => one === wanted).length, inContact = of(1) + of(2), share = inContact > 0 ? of(1) / inContact : 1, percent = (value: number) => String(Math.round(100 * value));
+    const { values } = this.state, possible = values["friction.coefficient"]! * values["load.normal_force"]!, friction = Math.hypot(fx, fy), last = frames.at(-1)!;
+    const largest = (all: number[]) => all.reduce((most, value) => Math.max(most, value), 0), minus = (value: string) => value.replace("-", "−");
+    this.#keys.show([
+      { name: "Distance rolled", value: digits(distance * 1e3), unit: "mm", note: distance === 0 ? "at rest, forces put on" : `${digits(distance / (2 * a))} lengths of the contact`, what: "How far the contact has moved over both surfaces. After about one length of it the state is nearly steady." },
+      { name: "Contact patch", value: (2e3 * a).toFixed(1), unit: "mm long", note: `${(2e3 * b).toFixed(1)} mm wide`, what: "The ellipse of Hertz, along the direction of rolling and across." },
+      { name: "Highest friction", value: digits(Math.round(largest(px.map((p, k) => Math.hypot(p, py[k]!))) / 1e6)), unit: "MPa", note: `of at most ${digits(Math.round(largest(bound) / 1e6))} MPa`, what: "The largest friction force per area. It can be at most the friction coefficient times the pressure, which is largest in the middle." },
+      { name: "Sticks and slides", value: "", unit: "", note: `${percent(share)} % sticks, ${percent(1 - share)} % slides`, share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip)." },
+      { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: `${percent(friction / possible)} % of ${(possible / 1e3).toFixed(1)} kN possible`, what: `Along the surface. ${output("bodies", "fx").text}.` },
+      { name: "Creepage", value: distance === 0 ? "–" : minus((100 * creepage_longitudinal).toFixed(3)), unit: distance === 0 ? "" : "%", note: `${minus((100 * last.creepage_longitudinal).toFixed(3))} % at the end`, what: `By how much the wheel turns slower than it rolls; at rest there is none. ${output("bodies", "creepage_longitudinal").text}.` },
+    ]);
   }
 
   #drawHistory(): void {

@@ -1,0 +1,362 @@
+// How the page looks and is used: what is there at first, keyboard and mouse, small screens, contrasts, the tour.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, readFileSync, statSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { test } from "node:test";
+import { layOut } from "../src/rail_picture.ts";
+import type { Page } from "playwright-core";
+import { program, scratch, browser, opened, row, field, railField, settled, saved, type Counting, countRequests, folder, profiles, shots } from "./browser.ts";
+
+/** Which points of the picture have the colour of a variable of the style sheet: ones and zeros. */
+async function pointsOf(page: Page, colour: string): Promise<string> {
+  return page.evaluate((name) => {
+    const canvas = document.querySelector<HTMLCanvasElement>("section:not([hidden]) canvas.map")!, wanted = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, Math.max(canvas.width, 1), Math.max(canvas.height, 1)), of = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
+    let found = "";
+    for (let i = 0; i < data.length; i += 4) found += of.every((value, k) => data[i + k] === value) ? "1" : "0";
+    return found;
+  }, colour);
+}
+
+test("controls, texts and bodies are there before the core has answered, at the place of its answer", async () => {
+  const { page, errors } = await opened("#", undefined, "window.Worker = class { postMessage() {} terminate() {} };"); // it never does
+  await page.getByText("wheelset stands 3.0 mm to the left").waitFor();
+  const colours = ["--wheel", "--rail"], first = [await pointsOf(page, "--wheel"), await pointsOf(page, "--rail")];
+  assert.equal(await page.locator("section:not([hidden]) .keys .note", { hasText: "computing" }).count(), 6);
+  assert.ok(await page.locator("section:not([hidden]) .field").count() > 10);
+  const { page: whole, errors: others } = await opened("#");
+  await row(whole, "lateral force");
+  for (const [i, colour] of colours.entries()) { // where no arrows and words of the result are
+    const drawn = await pointsOf(whole, colour), all = [...drawn].filter((point) => point === "1").length, both = [...drawn].filter((point, k) => point === "1" && first[i]![k] === "1").length;
+    assert.ok(all > 0.02 * drawn.length && both > 0.99 * all, `${colour}: ${both} of ${all} points were there before`);
+  }
+  assert.deepEqual([...errors, ...others], []);
+  await page.close();
+  await whole.close();
+});
+
+test("what the page loads before a table or a picture in three dimensions has less than 3 MB; without a core it says so", async () => {
+  const files = ["index.html", "page.css", "page.js", "explorer_core.js"], sizes = files.map((name) => statSync(path.join(folder, name)).size);
+  const { page, requests } = await opened("#");
+  await row(page, "lateral force");
+  assert.deepEqual(requests.filter((url) => url.startsWith("file:")).map((url) => path.basename(url.replace("#", ""))).sort(), [...files].sort());
+  assert.ok(sizes.reduce((all, size) => all + size) < 3e6, `${sizes.join(" + ")} bytes`);
+  await page.getByText("in three dimensions").click();
+  await page.locator(".head canvas").waitFor();
+  await page.close();
+  const without = path.join(scratch, "without");
+  mkdirSync(without);
+  for (const name of files.slice(0, 3)) copyFileSync(path.join(folder, name), path.join(without, name));
+  const alone = await browser.newPage();
+  await alone.goto(`file://${without}/index.html`);
+  await alone.getByText("explorer_core.js is missing beside this page").waitFor();
+  await alone.close();
+});
+
+test("a hidden page computes nothing, and what was asked meanwhile once it is seen again", async () => {
+  const { page, errors } = await opened("", undefined, `${countRequests}
+    window.hiddenNow = false;
+    Object.defineProperty(document, "hidden", { get: () => window.hiddenNow });`);
+  const first = (await row(page, "longitudinal force fx"))[0]!;
+  await settled(page);
+  const hide = (hidden: boolean) => page.evaluate((now) => {
+    const counting = window as unknown as Counting;
+    const asked = counting.asked.splice(0);
+    counting.hiddenNow = now;
+    document.dispatchEvent(new Event("visibilitychange"));
+    return asked;
+  }, hidden);
+  assert.ok((await hide(true)).length > 0);
+  for (const load of ["90", "100", "110"]) await field(page, "load.normal_force", load);
+  await page.waitForTimeout(1500); // in which nothing must happen
+  assert.deepEqual(await hide(false), []);
+  await page.waitForFunction((old) => {
+    const cells = document.querySelector("section:not([hidden]) .numbers tbody tr td");
+    return cells && Number(cells.textContent) !== old;
+  }, first);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("without vector instructions and without WebGL all is there", async () => {
+  const { page, errors } = await opened("", undefined, `
+    WebAssembly.validate = () => false;
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith("webgl") ? null : get.call(this, kind, ...more); };`);
+  await page.getByText("no vector instructions").waitFor();
+  await row(page, "longitudinal force fx");
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  await page.getByText("in three dimensions").click();
+  await page.getByText("no WebGL").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the wheel follows keys and the mouse; times are printed, not checked", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await row(page, "lateral force");
+  const wheel = page.locator("section:not([hidden]) canvas.map").first();
+  await wheel.focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await page.locator("#rail-wheel-lateral").inputValue(), "3.05");
+  const box = (await wheel.boundingBox())!;
+  await page.evaluate(() => {
+    const times: number[] = [];
+    (window as unknown as { frameTimes: number[] }).frameTimes = times;
+    let last = performance.now();
+    const frame = (now: number) => { times.push(now - last); last = now; requestAnimationFrame(frame); };
+    requestAnimationFrame(frame);
+  });
+  const lateral = async () => Number(await page.locator("#rail-wheel-lateral").inputValue());
+  const { scale } = layOut(box.width, { y: [0, 0.0735], z: [0, 0] }); // of a rail as wide as 60E1 [px/m]
+  await page.mouse.move(box.x + 300, box.y + 150);
+  await page.mouse.down();
+  for (let i = 0; i <= 60; ++i) await page.mouse.move(box.x + 300 - i / 5, box.y + 150);
+  assert.ok(Math.abs((await lateral() - 3.05) - 12e3 / scale) < 0.05, `${await lateral()} mm after 12 pixels`); // of the hand and of the wheel
+  const before = await lateral();
+  await page.keyboard.down("Shift");
+  for (let i = 0; i <= 20; ++i) await page.mouse.move(box.x + 288 + i / 2, box.y + 150);
+  await page.keyboard.up("Shift");
+  assert.ok(Math.abs((before - await lateral()) - 1e3 / scale) < 0.03, `${await lateral()} mm after 10 pixels with Shift`);
+  await page.mouse.up();
+  const times = (await page.evaluate(() => (window as unknown as { frameTimes: number[] }).frameTimes)).sort((one, other) => one - other);
+  console.log(`while dragging: ${times.length} frames, median ${times[times.length >> 1]!.toFixed(1)} ms, longest ${times.at(-1)!.toFixed(1)} ms`);
+  await row(page, "lateral force");
+  for (const shown of await page.locator("section:not([hidden]) .time").allTextContents()) console.log(shown);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("every field says what the program says of its key: what it is, its unit and its range", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force fx");
+  const fields = await page.locator(".field:has(input[type=text])").evaluateAll((all) => all.map((at) => {
+    const text = at.querySelector<HTMLInputElement>("input[type=text]")!, told = text.getAttribute("aria-describedby")!.split(" ").map((id) => document.getElementById(id)!.textContent);
+    return { id: text.id, title: (at as HTMLElement).title, told: told.join(""), unit: at.querySelector(".unit")!.textContent };
+  }));
+  assert.equal(fields.length, 71);
+  for (const { id, title, told, unit } of fields) {
+    const keys = execFileSync(program, ["init", "--keys", id.startsWith("rail-") ? "wheel" : "bodies"], { encoding: "utf8" });
+    const listed = keys.slice(id.includes("-layers-") ? keys.indexOf("[[body1.layers]]") : 0).split(/\n(?! {4})/).map((lines) => lines.split("\n    "));
+    const [head, text] = listed.find(([line, what]) => line!.startsWith(`${id.replace(/-\d+$/, "").split("-").at(-1)!} `) && title.startsWith(what!)) ?? [];
+    assert.ok(head && text, `${id}: ${title}`);
+    const [, si = "", range = ""] = /^(?: \[(.*?)\])?(?:, (.*))?$/.exec(title.slice(text.length))!;
+    assert.ok(head.includes(si) && head.endsWith(range), `${id}: ${title} and ${head}`);
+    assert.equal(unit === "", si === "" || (si === "-" && !id.includes("creepage")), id);
+    assert.equal(told, title);
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("examples set all that they are about; changes are undone and done again; two states are compared", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await settled(page);
+  const lateral = page.locator("#rail-wheel-lateral"), seen = page.locator("section:not([hidden])"), preset = (name: string) => seen.getByRole("button", { name, exact: true }).click();
+  for (const [name, view, says] of [
+    ["Flange contact", "Wheel on rail", /\d kN possible/], ["Traction on a wet rail", "Contact", /drives/], ["Ball in a groove", "Contact", /0\.3|300 N/],
+    ["Rubber roller", "Nip", /speed ratio/], ["Measured profile", "Wheel on rail", /measured_wheel\.txt/], ["Tread contact", "Wheel on rail", /Wheel s1002\.prw/],
+  ] as const) {
+    await preset(name);
+    await page.getByRole("tab", { name: view, selected: true }).waitFor();
+    await settled(page);
+    assert.match((await seen.textContent())!, says, name);
+    assert.equal(await page.locator("section.old:not([hidden])").count(), 0, name);
+  }
+  await railField(page, "wheel.lateral", "5");
+  await settled(page);
+  await railField(page, "wheel.yaw", "-2");
+  await settled(page);
+  const undo = page.getByRole("button", { name: "undo", exact: true });
+  await undo.click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-yaw")!.value === "1");
+  assert.equal(await lateral.inputValue(), "5");
+  await undo.click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-lateral")!.value === "3");
+  await page.getByRole("button", { name: "redo", exact: true }).click();
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>("#rail-wheel-lateral")!.value === "5");
+  await settled(page);
+  const peak = async () => (await seen.locator(".keys > div", { hasText: "Highest pressure" }).locator(".value").textContent())!.replace(/\s+/g, " ");
+  const atFive = await peak();
+  await page.getByRole("button", { name: "compare A | B" }).click();
+  await railField(page, "wheel.lateral", "-2");
+  await settled(page);
+  await seen.locator(".keys .before", { hasText: `A: ${atFive}` }).waitFor();
+  const atMinusTwo = await peak();
+  await page.getByRole("button", { name: "Swap A and B" }).click();
+  await seen.locator(".keys .before", { hasText: `A: ${atMinusTwo}` }).waitFor();
+  await settled(page);
+  assert.equal(await lateral.inputValue(), "5");
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  assert.equal(await seen.locator(".keys .before").locator("visible=true").count(), 0);
+  await page.getByRole("button", { name: "Reset all" }).click();
+  assert.equal(await lateral.inputValue(), "3");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the tour has five steps and can be left at any of them; a ? tells what an input means, as its text and units", async () => {
+  const { page, errors } = await opened();
+  const tour = page.getByRole("dialog", { name: "tour" }), next = tour.getByRole("button", { name: /Next|Done/ });
+  await page.getByRole("button", { name: "take the tour" }).click();
+  for (let step = 1; step <= 5; ++step) {
+    await tour.getByText(`${step} of 5`).waitFor();
+    assert.ok(await page.locator(".lit").isVisible());
+    await next.click();
+  }
+  assert.ok(await tour.isHidden());
+  await page.getByRole("button", { name: "take the tour" }).click();
+  await page.keyboard.press("Escape");
+  assert.ok(await tour.isHidden());
+  assert.equal(await page.locator(".lit").count(), 0);
+  const help = page.getByText("A turned wheel rubs sideways");
+  assert.ok(await help.isHidden());
+  await page.getByRole("button", { name: "what is Turned (yaw)?" }).click();
+  assert.ok(await help.isVisible());
+  await page.locator("#rail-wheel-yaw-help").getByText("yaw of the wheelset; positive turns to the left [rad], in [-1, 1]").waitFor();
+  await page.keyboard.press("Escape");
+  assert.ok(await help.isHidden());
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("what is wrong is said in the picture's words, and the page does what it advises", async () => {
+  const { page, errors } = await opened();
+  await page.getByRole("tab", { name: "Wheel on rail" }).click();
+  await settled(page);
+  const advice = page.locator("section:not([hidden]) .remarks"), does = (name: string) => advice.getByRole("button", { name }).click();
+  await railField(page, "wheel.lateral", "30");
+  await advice.getByText("it has derailed").waitFor();
+  await does("Back on the rail");
+  assert.equal(await page.locator("#rail-wheel-lateral").inputValue(), "3");
+  await advice.waitFor({ state: "hidden" });
+  await railField(page, "wheel.lateral", "6.3");
+  await page.getByLabel("Shape of the patch", { exact: true }).selectOption("flat");
+  await advice.getByText("solved as flat").waitFor();
+  await does("Use the curved shape");
+  await advice.getByText("solved as flat").waitFor({ state: "detached" });
+  assert.equal(await page.getByLabel("Shape of the patch", { exact: true }).inputValue(), "curved");
+  await page.getByLabel("Smooth the wheel", { exact: true }).selectOption("0.004");
+  await settled(page);
+  assert.match(readFileSync(await saved(page, "case as TOML"), "utf8"), /smoothing_length = "4 mm"/);
+  await page.locator("section:not([hidden])").getByRole("button", { name: "Measured profile" }).click();
+  await page.getByLabel("Smooth the wheel", { exact: true }).selectOption("0");
+  await advice.getByText(/measured_wheel.txt: the points scatter by .* leave smoothing_length out/).waitFor();
+  await does("Smooth the wheel");
+  await advice.waitFor({ state: "hidden" });
+  assert.equal(await page.getByLabel("Smooth the wheel", { exact: true }).inputValue(), "");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("measured points stand in the creep curves; a file without them is refused in words", async () => {
+  const { page, errors } = await opened();
+  await row(page, "longitudinal force fx");
+  const give = (name: string, text: string) => page.locator("#file-points").setInputFiles({ name, mimeType: "text/csv", buffer: Buffer.from(text) });
+  await give("curve.csv", readFileSync(path.join(profiles, "../creep_curve.csv"), "utf8"));
+  await page.getByText(/curve\.csv: \d+ points up to [\d.]+ % and [\d.]+ kN/).waitFor();
+  const legend = page.locator("section:not([hidden]) .panel", { hasText: "Creep curves" }).locator(".u-legend");
+  for (const name of ["exact", "FASTSIM2", "measured, morning", "measured, evening"]) await legend.getByText(name, { exact: true }).waitFor();
+  await give("two.csv", "creepage_lateral [permille],adhesion_coefficient\n1,0.1\n2,0.15");
+  await page.getByText('two.csv line 2: "1,0.1" has no creepage and force.').waitFor(); // permille is no unit of case files
+  await give("two.csv", "creepage_lateral [%],adhesion_coefficient\n0.1,0.1\n0.2,0.15");
+  await page.getByText("two.csv: 2 points up to 0.2 % and 12 kN").waitFor(); // of the load of 80 kN
+  await give("no.csv", "a,b\n1,2");
+  await page.getByText("no.csv has no columns creepage_longitudinal or creepage_lateral").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+/** On small screens the picture is seen while a control is. */
+async function inSight(page: Page, view: string): Promise<void> {
+  const box = async (selector: string) => (await page.locator(`section:not([hidden]) ${selector}`).locator("visible=true").first().boundingBox())!;
+  const [picture, control] = [await box(".pinned canvas"), await box(".controls .field")], { height } = page.viewportSize()!;
+  assert.ok(control.y >= 0 && control.y + control.height <= height, `${view}: a control at ${control.y}`);
+  assert.ok(picture.y >= 0 && control.y - picture.y > 200, `${view}: ${control.y - picture.y} pixels of the picture above the controls`);
+}
+
+/** Contrast of two colours as WCAG 2 defines it. */
+function contrast(one: string, other: string): number {
+  const light = (hex: string) => {
+    const [r, g, b] = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255).map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+  };
+  const [low, high] = [light(one), light(other)].sort((a, b) => a - b);
+  return (high! + 0.05) / (low! + 0.05);
+}
+
+test("colours of both themes: texts have a contrast of 4.5 on all that they stand on, lines and marks of 3", () => {
+  const themes = [...readFileSync(new URL("../src/page.css", import.meta.url), "utf8").matchAll(/:root[^{]*\{([^}]*)\}/g)].map(([, block]) => new Map([...block!.matchAll(/(--[\w-]+): (#[0-9a-f]{6})/g)].map(([, name, colour]) => [name!, colour!])));
+  assert.equal(themes.length, 2);
+  const texts: Record<string, string[]> = {
+    "--ink": ["--paper", "--panel", "--well", "--ui-soft", "--warn-soft", "--wheel", "--rail", "--stick-soft", "--slide-soft"], "--ink2": ["--paper", "--panel", "--well", "--ui-soft", "--wheel", "--rail"],
+    "--ink3": ["--paper", "--panel"], "--ui-ink": ["--ui"], "--bad": ["--paper", "--panel", "--bad-soft"],
+  };
+  const marks = ["--ui", "--edge", "--stick", "--slide", "--wheel-edge", "--rail-edge", "--exact", "--fastsim2", "--table", "--accent1", "--accent2", "--accent3", "--arrow", "--ink3"];
+  for (const [i, theme] of themes.entries()) {
+    const check = (one: string, other: string, least: number) => {
+      const found = contrast(theme.get(one)!, theme.get(other)!);
+      assert.ok(found >= least, `${["light", "dark"][i]!}: ${one} on ${other} has ${found.toFixed(2)}`);
+    };
+    for (const [text, grounds] of Object.entries(texts)) for (const ground of grounds) check(text, ground, 4.5);
+    for (const mark of marks) check(mark, "--panel", 3);
+  }
+});
+
+test("axe-core finds nothing in any view, wide and light, narrow and dark; each field is one stop of the keyboard", async () => {
+  interface Found { violations: { id: string; nodes: { html: string }[] }[] }
+  for (const [width, scheme] of [[1400, "light"], [400, "dark"]] as const) {
+    const { page, errors } = await opened("#", { width, height: 900 }, undefined, scheme);
+    await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
+    for (const view of ["Wheel on rail", "Contact", "Start and stop", "Nip"]) {
+      await page.getByRole("tab", { name: view }).click();
+      await settled(page);
+      const { violations } = await page.evaluate(() => (window as unknown as { axe: { run: (root: Document, what: unknown) => Promise<Found> } }).axe.run(document, { resultTypes: ["violations"] }));
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], view);
+      const stops = await page.evaluate(() => [...document.querySelectorAll("section:not([hidden]) .field:has(input[type=text])")].map((at) => [...at.querySelectorAll<HTMLElement>("input")].filter(({ tabIndex }) => tabIndex >= 0).length));
+      assert.ok(stops.length > 5 && stops.every((count) => count === 1), `${view}: ${stops.join(" ")}`);
+    }
+    assert.deepEqual(errors, []);
+    await page.close();
+  }
+});
+
+test("every view has a title, a sentence of its state and six key numbers; A | B is where it compares", async () => {
+  const { page, errors } = await opened("#");
+  for (const [view, words] of [["Wheel on rail", "3.0 mm to the left"], ["Contact", ""], ["Start and stop", "12 kN backwards, 50 % of what friction can bear"], ["Nip", "4 kN into one with a rubber cover 15 mm thick"]] as const) {
+    await page.getByRole("tab", { name: view }).click();
+    await settled(page);
+    const shown = page.locator("section:not([hidden])");
+    assert.equal(await shown.locator("h2").count(), 1);
+    assert.ok((await shown.locator(".lead").textContent())!.includes(words) && (await shown.locator(".lead").textContent())!.length > 60, `${view}: ${await shown.locator(".lead").textContent() ?? ""}`);
+    assert.equal(await shown.locator(".keys dt").count(), 6);
+    for (const text of await shown.locator(".keys .value, .keys .note").allTextContents()) assert.doesNotMatch(text, /NaN|undefined|Infinity/);
+    assert.equal(await page.getByRole("button", { name: "compare A | B" }).isVisible(), view === "Wheel on rail" || view === "Contact");
+  }
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("every control has a name; nothing is wider than a narrow screen", async () => {
+  for (const view of ["Contact", "Wheel on rail", "Start and stop", "Nip"])
+    for (const [width, scheme] of [[400, "dark"], [1400, "light"]] as const) {
+      const { page, errors } = await opened("", { width, height: 900 }, undefined, scheme);
+      await page.getByRole("tab", { name: view }).click();
+      await settled(page);
+      if (shots) await page.waitForTimeout(4000); // for what moves until it rests
+      const unnamed = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("input, select, button, canvas[role=img]")].filter((at) =>
+        at.offsetParent && !(at.getAttribute("aria-label") ?? at.textContent ?? "").trim() && !document.querySelector(`label[for="${at.id}"]`)).map((at) => at.outerHTML));
+      assert.deepEqual(unnamed, []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} is wider than ${width}`);
+      if (width === 400) await inSight(page, view);
+      if (shots) await page.screenshot({ path: path.join(shots, `${view.replaceAll(" ", "_")}_${width}.png`), fullPage: true });
+      assert.deepEqual(errors, []);
+      await page.close();
+    }
+});
