@@ -166,6 +166,38 @@ TEST(ContactSearch, MissesNoMinimumOfRandomPairs) {
   EXPECT_GT(several, 6);
 }
 
+TEST(ContactSearch, StatesNearTheLastOnesHaveThePointsOfASearchAnew) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t several = 0;
+  for (int pair = 0; pair < 12; ++pair) {
+    const Profile rail = wavy(ProfileRole::rail, random, 0), wheel = wavy(ProfileRole::wheel, random, 0);
+    ContactSearch search(rail, wheel);
+    const ContactSearch unused(rail, wheel);
+    Point centre{0, 0.003 * any(random), 0.47};
+    double roll = 0.02 * any(random), yaw = pair == 0 ? 0 : 0.06 * any(random);
+    for (int step = 0; step < 80; ++step) {
+      SCOPED_TRACE(step);
+      const double move = step % 20 == 19 ? 10 : step % 5 == 4 ? 1 : 0.2; // far, about as far as counts as near, near
+      centre = centre + Point{0, 3e-4 * move * any(random), 1e-4 * move * any(random)};
+      roll += 1e-4 * move * any(random), yaw += 1e-4 * move * any(random);
+      const auto placement = placed(0.46, centre, roll, yaw, {}, pair % 2 == 0 ? 0.025 : 0);
+      const double limit = step % 2 == 0 ? 2e-3 : 3e-4;
+      const auto points = search.find(placement, limit);
+      ContactSearch anew = unused;
+      const auto expected = anew.find(placement, limit);
+      ASSERT_EQ(points.size(), expected.size());
+      several += expected.size() > 1;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        EXPECT_EQ(points[k].gap, expected[k].gap);
+        EXPECT_EQ(points[k].wheel_arc, expected[k].wheel_arc);
+        EXPECT_EQ(points[k].s_rail, expected[k].s_rail);
+      }
+    }
+  }
+  EXPECT_GT(several, 100U);
+}
+
 TEST(ContactSearch, EveryPlaceIsStationaryOnTheWheelsSurface) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -19,6 +19,10 @@ constexpr double grazing = 1e-6;
 /// cos^2 chi, about cos^2 tau: points of the wheel further than 60 degrees from its lowest line are left out. There the
 /// locus of a steep flank under yaw climbs to the axle, where no rail is.
 constexpr double highest_place = 0.25;
+/// States that count as near: components of axes [-] and the lateral position [m] change by less.
+constexpr double near_axes = 1e-4, near_lateral = 3e-4;
+/// By how much more the gap of pairs of arcs that are kept for them may be [m].
+constexpr double near_reach = 1e-4;
 /// Halvings of an arc after which the sign of a derivative need not be proven any more.
 constexpr int finest = 40;
 
@@ -86,6 +90,73 @@ Range inclination_at(double alpha, double sine, double cosine, double across) {
   return {all, all};
 }
 
+Range inclination_at(double alpha, double sine, double cosine, const Range& across) {
+  Range all = inclination_at(alpha, sine, cosine, across.low); // a monotone function of c
+  all.include(inclination_at(alpha, sine, cosine, across.high));
+  return all;
+}
+
+/// What bounds of the wheel's locus depend on, in one placement, or with T = Range in all that are near it.
+template <class T> struct WheelPose {
+  Vec3<T> ex, ey, ez;
+  T y{}, z{};            ///< of the origin [m]
+  T across{};            ///< c
+  T level{};             ///< delta0 [rad]
+  T in_wheel{};          ///< length of the track's x axis across the axle
+  bool is_level = false; ///< the axle is across the track
+};
+
+WheelPose<double> pose_of(const WheelLocus<double>& locus) {
+  const auto& [origin, axes] = locus.wheel();
+  return {.ex = axes.ex,
+          .ey = axes.ey,
+          .ez = axes.ez,
+          .y = origin.y,
+          .z = origin.z,
+          .across = locus.across(),
+          .level = std::atan2(locus.level_sine(), locus.level_cosine()),
+          .in_wheel = std::hypot(axes.ex.x, axes.ez.x),
+          .is_level = axes.ey.x == 0};
+}
+
+/// The poses whose axes and lateral position are near, at the same height.
+WheelPose<Range> poses_near(const WheelPose<double>& p) {
+  constexpr double more = 1 + 1e-6; // for rounding
+  const auto around = [](double value, double change) { return Range{value - more * change, value + more * change}; };
+  const auto axis = [&](const Vec3<double>& e) {
+    return Vec3<Range>{around(e.x, near_axes), around(e.y, near_axes), around(e.z, near_axes)};
+  };
+  const Range lean = axis(p.ey).x;
+  const double most = std::max(-lean.low, lean.high);
+  return {.ex = axis(p.ex),
+          .ey = axis(p.ey),
+          .ez = axis(p.ez),
+          .y = around(p.y, near_lateral),
+          .z = {p.z, p.z},
+          .across = {std::sqrt(std::max(1 - most * most, 1e-12)), 1},
+          .level = around(p.level, 2 * near_axes / p.across), // the arc of a chord of at most sqrt(2) of it
+          .in_wheel = around(p.in_wheel, std::numbers::sqrt2 * near_axes),
+          .is_level = false};
+}
+
+bool is_near(const Vec3<double>& a, const Vec3<double>& b) {
+  return std::abs(a.x - b.x) <= near_axes && std::abs(a.y - b.y) <= near_axes && std::abs(a.z - b.z) <= near_axes;
+}
+
+/// The wheel's origin from the rail's.
+Vec3<double> offset(const WheelPlacement<double>& p) {
+  return p.wheel.frame.origin - p.rail.frame.origin;
+}
+
+/// Whether poses_near() of the one placement has the other, but for its height.
+bool is_near(const WheelPlacement<double>& a, const WheelPlacement<double>& b) {
+  const auto &rail_a = a.rail.frame.axes.ey, &rail_b = b.rail.frame.axes.ey;
+  const auto &wheel_a = a.wheel.frame.axes, &wheel_b = b.wheel.frame.axes;
+  return a.radius == b.radius && rail_a.y == rail_b.y && rail_a.z == rail_b.z &&
+         std::abs(offset(a).y - offset(b).y) <= near_lateral && is_near(wheel_a.ex, wheel_b.ex) &&
+         is_near(wheel_a.ey, wheel_b.ey) && is_near(wheel_a.ez, wheel_b.ez);
+}
+
 /// The zero of a monotone function between a and b, where it has opposite signs or is zero, from a first guess:
 /// Newton's method within a bracket. `function` returns value and derivative.
 template <class Function> double monotone_root(double a, double b, bool rising, double guess, Function function) {
@@ -126,8 +197,7 @@ struct ArcPairSearch {
   const ProfileArcs &rail_arcs = search.rail_, &wheel_arcs = search.wheel_;
   RailCurve rail{rail_arcs, search.turned_.rail.frame};
   WheelLocus<double> locus{search.turned_.wheel.frame, search.turned_.radius};
-  double level = std::atan2(locus.level_sine(), locus.level_cosine());
-  double in_wheel = std::hypot(search.turned_.wheel.frame.axes.ex.x, search.turned_.wheel.frame.axes.ez.x);
+  WheelPose<double> pose = pose_of(locus);
   double lowest = std::numeric_limits<double>::infinity();
 
   struct WheelPart {
@@ -141,33 +211,31 @@ struct ArcPairSearch {
     RailCurve::Point p0, p1;
   };
 
-  ContactSearch::LocusBounds bounds_of(const ArcNode& node) const {
-    const auto& [origin, axes] = locus.wheel();
+  template <class T> ContactSearch::LocusBounds bounds_of(const ArcNode& node, const WheelPose<T>& at) const {
     ContactSearch::LocusBounds bounds;
     const auto end = [&](std::size_t k, double alpha) {
-      return inclination_at(alpha, node.sine[k], node.cosine[k], locus.across());
+      return inclination_at(alpha, node.sine[k], node.cosine[k], at.across);
     };
-    bounds.inclination = {level + end(0, node.alpha.low).low, level + end(1, node.alpha.high).high};
+    bounds.inclination = Range{end(0, node.alpha.low).low, end(1, node.alpha.high).high} + at.level;
     // tau = beta + sigma with sin sigma = -e_x tan(alpha)/hypot(a1, a3), where a1, a3 are the components of the track's
     // x axis across the axle
-    const double a1 = axes.ex.x, a3 = axes.ez.x;
     Range sine{0, 0}, cosine{1, 1};
-    if (axes.ey.x != 0) {
+    if (!at.is_level) {
       sine = {-1, 1};
       if (node.one_branch) {
-        const double factor = -axes.ey.x / in_wheel;
-        sine = Range::between(std::clamp(factor * node.tangent[0], -1.0, 1.0),
-                              std::clamp(factor * node.tangent[1], -1.0, 1.0));
+        const Range all = (-1.0 * at.ey.x / at.in_wheel) * Range{node.tangent[0], node.tangent[1]};
+        sine = {std::clamp(all.low, -1.0, 1.0), std::clamp(all.high, -1.0, 1.0)};
       }
       cosine = Range::between(std::sqrt(1 - sine.low * sine.low), std::sqrt(1 - sine.high * sine.high));
       if (sine.holds(0)) cosine.high = 1;
     }
-    const Range tau_sine = (a1 / in_wheel) * sine + (a3 / in_wheel) * cosine;
-    const Range tau_cosine = (a1 / in_wheel) * cosine + (-a3 / in_wheel) * sine;
+    const T a1 = at.ex.x / at.in_wheel, a3 = at.ez.x / at.in_wheel;
+    const Range tau_sine = a1 * sine + a3 * cosine;
+    const Range tau_cosine = a1 * cosine + -1.0 * a3 * sine;
     const Range rho{locus.radius() - node.z.high, locus.radius() - node.z.low};
     const Range ahead = rho * tau_sine, below = rho * tau_cosine;
-    bounds.y = axes.ex.y * ahead + axes.ey.y * node.y + (-axes.ez.y) * below + origin.y;
-    bounds.z = axes.ex.z * ahead + axes.ey.z * node.y + (-axes.ez.z) * below + origin.z;
+    bounds.y = at.ex.y * ahead + at.ey.y * node.y + -1.0 * at.ez.y * below + at.y;
+    bounds.z = at.ex.z * ahead + at.ey.z * node.y + -1.0 * at.ez.z * below + at.z;
     return bounds;
   }
 
@@ -188,28 +256,75 @@ struct ArcPairSearch {
   const ContactSearch::LocusBounds& bounds(std::size_t node) const {
     if (search.bounds_of_[node] != search.search_) {
       search.bounds_of_[node] = search.search_;
-      search.bounds_[node] = bounds_of(wheel_arcs.nodes()[node]);
+      search.bounds_[node] = bounds_of(wheel_arcs.nodes()[node], pose);
     }
     return search.bounds_[node];
   }
 
-  void visit(std::size_t w, std::size_t r) {
-    const ArcNode &wheel_node = wheel_arcs.nodes()[w], &rail_node = rail_arcs.nodes()[r];
+  /// Whether parts of the profiles may have a point of equal inclination with a gap of at most `reach`.
+  bool may_touch(const ContactSearch::LocusBounds& wheel, const ArcNode& rail_node, double reach) const {
     Range inclination = rail.inclination(rail_node);
     inclination = {std::max(inclination.low, -right_angle), std::min(inclination.high, right_angle)};
-    const ContactSearch::LocusBounds& wheel = bounds(w);
-    if (!inclination.meets(wheel.inclination)) return;
-    if (!rail.y(rail_node).meets(wheel.y)) return;
-    if (wheel.z.low - rail.z(rail_node).high > lowest + approach) return;
+    return inclination.meets(wheel.inclination) && rail.y(rail_node).meets(wheel.y) &&
+           !(wheel.z.low - rail.z(rail_node).high > reach);
+  }
+
+  /// Calls f(node, node) for the pairs of arcs below two nodes for which may(node, node) holds down to them.
+  template <class May, class Function>
+  void for_each_pair(std::size_t w, std::size_t r, const May& may, const Function& f) {
+    if (!may(w, r)) return;
+    const ArcNode &wheel_node = wheel_arcs.nodes()[w], &rail_node = rail_arcs.nodes()[r];
     if (wheel_node.count == 1 && rail_node.count == 1) {
-      const ProfileArc &wheel_arc = wheel_arcs.arcs()[wheel_node.first], &rail_arc = rail_arcs.arcs()[rail_node.first];
-      pair({wheel_arc, 0, 1, wheel_at(wheel_arc, 0), wheel_at(wheel_arc, 1)},
-           {rail_arc, 0, 1, rail.at(rail_arc, 0), rail.at(rail_arc, 1)}, 0);
+      f(w, r);
     } else if (rail_node.count == 1 || (wheel_node.count > 1 && wheel_node.count >= rail_node.count)) {
-      for (const std::size_t half : {w + 1, wheel_node.second}) visit(half, r);
+      for (const std::size_t half : {w + 1, wheel_node.second}) for_each_pair(half, r, may, f);
     } else {
-      for (const std::size_t half : {r + 1, rail_node.second}) visit(w, half);
+      for (const std::size_t half : {r + 1, rail_node.second}) for_each_pair(w, half, may, f);
     }
+  }
+
+  bool may_touch_here(std::size_t w, std::size_t r) const {
+    return may_touch(bounds(w), rail_arcs.nodes()[r], lowest + approach);
+  }
+
+  void look_at(std::size_t w, std::size_t r) {
+    const ProfileArc &wheel_arc = wheel_arcs.arcs()[wheel_arcs.nodes()[w].first],
+                     &rail_arc = rail_arcs.arcs()[rail_arcs.nodes()[r].first];
+    pair({wheel_arc, 0, 1, wheel_at(wheel_arc, 0), wheel_at(wheel_arc, 1)},
+         {rail_arc, 0, 1, rail.at(rail_arc, 0), rail.at(rail_arc, 1)}, 0);
+  }
+
+  /// All pairs of arcs by the trees.
+  void visit_all() {
+    for_each_pair(
+        0, 0, [&](auto w, auto r) { return may_touch_here(w, r); }, [&](auto w, auto r) { look_at(w, r); });
+  }
+
+  /// Those of the pairs that are kept.
+  void visit_kept() {
+    for (const auto& [w, r] : search.kept_)
+      if (may_touch_here(w, r)) look_at(w, r);
+  }
+
+  /// Keeps all pairs that near placements may need, whose gap is at most `reach` higher or lower than here. False if
+  /// there are too many.
+  bool keep(double reach) {
+    const WheelPose<Range> poses = poses_near(pose);
+    std::size_t node = wheel_arcs.nodes().size();
+    ContactSearch::LocusBounds wheel;
+    search.kept_.clear();
+    bool all = true;
+    for_each_pair(
+        0, 0,
+        [&](std::size_t w, std::size_t r) {
+          if (w != node) wheel = bounds_of(wheel_arcs.nodes()[node = w], poses);
+          return all && may_touch(wheel, rail_arcs.nodes()[r], reach);
+        },
+        [&](std::size_t w, std::size_t r) {
+          all = search.kept_.size() < search.kept_.capacity();
+          if (all) search.kept_.push_back({w, r});
+        });
+    return all;
   }
 
   void pair(const WheelPart& w, const RailPart& r, int depth) {
@@ -569,6 +684,8 @@ ContactSearch::ContactSearch(const Profile& rail, const Profile& wheel) : rail_(
   points_.reserve(256);
   edges_.reserve(512);
   regions_.reserve(32);
+  kept_.reserve(2048);
+  middle_.radius = std::numeric_limits<double>::quiet_NaN();
 }
 
 std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& placement, double approach,
@@ -583,7 +700,7 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   ArcPairSearch traversal{*this, approach};
   // the smallest gap is at most that of any point: that of the last search leaves little to look at in a similar state
   traversal.lowest = LocusTracer{*this}.at(nearest_arc_).gap + rounding;
-  traversal.visit(0, 0);
+  visit(traversal, traversal.lowest + approach);
 
   const auto nearest = std::min_element(points_.begin(), points_.end(),
                                         [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
@@ -605,6 +722,20 @@ std::span<const ContactPoint> ContactSearch::find(const WheelPlacement<double>& 
   }
   edges_.assign(2 * points_.size(), {});
   return points_;
+}
+
+/// Looks at pairs of arcs. From the second of states that are near each other on only those are looked at that any of
+/// them may need; the points are the same.
+void ContactSearch::visit(ArcPairSearch& traversal, double reach) {
+  if (!is_near(middle_, turned_)) {
+    middle_ = turned_, reach_ = -std::numeric_limits<double>::infinity();
+    return traversal.visit_all();
+  }
+  if (!(reach - (offset(turned_).z - offset(middle_).z) <= reach_)) {
+    middle_ = turned_, reach_ = reach + near_reach;
+    if (!traversal.keep(reach_)) reach_ = -std::numeric_limits<double>::infinity();
+  }
+  reach_ > -std::numeric_limits<double>::infinity() ? traversal.visit_kept() : traversal.visit_all();
 }
 
 double ContactSearch::shift(const WheelPlacement<double>& placement) {

@@ -25,6 +25,8 @@ struct ContactPoint {
   Corner wheel_corner = Corner::none, rail_corner = Corner::none;
 };
 
+struct ArcPairSearch;
+
 /// A stretch of the wheel's locus inside the rail.
 struct ContactRegion {
   struct End {
@@ -42,7 +44,9 @@ struct ContactRegion {
 /// stationary where both are inclined alike. Arcs on which all bounds are exact, and a tree of them, make sure that no
 /// such point is missed: a pair of arcs is left only where its ranges of y or of inclination do not meet, where the gap
 /// is too large, or where the difference of inclinations is proven to be monotone, which leaves one point at most. A
-/// bracketed Newton iteration finds it to rounding.
+/// bracketed Newton iteration finds it to rounding. Of states near one another, as of a wheel in a running vehicle,
+/// pairs that none of them can need are left out together, by the same bounds over ranges of the wheel's axes and
+/// position.
 class ContactSearch {
 public:
   /// Copies the profiles and makes the tables. Throws Error if the roles are mistaken. Cost O(points).
@@ -84,6 +88,13 @@ private:
     std::size_t rail_arc = 0;                 ///< below it
   };
 
+  /// Leaves of the trees.
+  struct ArcPair {
+    std::size_t wheel, rail;
+  };
+
+  void visit(ArcPairSearch& traversal, double reach);
+
   ProfileArcs rail_, wheel_;
   std::vector<LocusBounds> bounds_;                     ///< of the wheel's nodes in the search of the same number
   std::vector<std::array<LocusPoint<double>, 2>> ends_; ///< of the wheel's arcs, likewise
@@ -93,6 +104,9 @@ private:
   std::vector<KnownEdge> edges_;  ///< of the last regions, inner and outer ones by their points in turn
   WheelPlacement<double> turned_; ///< the placement of the last search, in axes that turn with the view
   double view_ = 0;
+  std::vector<ArcPair> kept_;     ///< pairs of arcs that may have points with the wheel near `middle_`,
+  WheelPlacement<double> middle_; ///< in axes that turn with the view,
+  double reach_ = 0;              ///< where gaps are at most this [m]; minus infinity if none are kept
   std::vector<ContactPoint> points_;
   std::vector<ContactRegion> regions_;
 };
