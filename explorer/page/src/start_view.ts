@@ -204,7 +204,7 @@ export class StartView {
     const { values } = this.state, possible = values["friction.coefficient"]! * values["load.normal_force"]!, friction = Math.hypot(fx, fy), last = frames.at(-1)!;
     const largest = (all: number[]) => all.reduce((most, value) => Math.max(most, value), 0), minus = (value: string) => value.replace("-", "−");
     this.#keys.show([
-      { name: "Distance rolled", value: digits(distance * 1e3), unit: "mm", note: distance === 0 ? "at rest, forces put on" : `${digits(distance / (2 * a))} lengths of the contact`, what: "How far the contact has moved over both surfaces. After about one length of it the state is nearly steady." },
+      { name: "Distance rolled", value: digits(distance * 1e3), unit: "mm", note: distance === 0 ? "still at rest" : `${digits(distance / (2 * a))} contact lengths`, what: "How far the contact has moved over both surfaces. After about one length of it the state is nearly steady." },
       { name: "Contact patch", value: (2e3 * a).toFixed(1), unit: "mm long", note: `${(2e3 * b).toFixed(1)} mm wide`, what: "The ellipse of Hertz, along the direction of rolling and across." },
       { name: "Highest friction", value: digits(Math.round(largest(px.map((p, k) => Math.hypot(p, py[k]!))) / 1e6)), unit: "MPa", note: `of at most ${digits(Math.round(largest(bound) / 1e6))} MPa`, what: "The largest friction force per area. It can be at most the friction coefficient times the pressure, which is largest in the middle." },
       { name: "Sticks and slides", value: "", unit: "", note: `${percent(share)} % sticks, ${percent(1 - share)} % slides`, share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip)." },
