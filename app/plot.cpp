@@ -5,6 +5,7 @@
 #include "app/json_document.hpp"
 #include "app/measured_points.hpp"
 #include "app/pictures.hpp"
+#include "campaign/sweep_file.hpp"
 #include "io/output_file.hpp"
 #include "io/result_attribute.hpp"
 #include "microslip/error.hpp"
@@ -56,23 +57,8 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
   print_json(document);
 }
 
-/// The case of a result of two bodies beside measured points.
-int plot_points(const PlotArguments& arguments, const std::filesystem::path& folder) {
-  PlotArguments alone;
-  alone.result = arguments.result, alone.folder = arguments.folder;
-  if (python_arguments(arguments) != python_arguments(alone))
-    throw Error("--points: is drawn by itself, without other options for pictures");
-  const auto attribute = [&](const char* name) { return io::result_attribute(arguments.result, name).value_or(""); };
-  if (attribute("kind") != "rolling_contact")
-    throw Error(arguments.result + ": --points is for results of `solve` of two bodies");
-  const auto input = io::parse_case(attribute("case_text"), attribute("case_file"));
-  const fit::MeasuredComparison comparison = compare_with_points(input, arguments.points);
-  const auto files = write_comparison(comparison,
-                                      {.title = attribute("title"),
-                                       .command_line = command_line(),
-                                       .case_file = attribute("case_file"),
-                                       .case_text = attribute("case_text")},
-                                      folder, true);
+template <class Comparison>
+int print_points(const PlotArguments& arguments, const Comparison& comparison, const std::vector<std::string>& files) {
   if (arguments.json) {
     auto document = json_document("plot");
     document["input"] = arguments.result;
@@ -83,6 +69,34 @@ int plot_points(const PlotArguments& arguments, const std::filesystem::path& fol
     fmt::print("{}\n{}\n", comparison_text(comparison), fmt::join(files, "\n"));
   }
   return ExitCode::done;
+}
+
+/// The case of a result of two bodies, or the curves of a sweep, beside measured points.
+int plot_points(const PlotArguments& arguments, const std::filesystem::path& folder) {
+  PlotArguments alone;
+  alone.result = arguments.result, alone.folder = arguments.folder;
+  if (python_arguments(arguments) != python_arguments(alone))
+    throw Error("--points: is drawn by itself, without other options for pictures");
+  const auto attribute = [&](const char* name) { return io::result_attribute(arguments.result, name).value_or(""); };
+  const io::Provenance provenance = {.kind = "",
+                                     .title = attribute("title"),
+                                     .command_line = command_line(),
+                                     .case_file = attribute("case_file"),
+                                     .case_text = attribute("case_text")};
+  const std::string kind = attribute("kind");
+  if (kind == campaign::sweep_kind) {
+    const auto curves = campaign::compare_sweep(arguments.result, arguments.points);
+    return print_points(arguments, curves, write_comparison(curves, provenance, folder));
+  }
+  if (kind != "rolling_contact") {
+    const bool is_rail = kind == "wheel_rail" || kind == "wheelset";
+    throw Error(
+        arguments.result + ": --points is for " +
+        (is_rail ? std::string("results of ") + instead_of_wheel : "results of `solve` of two bodies and of `sweep`"));
+  }
+  const auto input = io::parse_case(provenance.case_text, provenance.case_file);
+  const fit::MeasuredComparison comparison = compare_with_points(input, arguments.points);
+  return print_points(arguments, comparison, write_comparison(comparison, provenance, folder, true));
 }
 
 int plot(const PlotArguments& arguments) {
@@ -148,7 +162,8 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_option("--compare OTHER.h5", arguments.other,
                      "another result file, side by side with this one, and fields with their differences");
   command.add_option("--points POINTS.csv", arguments.points,
-                     "measured creep curves as of `fit`, beside those of a case of two bodies, with rms and bias");
+                     "measured creep curves as of `fit`, beside those of a case of two bodies or of a sweep over the "
+                     "creepage, with rms and bias");
   add_json_flag(command, arguments.json);
 }
 

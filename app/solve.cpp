@@ -103,7 +103,7 @@ std::optional<fit::MeasuredComparison> compare(const SolveArguments& arguments, 
   if (arguments.points.empty()) return std::nullopt;
   if (io::is_csv(arguments.output)) throw Error("--points: needs a folder as output");
   if constexpr (std::is_same_v<Input, io::RollingCase>) return compare_with_points(input, arguments.points);
-  throw Error("--points: is for cases of two bodies");
+  throw Error(std::string("--points: is for ") + instead_of_wheel);
 }
 
 /// Throws Error unless the output can be written: said before long work.

@@ -5,6 +5,7 @@
 #include "app/hertz.hpp"
 #include "app/interrupt.hpp"
 #include "app/json_document.hpp"
+#include "app/measured_points.hpp"
 #include "app/progress_bar.hpp"
 #include "app/sweep.hpp"
 #include "campaign/launcher.hpp"
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,6 +32,7 @@ namespace fs = std::filesystem;
 
 struct SweepArguments {
   fs::path spec, output;
+  fs::path points = {}; ///< measured ones, beside curves over the creepage
   /// Threads of a rank; with many ranks the launcher gives each its processors.
   int threads = campaign::has_launcher() ? 1 : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool json = false;
@@ -46,6 +49,7 @@ public:
     solve();
     if (!ranks_.is_first()) return ExitCode::done;
     print_warnings(arguments_.output.string(), count_.warnings);
+    if (!arguments_.points.empty()) curves_ = campaign::compare_sweep(arguments_.output, arguments_.points);
     arguments_.json ? print_document() : print_summary();
     return count_.failed == 0 ? ExitCode::done : ExitCode::not_met;
   }
@@ -139,6 +143,7 @@ private:
     else if (kept_ > 0)
       fmt::print(", {} of them from the checkpoint", kept_);
     fmt::print("\n{}\n", arguments_.output.string());
+    if (!curves_.empty()) fmt::print("{}\n", comparison_text(curves_));
     std::fflush(stdout);
     if (count_.failed > 0)
       fmt::print(stderr, "microslip: warning: {}: {} of {} cases have another status than ok, see failures/\n",
@@ -151,6 +156,7 @@ private:
     document["cases_from_checkpoint"] = kept_;
     document["cases_failed"] = count_.failed;
     document["warnings"] = count_.warnings;
+    if (!curves_.empty()) document["measured_points"] = comparison_document(curves_);
     document["files"] = {arguments_.output.string()};
     print_json(document);
   }
@@ -161,6 +167,7 @@ private:
   std::optional<campaign::Sweep> sweep_;
   std::size_t kept_ = 0;
   campaign::SweepCount count_;
+  std::vector<campaign::SweepCurve> curves_; ///< those with measured points
 };
 
 /// What makes the table where one is asked for. Nothing in a table tells of which sweep it is: none is replaced.
@@ -173,6 +180,7 @@ UseOfFile table_of(const SweepArguments& arguments, const campaign::Ranks& ranks
 
 int sweep(const SweepArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
+  if (!arguments.points.empty() && io::is_csv(arguments.output)) throw Error("--points: needs OUT.h5, not a table");
   const auto ranks = campaign::launched_ranks();
   try {
     UseOfFile table;
@@ -216,6 +224,8 @@ void add_sweep_command(Command& program, int& exit_code) {
   SweepArguments& arguments = command.arguments(exit_code, sweep);
   command.add_option("SPEC.toml", arguments.spec, "what varies in which case").required();
   command.add_option("-o,--output OUT.h5", arguments.output, "result file, or OUT.csv for a table").required();
+  command.add_option("--points POINTS.csv", arguments.points,
+                     "measured creep curves as of `fit`, beside those of a sweep over the creepage, with rms and bias");
   command.add_option(
       "--threads COUNT", arguments.threads,
       "threads, 1 to 1024; results do not depend on it; default: one for each processor, with mpirun one "

@@ -175,8 +175,9 @@ std::pair<double, double> CurveModel::polach_factors(std::span<const double> val
 
 std::vector<CurveModel> curve_models(const io::CaseInputs& base) {
   if (base.kind() != "bodies")
-    throw Error("needs a case of two bodies, [body1] and [body2], not of a wheel and a rail with profiles: give their "
-                "radii, or the ellipse of the patch");
+    throw Error(
+        "needs a case of two bodies, [body1] and [body2], not of a wheel and a rail with profiles, whose creepage "
+        "differs from patch to patch: give the radii, or an [ellipse] of a patch's area, and its load");
   std::vector<CurveModel> models;
   for (const auto law : {"coulomb", "linear", "rational", "polach"}) models.emplace_back(CurveShape::clean, law, base);
   const auto add = [&](std::initializer_list<CurveShape> shapes) {

@@ -91,6 +91,7 @@ TEST_F(Completion, BashKnowsCommandsAndOptions) {
   EXPECT_EQ(in_bash({"-"}), (Words{"--help", "--version", "-h"}));
   EXPECT_EQ(in_bash({"solve", "--no"}), Words{"--no-pictures"});
   EXPECT_EQ(in_bash({"solve", "wheel.toml", "--out"}), Words{"--output"});
+  EXPECT_EQ(in_bash({"sweep", "wheel.toml", "--poi"}), Words{"--points"});
   EXPECT_EQ(in_bash({"hertz", "--p"}), Words{"--poisson-ratio"});
 }
 
@@ -108,6 +109,7 @@ TEST_F(Completion, BashKnowsFilesByTheirEndings) {
   EXPECT_EQ(in_bash({"solve", ""}), (Words{"results", "two words.toml", "wheel.toml"}));
   EXPECT_EQ(in_bash({"solve", "two"}), Words{"two words.toml"});
   EXPECT_EQ(in_bash({"batch", "-o", "c"}), Words{"contacts.csv"});
+  EXPECT_EQ(in_bash({"sweep", "--points", "c"}), Words{"contacts.csv"});
   EXPECT_EQ(in_bash({"run", "ca"}), Words{"case.inp"});
   EXPECT_EQ(in_bash({"plot", "--compare", ""}), (Words{"result.h5", "results"}));
   EXPECT_EQ(in_bash({"run", "--output", ""}), Words{"results"});

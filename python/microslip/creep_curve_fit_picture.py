@@ -37,6 +37,9 @@ def measured_points_picture(result):
     """Points with the curve of a case through what it has at their creepages; below the deviations of the points."""
     figure, curves, deviations = panels("Measured points", result)
     every = list(zip(*result.arrays([f"/points/{name}" for name in CONDITIONS])))
+    if "/curves" in result:
+        draw_sweep(curves, deviations, result, every)
+        every = []
     for k, conditions in enumerate(sorted(set(every), key=every.index)):
         colour = COLOURS[k % len(COLOURS)]
         creepage, computed = draw_points(curves, deviations, result, conditions, colour)
@@ -46,6 +49,18 @@ def measured_points_picture(result):
     curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
     curves.legend(loc="best")
     return figure
+
+
+def draw_sweep(curves, deviations, result, every):
+    """The curves of a sweep, each with the points of the run of its number."""
+    for k in range(int(result.number("/curves"))):
+        colour, group = COLOURS[k % len(COLOURS)], f"/curve_{k}"
+        for conditions in sorted({one for one in every if one[0] == k}):
+            draw_points(curves, deviations, result, conditions, colour)
+        creepage, computed = result.arrays([f"{group}/creepage", f"{group}/coefficient"])
+        name = result.text("/runs").split("\n")[k]
+        label = f"{name + ': ' if name else ''}rms {result.number(group + '/rms'):.4f}"
+        curves.plot(100 * creepage, computed, color=colour, linewidth=1.6, label=label)
 
 
 def panels(what, result):

@@ -231,6 +231,12 @@ class EveryFileTest(unittest.TestCase):
         self.expect("a/result.h5", "creep_curve_fit.png")
         self.run_program("solve", case, "--points", points, "-o", "b", "--no-pictures")
         self.expect("b/measured_points.h5", "measured_points.png")
+        self.run_program("sweep", EXAMPLES / "creep_sweep.toml", "-o", "c.h5")
+        points = self.text("points.csv", "creepage_longitudinal [%],adhesion_coefficient\n0.1,0.15\n1,0.3\n")
+        self.run_program("plot", "c.h5", "--points", points, "-o", "c")
+        figure = plot.figures(self.folder / "c/measured_points.h5")["measured_points.png"]
+        through = [line for line in figure.axes[0].lines if len(line.get_xdata()) == 25]
+        self.assertEqual(len(through), 6)  # two theories and three spins
 
     def test_profiles_and_conicity(self):
         self.run_program("profile", EXAMPLES / "profiles/s1002.prw", "-o", "a", "--no-pictures")
