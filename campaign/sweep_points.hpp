@@ -11,14 +11,14 @@ namespace microslip::campaign {
 /// The adhesion coefficient of a sweep over the creepage, for one combination of what else varies, and measured points
 /// beside it.
 struct SweepCurve {
-  std::string name = {};                     ///< "solution.theory = exact, motion.spin = 0.3"; empty if nothing else varies
-  double speed = 0, normal_force = 0;        ///< rolling speed [m/s] and load [N] of the case of least creepage
-  std::vector<double> creepage = {};         ///< magnitudes [-] of the cases, ascending
-  std::vector<double> coefficient = {};      ///< [-], positive where the force resists the slip
+  std::string name = {};                ///< "solution.theory = exact, motion.spin = 0.3"; empty if nothing else varies
+  double speed = 0, normal_force = 0;   ///< rolling speed [m/s] and load [N] of the case of least creepage
+  std::vector<double> creepage = {};    ///< magnitudes [-] of the cases, ascending
+  std::vector<double> coefficient = {}; ///< [-], positive where the force resists the slip
   std::vector<io::MeasuredPoint> points = {}; ///< measured at this speed and load, both to 5 %
-  std::vector<double> computed = {};         ///< coefficients at the points, linear between the cases
-  double rms = 0;                            ///< of the computed less the measured coefficients [-]
-  double bias = 0;                           ///< their mean [-]
+  std::vector<double> computed = {};          ///< coefficients at the points, linear between the cases
+  double rms = 0;                             ///< of the computed less the measured coefficients [-]
+  double bias = 0;                            ///< their mean [-]
 };
 
 /// The curves of a sweep's result file that have measured points, of a CSV as read_measured_curves: points and curves
