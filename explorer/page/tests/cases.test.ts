@@ -229,7 +229,7 @@ test("what the page does not have is named", async () => {
     [replaced(classical, 'spin = "0.4 1/m"', 'spin = "0.4 1/m"\nstep = "0.3 mm"'), `${lacking}motion.step`],
     [replaced(replaced(classical, 'coefficient = 0.3 ', 'kinetic_coefficient = 0.2\ndrop = 0.1\nhalf_velocity = 1\nmemory_distance = 0.001 #'), 'law = "coulomb"', 'law = "linear"'), `${lacking}friction.memory_distance`],
     [replaced(rolling, "creepage_longitudinal = 0.0018", "creepage_longitudinal = 50"), "motion.creepage_longitudinal = 50: must be in [-2, 2]"],
-    [replaced(wheel, 'side = "left"', 'side = "right"'), `${lacking}wheel.side`],
+    [replaced(wheel, '\nside = "left"', '\nside = "right"'), `${lacking}wheel.side`],
     [replaced(wheel, 'coefficient = 0.3', 'coefficient = [0.3, 0.2]\nangle = [0.1, 0.2]'), `${lacking}friction.angle, friction.coefficient`],
     [replaced(wheel, "[friction]", "[interior]\nx = [0.0]\ny = [0.0]\nz = [-0.004]\n[friction]"), `${lacking}interior.x, interior.y, interior.z`],
     [replaced(replaced(wheel, '# shape = "flat"', 'shape = "flat" #'), "[friction]", '[[rail.layers]]\nthickness = "0.1 mm"\nyoung_modulus = "2 GPa"\npoisson_ratio = 0.4\n[friction]'),
