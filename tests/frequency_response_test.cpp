@@ -161,6 +161,20 @@ TEST(FrequencyResponse, ByLoadIsThatOfAContactThatGrowsAndShrinks) {
   }
 }
 
+/// The state is the same whether its creepages are given or found for their forces.
+TEST(FrequencyResponse, OfForcesGivenIsThatOfTheCreepagesFound) {
+  const EllipticContact contact = partial_slip_cases()[0];
+  RollingProblem by_forces = rolling_problem(contact);
+  const Totals totals = solver(16).solve(by_forces).totals;
+  by_forces.motion.force_x = totals.fx;
+  by_forces.motion.force_y = totals.fy;
+  const double k = 1 / contact.a;
+  const ForceResponse a = response_of(contact, 16, k), b = solver(16).respond(by_forces, std::array{k}).at.at(0);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      EXPECT_LT(std::abs(a.by_creepage[i][j] - b.by_creepage[i][j]), 1e-4 * largest(a, i)) << i << j;
+}
+
 /// Rolling along -x is the mirror image in x.
 TEST(FrequencyResponse, IsMirroredWithTheDirection) {
   const EllipticContact contact = partial_slip_cases()[0];

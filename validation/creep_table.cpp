@@ -75,11 +75,6 @@ Results exactly(const Contacts& contacts, int elements, const StudyOptions& opti
   return results;
 }
 
-RelativeForces limit_of(const RelativeForces& from, const RelativeForces& to) {
-  return {limit_of_second_order(from.fx, to.fx), limit_of_second_order(from.fy, to.fy),
-          limit_of_second_order(from.mz, to.mz)};
-}
-
 /// By exact theory, and the limit from these elements and half of them; where the two differ by more than 0.002, from
 /// these elements and twice as many, as at the nodes of a table.
 struct Exact {
@@ -93,7 +88,7 @@ Exact exactly(const Contacts& contacts, int elements, const StudyOptions& option
   Contacts doubtful;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const RelativeForces &fine = exact.finest[i], limit = limit_of(coarse[i], fine);
+    const RelativeForces &fine = exact.finest[i], limit = limit_of_second_order(coarse[i], fine);
     exact.limit.push_back(limit);
     if (std::max({std::abs(limit.fx - fine.fx), std::abs(limit.fy - fine.fy), std::abs(limit.mz - fine.mz)}) <= 0.002)
       continue;
@@ -102,7 +97,8 @@ Exact exactly(const Contacts& contacts, int elements, const StudyOptions& option
   }
   const Results finer = exactly(doubtful, 2 * elements, options, 0.85, 1);
   if (finer.size() != doubtful.size()) return {};
-  for (std::size_t k = 0; k < places.size(); ++k) exact.limit[places[k]] = limit_of(exact.finest[places[k]], finer[k]);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    exact.limit[places[k]] = limit_of_second_order(exact.finest[places[k]], finer[k]);
   return exact;
 }
 

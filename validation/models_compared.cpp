@@ -1,6 +1,5 @@
 #include "validation/studies.hpp"
 
-#include "microslip/rolling/accurate_contact.hpp"
 #include "validation/clock.hpp"
 #include "validation/error_statistics.hpp"
 #include "validation/exact_cases.hpp"
@@ -43,8 +42,7 @@ Reference solve_reference(const std::vector<EllipticContact>& contacts, const St
   const auto fine = on(finest, 0.15, 0.8);
   for (std::size_t k = 0; k < fine.size(); ++k) {
     const RelativeForces from = relative(coarse[k].forces, contacts[k]), to = relative(fine[k].forces, contacts[k]);
-    out.limit.push_back({limit_of_second_order(from.fx, to.fx), limit_of_second_order(from.fy, to.fy),
-                         limit_of_second_order(from.mz, to.mz)});
+    out.limit.push_back(limit_of_second_order(from, to));
     out.slides_in_part.push_back(slides_in_part(fine[k].forces, contacts[k]));
     out.failures += (coarse[k].forces.status != Status::ok) + (fine[k].forces.status != Status::ok);
   }

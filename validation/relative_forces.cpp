@@ -1,5 +1,6 @@
 #include "validation/relative_forces.hpp"
 
+#include "microslip/rolling/accurate_contact.hpp"
 #include "validation/hertzian_solve.hpp"
 
 #include <cmath>
@@ -23,6 +24,11 @@ RelativeForces limit(const RelativeForces& coarse, int coarse_elements, const Re
     return limit(coarse.*component, coarse_elements, fine.*component, fine_elements);
   };
   return {of(&RelativeForces::fx), of(&RelativeForces::fy), of(&RelativeForces::mz)};
+}
+
+RelativeForces limit_of_second_order(const RelativeForces& coarse, const RelativeForces& fine) {
+  return {limit_of_second_order(coarse.fx, fine.fx), limit_of_second_order(coarse.fy, fine.fy),
+          limit_of_second_order(coarse.mz, fine.mz)};
 }
 
 std::vector<double> differences(const std::vector<RelativeForces>& results,

@@ -1,6 +1,6 @@
 #include "microslip/exact/fitted/rolling_derivative.hpp"
 
-#include "microslip/exact/newton/linearised_friction.hpp"
+#include "microslip/exact/fitted/linearised_preconditioner.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 #include "microslip/numerics/precision.hpp"
 
@@ -41,8 +41,7 @@ public:
   Equations(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
       : rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()),
         product_(fitted_operator.product(), rho_, plans),
-        preconditioner_(rolling_preconditioner<float>(contact, plans)), friction_(n_), free_(2 * n_), undone_(2 * n_),
-        mapped_(2 * n_) {}
+        preconditioner_(rolling_preconditioner<float>(contact, plans), n_), friction_(n_) {}
 
   std::size_t size() const { return 2 * n_; }
   double rho() const { return rho_; }
@@ -61,26 +60,15 @@ public:
   void derivative(std::span<const float> v, std::span<const float> slip, double, std::span<float> out) const {
     friction_.derivative(v, slip, 1, out);
   }
-  void precondition(std::span<float> v) {
-    friction_.free_part(v, free_);
-    const std::span<float> in(undone_), out(mapped_);
-    std::copy(free_.begin(), free_.end(), in.begin());
-    slip_->nearly_undo(in.first(n_));
-    slip_->nearly_undo(in.subspan(n_));
-    preconditioner_.apply(in.first(n_), in.subspan(n_), out.first(n_), out.subspan(n_));
-    for (std::size_t k = 0; k < 2 * n_; ++k) mapped_[k] += undone_[k] - free_[k];
-    friction_.free_part(mapped_, mapped_);
-    for (std::size_t k = 0; k < 2 * n_; ++k) v[k] += mapped_[k];
-  }
+  void precondition(std::span<float> v) { preconditioner_.apply(friction_, *slip_, v); }
 
 private:
   double rho_;
   std::size_t n_;
   FittedProduct<float> product_; ///< rho D
-  RollingPreconditioner<float> preconditioner_;
+  LinearisedPreconditioner<float> preconditioner_;
   LinearisedFriction<float> friction_;
   std::optional<CentredSlip<float>> slip_;
-  Vector free_, undone_, mapped_;
 };
 
 struct RollingDerivative::Solver {

@@ -1,6 +1,6 @@
 #include "microslip/exact/fitted/rolling_response.hpp"
 
-#include "microslip/exact/newton/linearised_friction.hpp"
+#include "microslip/exact/fitted/linearised_preconditioner.hpp"
 #include "microslip/exact/newton/semismooth_newton.hpp"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ public:
   Equations(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
       : contact_(contact), rho_(1 / fitted_operator.diagonal()), n_(contact.elements.size()),
         product_(fitted_operator.product(), rho_, plans),
-        preconditioner_(rolling_preconditioner<double>(contact, plans)), friction_(n_), from_end_(n_), along_(n_),
-        over_way_(2 * n_), free_(2 * n_), undone_(2 * n_), mapped_(2 * n_) {}
+        preconditioner_(rolling_preconditioner<double>(contact, plans), n_), friction_(n_), from_end_(n_), along_(n_),
+        real_(2 * n_), imaginary_(2 * n_) {}
 
   std::size_t size() const { return 4 * n_; }
   std::size_t elements() const { return n_; }
@@ -45,12 +45,12 @@ public:
     for (const std::size_t part : {std::size_t(0), 2 * n_}) {
       const std::span<double> x = slip.subspan(part, n_), y = slip.subspan(part + n_, n_);
       product_.apply(v.subspan(part, n_), v.subspan(part + n_, n_), x, y);
-      const std::span<double> over(part == 0 ? over_way_ : mapped_);
+      const std::span<double> over(part == 0 ? real_ : imaginary_);
       product_.find_displacement_over_way(over.first(n_), over.subspan(n_));
     }
     for (std::size_t k = 0; k < 2 * n_; ++k) {
       const Complex phase = from_end_[k % n_];
-      put(slip, k, phase * at(slip, k) + (1.0 - phase) * Complex(over_way_[k], mapped_[k]));
+      put(slip, k, phase * at(slip, k) + (1.0 - phase) * Complex(real_[k], imaginary_[k]));
     }
     move(slip);
   }
@@ -65,8 +65,8 @@ public:
       friction_.derivative(v.subspan(part, 2 * n_), slip.subspan(part, 2 * n_), 1, out.subspan(part, 2 * n_));
   }
   void precondition(std::span<double> v) {
-    precondition_part(v.first(2 * n_));
-    precondition_part(v.subspan(2 * n_));
+    for (const std::size_t part : {std::size_t(0), 2 * n_})
+      preconditioner_.apply(friction_, *centred_, v.subspan(part, 2 * n_));
   }
 
   Complex at(std::span<const double> v, std::size_t k) const { return {v[k], v[2 * n_ + k]}; }
@@ -75,27 +75,15 @@ public:
   }
 
 private:
-  void precondition_part(std::span<double> v) {
-    friction_.free_part(v, free_);
-    const std::span<double> in(undone_), out(mapped_);
-    std::copy(free_.begin(), free_.end(), in.begin());
-    centred_->nearly_undo(in.first(n_));
-    centred_->nearly_undo(in.subspan(n_));
-    preconditioner_.apply(in.first(n_), in.subspan(n_), out.first(n_), out.subspan(n_));
-    for (std::size_t k = 0; k < 2 * n_; ++k) mapped_[k] += undone_[k] - free_[k];
-    friction_.free_part(mapped_, mapped_);
-    for (std::size_t k = 0; k < 2 * n_; ++k) v[k] += mapped_[k];
-  }
-
   FittedContact contact_;
   double rho_;
   std::size_t n_;
   FittedProduct<double> product_; ///< rho D
-  RollingPreconditioner<double> preconditioner_;
+  LinearisedPreconditioner<double> preconditioner_;
   LinearisedFriction<double> friction_;
   std::optional<CentredSlip<double>> centred_;
   ComplexField from_end_, along_; ///< e^{-i k d} and e^{-i k x} of the elements
-  Vector over_way_, free_, undone_, mapped_;
+  Vector real_, imaginary_;       ///< parts of the displacement over the way
 };
 
 struct RollingResponse::Solver {
