@@ -1,5 +1,6 @@
 // Eight wheels in one unit: each as the library solves it, left and right by turns, and none touches another.
 
+#include "fmi/tests/described_bodies.hpp"
 #include "fmi/tests/importer.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
@@ -15,18 +16,6 @@ constexpr std::size_t wheels = 8;
 
 std::string wheel_name(std::size_t k, std::string_view name) {
   return "wheel[" + std::to_string(k + 1) + "]." + std::string(name);
-}
-
-WheelRailBodies bodies(TrackSide side) {
-  const std::filesystem::path resources = MICROSLIP_UNPACKED_FMU "/resources";
-  const Material steel = Material::from_young(210e9, 0.28);
-  return {.rail = io::read_profile(resources / "60e1.prr").profile,
-          .wheel = io::read_profile(resources / "s1002.prw").profile,
-          .track = {},
-          .wheelset = {},
-          .side = side,
-          .material = combine(steel, steel),
-          .friction = {{0, 0.3}}};
 }
 
 WheelState<double> running(std::size_t k) {
@@ -57,7 +46,7 @@ TEST(VehicleWheels, AreEachAsTheLibrarySolvesThem) {
   for (std::size_t k = 0; k < wheels; ++k) vehicle.set_state(k, running(k), 60e3);
   ASSERT_EQ(vehicle.step(0), fmi2OK) << vehicle.messages.last;
   for (std::size_t k = 0; k < wheels; ++k) {
-    WheelRail contact(bodies(k % 2 == 0 ? TrackSide::left : TrackSide::right));
+    WheelRail contact(described_bodies(k % 2 == 0 ? TrackSide::left : TrackSide::right));
     const WheelRailSolution wanted = contact.solve(running(k), 60e3);
     EXPECT_EQ(vehicle.get_integer(wheel_name(k, "status")), static_cast<int>(Status::ok));
     for (const WheelQuantity& q : wheel_results().first(differentiated_results))

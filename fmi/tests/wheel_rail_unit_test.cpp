@@ -1,5 +1,6 @@
 // A wheel on a rail as an importer sees it: the library's numbers, profiles by their paths, words of refusals.
 
+#include "fmi/tests/described_bodies.hpp"
 #include "fmi/tests/importer.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/description/input.hpp"
@@ -17,18 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path resources = MICROSLIP_UNPACKED_FMU "/resources";
-
-/// Bodies that the unit's start values describe.
-WheelRailBodies bodies(TrackSide side = TrackSide::left) {
-  const Material steel = Material::from_young(210e9, 0.28);
-  return {.rail = io::read_profile(resources / "60e1.prr").profile,
-          .wheel = io::read_profile(resources / "s1002.prw").profile,
-          .track = {},
-          .wheelset = {},
-          .side = side,
-          .material = combine(steel, steel),
-          .friction = {{0, 0.3}}};
-}
 
 WheelState<double> running(double lateral, double yaw = 2e-3) {
   WheelState<double> state;
@@ -121,7 +110,7 @@ TEST(WheelRailUnit, StepsAsTheLibraryDoes) {
   WheelInstance instance;
   EXPECT_EQ(instance.set("track.cant", 0.05), fmi2OK);
   instance.initialize();
-  WheelRailBodies canted = bodies();
+  WheelRailBodies canted = described_bodies();
   canted.track.cant = 0.05;
   WheelRail contact(canted);
   std::size_t most_patches = 0;
@@ -150,7 +139,7 @@ TEST(WheelRailUnit, ParametersReachTheSolver) {
   EXPECT_EQ(instance.set_text("solution.theory", "exact"), fmi2OK);
   EXPECT_EQ(instance.set_integer("solution.grid", 8), fmi2OK);
   instance.set_state(running(-2e-3), 60e3);
-  WheelRailBodies wanted = bodies(TrackSide::right);
+  WheelRailBodies wanted = described_bodies(TrackSide::right);
   wanted.rail = io::read_profile(resources / "60e1.prr", {.scale = 1.001}).profile;
   wanted.track.gauge = 1.437, wanted.track.cant = 0.025, wanted.wheelset.nominal_radius = 0.45;
   wanted.friction = {{0, 0.2}};
@@ -163,7 +152,7 @@ TEST(WheelRailUnit, DirectionalDerivatives) {
   const WheelState<double> state = running(2e-3);
   instance.set_state(state, 50e3);
   instance.initialize();
-  WheelRail contact(bodies());
+  WheelRail contact(described_bodies());
   WheelRailSolution found;
   WheelRailDerivatives d;
   contact.differentiate(state, 50e3, found, d);
@@ -192,13 +181,13 @@ TEST(WheelRailUnit, ReadsEachProfileOnce) {
   EXPECT_EQ(instance.set_text("rail.profile", rail.string()), fmi2OK);
   EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
   instance.set_state(running(0), 50e3);
-  WheelRail contact(bodies());
+  WheelRail contact(described_bodies());
   contact.reset();
   instance.expect(contact.solve(running(0), 50e3));
   fs::remove(rail);
   EXPECT_EQ(instance.set("track.gauge", 1.44), fmi2OK); // another track, the same profiles
   EXPECT_EQ(FMI(fmi2ExitInitializationMode)(instance.unit), fmi2OK) << instance.messages.last;
-  WheelRailBodies wider = bodies();
+  WheelRailBodies wider = described_bodies();
   wider.track.gauge = 1.44;
   WheelRail other(wider);
   other.reset();
