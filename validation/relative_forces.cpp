@@ -27,8 +27,8 @@ RelativeForces limit(const RelativeForces& coarse, int coarse_elements, const Re
 }
 
 RelativeForces limit_of_second_order(const RelativeForces& coarse, const RelativeForces& fine) {
-  return {limit_of_second_order(coarse.fx, fine.fx), limit_of_second_order(coarse.fy, fine.fy),
-          limit_of_second_order(coarse.mz, fine.mz)};
+  return {microslip::limit_of_second_order(coarse.fx, fine.fx), microslip::limit_of_second_order(coarse.fy, fine.fy),
+          microslip::limit_of_second_order(coarse.mz, fine.mz)};
 }
 
 std::vector<double> differences(const std::vector<RelativeForces>& results,

@@ -2,7 +2,6 @@
 
 #include "fmi/tests/described_bodies.hpp"
 #include "fmi/tests/importer.hpp"
-#include "io/profile_file.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
 
 #include <filesystem>

@@ -12,8 +12,8 @@
 
 namespace microslip {
 
-/// Right preconditioner of linearised steady rolling with slip at the elements' centres: (E36) with M^-1 (2 - T), on the
-/// part of the tractions that slip can change.
+/// Right preconditioner of linearised steady rolling with slip at the elements' centres: (E36) with M^-1 (2 - T), on
+/// the part of the tractions that slip can change.
 template <class Real> class LinearisedPreconditioner {
 public:
   LinearisedPreconditioner(RollingPreconditioner<Real> rolling, std::size_t elements)
