@@ -183,12 +183,7 @@ using Results = std::vector<RelativeForces>;
 /// From half the elements and all.
 Results extrapolated(const Results& coarse, const Results& fine) {
   Results limits;
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    const auto of = [&](double RelativeForces::*component) {
-      return limit_of_second_order(coarse[i].*component, fine[i].*component);
-    };
-    limits.push_back({of(&RelativeForces::fx), of(&RelativeForces::fy), of(&RelativeForces::mz)});
-  }
+  for (std::size_t i = 0; i < coarse.size(); ++i) limits.push_back(limit_of_second_order(coarse[i], fine[i]));
   return limits;
 }
 
