@@ -194,7 +194,7 @@ test("examples set all that they are about; changes are undone and done again; t
   await settled(page);
   assert.equal(await lateral.inputValue(), "5");
   await page.getByRole("button", { name: "End", exact: true }).click();
-  assert.equal(await seen.locator(".keys .before").locator("visible=true").count(), 0);
+  await page.waitForFunction(() => [...document.querySelectorAll<HTMLElement>("section:not([hidden]) .keys .before")].every(({ hidden }) => hidden)); // in the next frame
   await page.getByRole("button", { name: "Reset all" }).click();
   assert.equal(await lateral.inputValue(), "3");
   assert.deepEqual(errors, []);
