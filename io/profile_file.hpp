@@ -11,7 +11,7 @@
 
 namespace microslip::io {
 
-/// The grammars of profile files; docs/profiles.md has them.
+/// The grammars of profile files; docs/profile-formats.md has them.
 enum class ProfileFormat { simpack, miniprof, columns };
 /// Direction of a file's y axis.
 enum class LateralSense { field, gauge };

@@ -81,7 +81,7 @@ std::string trimmed(const std::string& cell) {
 }
 
 std::map<std::string, Row> rows_of_the_page() {
-  std::ifstream page(MICROSLIP_SOURCE_DIR "/docs/contact-differences.md");
+  std::ifstream page(MICROSLIP_SOURCE_DIR "/docs/contact-thresholds.md");
   std::map<std::string, Row> rows;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("| ")) continue;

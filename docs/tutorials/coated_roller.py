@@ -83,5 +83,5 @@ plt.show()
 # the depth where pressure shears most. With friction the traction at the surface reaches the bond, undiminished if the
 # coating is thin: at 0.5 the thinnest coating is the worst off.
 #
-# The same case as a file for `microslip solve` is `examples/coated_roller.toml`; formulas and accuracy are in
-# [Bodies with layers](../layers.md).
+# The same case as a file for `microslip solve` is `examples/coated_roller.toml`; how layers are given is in
+# [Bodies with layers](../layers.md), the formulas are in the [theory of layers](../theory-layers.md).

@@ -7,7 +7,7 @@
 #
 # Two errors are in play, and it helps to keep them apart: the **discretisation error**, which finer cells make smaller,
 # and the **model error** of the simplified theory, which no grid removes. This tutorial is about the first;
-# [accuracy and cost](accuracy_and_cost.md) is about both.
+# [accuracy and cost](accuracy_and_cost.py) is about both.
 
 # %%
 import time

@@ -122,5 +122,5 @@ print(f"exact     Fx = {exact.forces.fx:.0f} N, Fy = {exact.forces.fy:.0f} N, Mz
 
 # %% [markdown]
 # The forces differ by some per cent of $\mu F_n$. That is the price of the bed of springs; the exact solution costs
-# some milliseconds. [Accuracy and cost](accuracy_and_cost.md) has more on that choice, [creep curves](creep_curves.md)
+# some milliseconds. [Accuracy and cost](accuracy_and_cost.py) has more on that choice, [creep curves](creep_curves.py)
 # goes on from here.

@@ -123,4 +123,4 @@ print(f"bond: shear {1e-6 * bond.shear:.2f} MPa at x = {1e3 * bond.shear_place[0
 
 # %% [markdown]
 # The same case as a file for `microslip solve` is `examples/rubber_roller.toml`; formulas, signs and what limits them
-# are in [Bodies with layers](../layers.md).
+# are in [Rollers with covers](../rollers.md).

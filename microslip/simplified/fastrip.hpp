@@ -19,7 +19,7 @@ struct StripRow {
 };
 
 /// Strip theory (Kalker 1967), scaled to Kalker's creepage coefficients: FaStrip's part that is not FASTSIM (Sichani,
-/// Enblom & Berg 2016). docs/theory-simplified.md, section 11.
+/// Enblom & Berg 2016). docs/theory-fastsim2.md, section 11.
 class StripTheory {
 public:
   /// Theory of an ellipse, with load, material and creepages, and a uniform coefficient of friction [-], > 0.

@@ -14,7 +14,7 @@ enum class FastripForm {
 };
 
 /// FaStrip on the rows of a grid in steady rolling: FASTSIM, then strip theory where that adheres.
-/// docs/theory-simplified.md, section 11. `ellipse` is that whose linear theory the strips are scaled to, with load,
+/// docs/theory-fastsim2.md, section 11. `ellipse` is that whose linear theory the strips are scaled to, with load,
 /// material and creepages: those of the contact with the first forms, else an equivalent one. Slip is FASTSIM's, and
 /// zero where strip theory adheres. Throws Error as GridFastsim does. Cost O(elements).
 ContactSolution solve_fastrip(const GridFastsim& fastsim, FastripForm form, const EllipticContact& ellipse,

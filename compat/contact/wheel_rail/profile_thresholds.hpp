@@ -5,7 +5,7 @@
 namespace microslip::contact_program {
 
 /// Numbers by which the points of a profile are read, in mm and rad unless said otherwise. They are CONTACT's, of
-/// m_profile.f90 but where another file is named; docs/contact-differences.md has both beside each other.
+/// m_profile.f90 but where another file is named; docs/contact-thresholds.md has both beside each other.
 struct ProfileThresholds {
   /// Points closer than this to the one before are dropped, in the file's unit: point_dist_min.
   static constexpr double spacing = 1e-4;

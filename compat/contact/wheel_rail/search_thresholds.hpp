@@ -7,7 +7,7 @@ namespace microslip::contact_program {
 
 /// Numbers by which the contact of a wheel is searched and its patches are laid out, in m and rad unless said
 /// otherwise. Where a comment names CONTACT's, they are its: those of m_wr_locatecp.f90 but where another file is
-/// named. docs/contact-differences.md has both beside each other.
+/// named. docs/contact-thresholds.md has both beside each other.
 struct SearchThresholds {
   static constexpr double locus_step = 0.3; ///< of the gap over the locus, over DS: fac_dyds
   /// The locus jumps where its polygon turns by this, x being multiplied by the next number, within a window of the

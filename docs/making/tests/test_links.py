@@ -1,4 +1,5 @@
-"""Links of the pages beside the site: README, changelog and how to contribute, and between all pages' headings."""
+"""Links of the pages beside the site: README, changelog and how to contribute, between all pages' headings, of tutorials, and the pages
+that sources name."""
 
 import re
 import unittest
@@ -6,7 +7,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
+TUTORIALS = [*ROOT.glob("docs/tutorials/*.py")]
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+# A page that a comment or a message names, as docs/conventions.md.
+NAMED = re.compile(r"\bdocs/[\w-]+\.md\b")
+SOURCES = [file for folder in ("app", "bench", "c", "campaign", "cases", "compat", "examples", "explorer/core", "explorer/page/src", "fit", "fmi",
+                               "fuzz", "io", "microslip", "python", "tests", "tools", "validation")
+           for file in (ROOT / folder).rglob("*") if file.suffix in ("", ".cpp", ".hpp", ".c", ".h", ".f90", ".py", ".ts", ".toml") and file.is_file()]
 
 
 def anchors(page):
@@ -34,7 +41,12 @@ def broken(page):
 class LinksTest(unittest.TestCase):
     def test_links_lead_somewhere(self):
         self.assertGreater(sum(len(LINK.findall(page.read_text(encoding="utf-8"))) for page in PAGES), 100)
-        self.assertEqual([link for page in PAGES for link in broken(page)], [])
+        self.assertEqual([link for page in PAGES + TUTORIALS for link in broken(page)], [])
+
+    def test_pages_that_sources_name_are_there(self):
+        named = [(file, name) for file in SOURCES for name in NAMED.findall(file.read_text(encoding="utf-8", errors="ignore"))]
+        self.assertGreater(len(named), 10)
+        self.assertEqual([f"{file.relative_to(ROOT)}: {name}" for file, name in named if not (ROOT / name).exists()], [])
 
 
 if __name__ == "__main__":
