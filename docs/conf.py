@@ -27,6 +27,7 @@ html_title = f"microslip {release}"
 html_show_sphinx = False
 html_static_path = ["making/static"]
 html_css_files = ["site.css"]
+html_js_files = ["versions.js"]
 
 # Formulas are drawn by Debian's MathJax 2, copied into the site: it needs no network.
 mathjax = pathlib.Path("/usr/share/javascript/mathjax")

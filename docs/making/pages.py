@@ -32,10 +32,9 @@ def tutorial_page(app, docname):
             raise RuntimeError(f"{script} fails\n{done.stdout}{done.stderr}")
     place = os.path.relpath(folder, Path(app.srcdir) / Path(docname).parent)
     text = re.sub(r"^!\[(.*)\]\((\S+)\)$", rf"![\1]({place}/\2)", page.read_text(), flags=re.MULTILINE)
-    name = f"docs/{docname}.py"
-    book = f"{place}/{Path(docname).name}.ipynb"
-    return text + (f"\n---\n\n*This page is the output of the script `{name}`; its cells run in editors that know `# %%`, or as a whole:"
-                   f" `python3 {name}`. {{download}}`The same as a notebook<{book}>`, with all output.*\n")
+    title, rest = text.split("\n\n", 1)
+    script, book = f"docs/{docname}.py", f"{place}/{Path(docname).name}.ipynb"
+    return f"{title}\n\n{{download}}`Notebook<{book}>` with all output; script `{script}`; [how to open them](../tutorials.md).\n\n{rest}"
 
 
 def header_sections(app, match):
@@ -70,7 +69,14 @@ def make_page(app, docname, source):
         source[0] = source[0].replace(PYTHON, python_reference(app))
 
 
+def record_of_doi(app, uri):
+    """The record of a DOI in place of the publisher's page, which many refuse to programs: what tools/links asks for."""
+    doi = re.fullmatch(r"https://doi\.org/(.+)", uri)
+    return f"https://doi.org/api/handles/{doi[1]}" if doi else None
+
+
 def setup(app):
     """Called by Sphinx."""
+    app.connect("linkcheck-process-uri", record_of_doi)
     app.connect("source-read", make_page)
     return {"parallel_read_safe": True}

@@ -51,16 +51,17 @@ foreach(page ${pages})
     set_tests_properties(docs_printed_${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}")
   endif()
 endforeach()
+set(tutorial_packages "\"$0\" -c 'import h5py, matplotlib, nbformat, numpy' || exit 77")
 file(GLOB tutorials CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/tutorials/*.py)
 foreach(tutorial ${tutorials})
   get_filename_component(name ${tutorial} NAME_WE)
-  add_test(NAME tutorial_${name} COMMAND sh -c "${python_packages}; exec \"$0\" \"$@\"" ${Python3_EXECUTABLE} ${making}/tutorial.py
+  add_test(NAME tutorial_${name} COMMAND sh -c "${tutorial_packages}; exec \"$0\" \"$@\"" ${Python3_EXECUTABLE} ${making}/tutorial.py
     ${tutorial} ${CMAKE_BINARY_DIR}/docs/.doctrees/tutorials/${name})
   set_tests_properties(tutorial_${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" FIXTURES_SETUP tutorials)
 endforeach()
 
 # The site, without a warning, with the tutorials that have been run.
 add_test(NAME docs
-  COMMAND sh -c "${python_packages}; \"$0\" -c 'import furo, myst_parser, sphinx' && test -d /usr/share/javascript/mathjax || exit 77; exec \"$0\" -m sphinx -q -W --keep-going -b html \"$@\""
+  COMMAND sh -c "${tutorial_packages}; \"$0\" -c 'import furo, myst_parser, sphinx' && test -d /usr/share/javascript/mathjax || exit 77; exec \"$0\" -m sphinx -q -W --keep-going -b html \"$@\""
     ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs ${CMAKE_BINARY_DIR}/docs)
 set_tests_properties(docs PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${environment}" FIXTURES_REQUIRED tutorials TIMEOUT 600)

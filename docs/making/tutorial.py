@@ -10,7 +10,6 @@ import ast
 import base64
 import contextlib
 import io
-import json
 import os
 import re
 import sys
@@ -49,10 +48,10 @@ def fence(language, text):
 
 
 class Cell:
-    """Output of a cell of code: its text, what it printed, what its last line was worth, its pictures with titles."""
+    """A cell of code and its output: what it printed, what its last line was worth, its pictures with titles; nothing before it is run."""
 
-    def __init__(self, code):
-        self.code, self.printed, self.value, self.pictures = code, "", None, []
+    def __init__(self, lines):
+        self.code, self.printed, self.value, self.pictures = "\n".join(lines).rstrip("\n"), "", None, []
 
     def markdown(self):
         parts = [fence("python", self.code)]
@@ -66,17 +65,19 @@ class Cell:
 
     def outputs(self, count):
         """Converts it to outputs of a notebook."""
+        from nbformat.v4 import new_output
+
         found = []
         if self.printed:
-            found.append({"output_type": "stream", "name": "stdout", "text": self.printed})
+            found.append(new_output("stream", text=self.printed))
         if self.value is not None:
             data = {"text/plain": repr(self.value)}
             if hasattr(self.value, "_repr_html_"):
                 data["text/html"] = self.value._repr_html_()
-            found.append({"output_type": "execute_result", "execution_count": count, "data": data, "metadata": {}})
+            found.append(new_output("execute_result", data, execution_count=count))
         for title, file in self.pictures:
             data = {"text/plain": f"<{title}>", "image/png": base64.b64encode(file.read_bytes()).decode()}
-            found.append({"output_type": "display_data", "data": data, "metadata": {}})
+            found.append(new_output("display_data", data))
         return found
 
 
@@ -90,7 +91,7 @@ class Runner:
 
     def run(self, first, lines):
         """Runs code that begins in line `first`; what it left."""
-        cell = Cell("\n".join(lines).rstrip("\n"))
+        cell = Cell(lines)
         tree = ast.parse("\n" * (first - 1) + cell.code, str(self.script))
         last = ast.Expression(tree.body.pop().value) if tree.body and isinstance(tree.body[-1], ast.Expr) else None
         out = io.StringIO()
@@ -118,21 +119,18 @@ class Runner:
         return found
 
 
-def notebook_cell(kind, number, source, **further):
-    return {"cell_type": kind, "id": f"cell-{number}", "metadata": {}, "source": source, **further}
-
-
 def notebook(parts):
-    """An executed Jupyter notebook (format 4.5) of texts and cells of code. Links within the site are left as words."""
+    """A Jupyter notebook (format 4.5) of texts and cells of code with their output. Links within the site are left as words."""
+    from nbformat import v4
+
     found = []
     for number, part in enumerate(parts):
         if isinstance(part, str):
-            found.append(notebook_cell("markdown", number, re.sub(r"\[([^\]]*)\]\((?!https?:)[^)]*\)", r"\1", part)))
+            found.append(v4.new_markdown_cell(re.sub(r"\[([^\]]*)\]\((?!https?:)[^)]*\)", r"\1", part), id=f"cell-{number}"))
         else:
-            found.append(notebook_cell("code", number, part.code, execution_count=number + 1, outputs=part.outputs(number + 1)))
+            found.append(v4.new_code_cell(part.code, id=f"cell-{number}", execution_count=number + 1, outputs=part.outputs(number + 1)))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    return {"nbformat": 4, "nbformat_minor": 5, "cells": found,
-            "metadata": {"kernelspec": kernel, "language_info": {"name": "python"}}}
+    return v4.new_notebook(cells=found, metadata={"kernelspec": kernel, "language_info": {"name": "python"}})
 
 
 def executed(script, folder):
@@ -149,10 +147,12 @@ def page(parts):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
+    import nbformat
+
     script, folder = (Path(argument).resolve() for argument in sys.argv[1:])
     folder.mkdir(parents=True, exist_ok=True)
     os.chdir(ROOT)
     os.environ["MPLBACKEND"] = "Agg"
     parts = executed(script, folder)
-    (folder / f"{script.stem}.ipynb").write_text(json.dumps(notebook(parts), indent=1))
+    nbformat.write(notebook(parts), folder / f"{script.stem}.ipynb")
     (folder / "page.md").write_text(page(parts))

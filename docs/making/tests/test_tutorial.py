@@ -60,6 +60,7 @@ class TutorialTest(unittest.TestCase):
         made = self.page("# %%\nclass Table:\n    def _repr_html_(self):\n        return '<b>x</b>'\n\nTable()\n")
         self.assertTrue(made.endswith("```{raw} html\n<b>x</b>\n```\n"))
 
+    @unittest.skipUnless(find_spec("nbformat"), "nbformat is not installed")
     def test_a_notebook_has_text_output_and_pictures(self):
         self.page(SCRIPT.replace("words", "[words](../page.md)") + "5\n")
         text, first, second = notebook(self.parts)["cells"]
