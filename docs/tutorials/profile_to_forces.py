@@ -1,11 +1,13 @@
 # %% [markdown]
-# # A measured profile to forces
+# # A measured profile to conicity and forces
 #
-# A profile from a measuring device, a rail, a track: where do they touch, how does the wheelset steer, and what forces
-# act on the wheel at 6 mm to the side? Files here are nominal profiles that come with microslip; one of a MiniProf or
-# of another program is read by the same call ([profiles](../profiles.md)).
+# A wheel's profile from a measuring device, a rail, a track: is the measurement sound, where do wheel and rail touch, how
+# does the wheelset steer, and what forces act on the wheel at 6 mm to the side?
 
 # %%
+import pathlib
+import tempfile
+
 import matplotlib.pyplot as plt
 import microslip
 import microslip.plot
@@ -13,11 +15,44 @@ import numpy as np
 from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, SIZES, VERMILION
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
-wheel = microslip.read_profile("examples/profiles/s1002.prw")
+new = microslip.read_profile("examples/profiles/s1002.prw")
 rail = microslip.read_profile("examples/profiles/60e1.prr")
-flange = wheel.wheel_dimensions()
-print(f"wheel: {len(wheel.y)} points, flange {1e3 * flange.flange_height:.1f} mm high, {1e3 * flange.flange_thickness:.1f} mm thick")
-print(f"rail:  {len(rail.y)} points")
+
+# %% [markdown]
+# ## The file
+#
+# Whoever has a file of their own writes its path below: MiniProf's `.whl` and `.ban`, Simpack's `.prw` and `.prr` and
+# columns of numbers are read by the same call ([formats](../profile-formats.md)). Here the file is made: the new
+# wheel, its tread worn hollow by 0.3 mm, with the scatter of 4 micrometres that an instrument leaves.
+
+# %%
+hollow = 0.3e-3 * np.exp(-((new.y / 18e-3) ** 2))
+scatter = 4e-6 * np.random.default_rng(1).normal(size=new.y.size)
+file = pathlib.Path(tempfile.mkdtemp()) / "measured_wheel.csv"
+np.savetxt(file, 1e3 * np.column_stack([new.y, new.z + hollow + scatter]), header="y [mm],z [mm]", delimiter=",", comments="")
+
+worn = microslip.read_profile(file, kind="wheel")
+print(worn.report)
+flange = worn.wheel_dimensions()
+print(f"flange {1e3 * flange.flange_height:.2f} mm high, {1e3 * flange.flange_thickness:.2f} mm thick")
+
+# %% [markdown]
+# The report says what was assumed, since a table of numbers does not say it, and what was done: points that scatter are
+# smoothed, or the curvature, and with it the size of the contact, would be noise. How far the points moved is there, too.
+# `kind`, `unit`, `y_axis`, `z_axis` and `smoothing_length` overrule it ([smoothing](../profile-smoothing.md)).
+
+# %%
+figure, (shape, change) = plt.subplots(2, 1, num="The measured wheel, and what it has lost beside the new one", figsize=(7, 5), sharex=True)
+shape.plot(1e3 * new.y, 1e3 * new.z, color=GREY, label="new")
+shape.plot(1e3 * worn.y, 1e3 * worn.z, color=VERMILION, label="measured")
+shape.set(ylabel="z [mm]")
+shape.legend()
+tread = new.y > -0.03
+change.plot(1e3 * new.y[tread], 1e6 * (worn.measured_z - new.z)[tread], ".", markersize=2, color=GREY, label="points of the file")
+change.plot(1e3 * new.y[tread], 1e6 * (worn.z - new.z)[tread], color=VERMILION, label="smoothed")
+change.set(xlabel="y [mm], to the field side", ylabel="higher than new [µm]")
+change.legend()
+plt.show()
 
 # %% [markdown]
 # ## Where they touch
@@ -28,15 +63,18 @@ print(f"rail:  {len(rail.y)} points")
 # %%
 track = microslip.Track(gauge=1.435, cant=1 / 40)
 wheelset = microslip.Wheelset(nominal_radius=0.46, flange_back_distance=1.36)
-geometry = microslip.WheelsetGeometry(track=track, rail=rail, wheelset=wheelset, wheel=wheel)
+geometries = {name: microslip.WheelsetGeometry(track=track, rail=rail, wheelset=wheelset, wheel=wheel)
+              for name, wheel in (("new", new), ("measured", worn))}
 lateral = np.linspace(-7e-3, 7e-3, 141)
-touching = geometry.contact(lateral)
 
 figure, (above, below) = plt.subplots(2, 1, num="Rolling radius difference, and where the left wheel touches the rail",
                                       figsize=(7, 5.6), sharex=True)
-above.plot(1e3 * lateral, 1e3 * touching.rolling_radius_difference, color=BLUE)
+for (name, geometry), colour in zip(geometries.items(), (BLUE, VERMILION)):
+    touching = geometry.contact(lateral)
+    above.plot(1e3 * lateral, 1e3 * touching.rolling_radius_difference, color=colour, label=name)
+    below.plot(1e3 * lateral, 1e3 * touching.left_rail_y, ".", markersize=3, color=colour)
 above.set(ylabel="$r_l - r_r$ [mm]")
-below.plot(1e3 * lateral, 1e3 * touching.left_rail_y, ".", markersize=3, color=VERMILION)
+above.legend()
 below.set(xlabel="wheelset to the left [mm]", ylabel="y on the rail [mm]")
 plt.show()
 
@@ -45,6 +83,25 @@ plt.show()
 # on. Where it bends abruptly, the point of contact in the lower curve jumps over a part of the rail that is never
 # touched: there a wheel touches at two points for a moment, and forces must be shared between them.
 #
+# ## Conicity
+#
+# A wheelset that rolls along the track swings from side to side. Its equivalent conicity is that of conical wheels which
+# would swing with the same wavelength; it depends on the amplitude. Wheelsets of high conicity hunt at lower speeds. What
+# is printed is the value at 3 mm, by which tracks and wheels are judged.
+
+# %%
+amplitudes = np.linspace(0.5e-3, 7e-3, 66)
+figure, axis = plt.subplots(num="Equivalent conicity over the amplitude (EN 15302)", figsize=(7, 3.8))
+for (name, geometry), colour in zip(geometries.items(), (BLUE, VERMILION)):
+    axis.plot(1e3 * amplitudes, geometry.equivalent_conicity(amplitudes), color=colour, label=name)
+    print(f"{name}: {geometry.equivalent_conicity(3e-3):.3f} at 3 mm, {geometry.wavelength(3e-3):.1f} m long waves")
+axis.set(xlabel="amplitude [mm]", ylabel="equivalent conicity [-]", ylim=(0, None))
+axis.legend()
+plt.show()
+
+# %% [markdown]
+# CONICITY TEXT
+#
 # ## Forces
 #
 # Now with 80 kN on the left wheel, which runs 6 mm to the left with an angle of attack of 2 mrad. The solver finds all
@@ -52,7 +109,7 @@ plt.show()
 # millisecond:
 
 # %%
-setup = dict(track=track, rail=rail, wheelset=wheelset, wheel=wheel, side="left", friction=0.3)
+setup = dict(track=track, rail=rail, wheelset=wheelset, wheel=worn, side="left", friction=0.3)
 state = dict(lateral=6e-3, yaw=2e-3, vertical_force=80e3, forward_velocity=30.0)
 fast = microslip.WheelRail(**setup).solve(**state)
 exact = microslip.WheelRail(**setup, theory="exact", grid=48).solve(**state)
