@@ -5,6 +5,8 @@ import re
 import unittest
 from pathlib import Path
 
+from pages import record_of_doi
+
 ROOT = Path(__file__).resolve().parents[3]
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
 TUTORIALS = [*ROOT.glob("docs/tutorials/*.py")]
@@ -47,6 +49,11 @@ class LinksTest(unittest.TestCase):
         named = [(file, name) for file in SOURCES for name in NAMED.findall(file.read_text(encoding="utf-8", errors="ignore"))]
         self.assertGreater(len(named), 10)
         self.assertEqual([f"{file.relative_to(ROOT)}: {name}" for file, name in named if not (ROOT / name).exists()], [])
+
+
+    def test_of_a_doi_its_record_is_asked(self):
+        self.assertEqual(record_of_doi(None, "https://doi.org/10.1016/0020-7403(67)90043-4"), "https://doi.org/api/handles/10.1016/0020-7403(67)90043-4")
+        self.assertIsNone(record_of_doi(None, "https://semver.org"))
 
 
 if __name__ == "__main__":
