@@ -32,7 +32,7 @@ file = pathlib.Path(tempfile.mkdtemp()) / "measured_wheel.csv"
 np.savetxt(file, 1e3 * np.column_stack([new.y, new.z + hollow + scatter]), header="y [mm],z [mm]", delimiter=",", comments="")
 
 worn = microslip.read_profile(file, kind="wheel")
-print(worn.report)
+print(*worn.report.steps, *worn.report.assumptions, *worn.report.warnings, sep="\n")
 flange = worn.wheel_dimensions()
 print(f"flange {1e3 * flange.flange_height:.2f} mm high, {1e3 * flange.flange_thickness:.2f} mm thick")
 
@@ -79,9 +79,10 @@ below.set(xlabel="wheelset to the left [mm]", ylabel="y on the rail [mm]")
 plt.show()
 
 # %% [markdown]
-# **How to read it.** The upper curve is flat in the middle, where the wheelset is steered little, and steep from 5 mm
-# on. Where it bends abruptly, the point of contact in the lower curve jumps over a part of the rail that is never
-# touched: there a wheel touches at two points for a moment, and forces must be shared between them.
+# **How to read it.** The upper curve is flat in the middle, where the wheelset is steered little, and steep from 6 mm
+# on. Where it steps, the point of contact in the lower curve jumps over a part of the rail that is never touched: there
+# a wheel touches at two points for a moment, and forces must be shared between them. The hollow wheel touches at both
+# shoulders of its hollow, 20 mm apart, in the middle of the track.
 #
 # ## Conicity
 #
@@ -100,11 +101,13 @@ axis.legend()
 plt.show()
 
 # %% [markdown]
-# CONICITY TEXT
+# **How to read it.** The hollow tread has the higher conicity at all amplitudes, since the point of contact jumps over the
+# hollow and so finds a larger difference of radii. That is worst at small amplitudes. Beyond 6 mm both wheels run up
+# the root of the flange.
 #
 # ## Forces
 #
-# Now with 80 kN on the left wheel, which runs 6 mm to the left with an angle of attack of 2 mrad. The solver finds all
+# Now with 80 kN on the measured wheel, on the left, which runs 6 mm to the left with an angle of attack of 2 mrad. The solver finds all
 # patches, shares the load between them and solves friction in each. At this level a state takes a tenth of a
 # millisecond:
 
