@@ -1,6 +1,7 @@
 #include "app/json_document.hpp"
 
 #include "app/command_line.hpp"
+#include "io/result_writer.hpp"
 #include "microslip/version.hpp"
 
 #include <cstdio>
@@ -15,7 +16,8 @@ void add_json_flag(Command& command, bool& json) {
 
 io::Json json_document(const std::string& kind) {
   const auto build = build_info();
-  return {{"kind", kind},
+  return {{"format", std::to_string(io::result_format)},
+          {"kind", kind},
           {"version", build.version},
           {"commit", build.commit},
           {"compiler", build.compiler},

@@ -62,23 +62,23 @@ std::vector<std::string> draw(const Study& study, const std::filesystem::path& f
   return draw_pictures(results, folder);
 }
 
-/// Returns whether all figures are met; they are printed to `out` and added to `figures`.
+/// Returns whether all figures are as stated; they are printed to `out` and added to `figures`.
 bool run(const Study& study, const ValidateArguments& arguments, std::ostream& out, std::vector<Figure>& figures) {
   ProgressBar bar{std::string(study.name)};
   const auto progress = [&bar](double fraction) {
     bar.update(fraction);
     return !InterruptGuard::interrupted();
   };
-  const bool met = study.run({.output = arguments.output,
-                              .threads = arguments.threads,
-                              .cases = arguments.cases,
-                              .thorough = arguments.thorough,
-                              .progress = progress,
-                              .figures = &figures},
-                             out);
+  const bool as_stated = study.run({.output = arguments.output,
+                                    .threads = arguments.threads,
+                                    .cases = arguments.cases,
+                                    .thorough = arguments.thorough,
+                                    .progress = progress,
+                                    .figures = &figures},
+                                   out);
   out.flush();
   InterruptGuard::throw_if_interrupted();
-  return met;
+  return as_stated;
 }
 
 io::Json to_json(const Figure& figure) {
@@ -88,6 +88,7 @@ io::Json to_json(const Figure& figure) {
     result["met"] = *figure.met;
   else
     result["remark"] = figure.remark;
+  if (figure.is_known) result["known_limit"] = figure.remark;
   return result;
 }
 
@@ -95,11 +96,11 @@ bool run_for_people(const Study& study, const ValidateArguments& arguments) {
   fmt::print("{}: {}\n", study.name, study.summary);
   std::fflush(stdout);
   std::vector<Figure> figures;
-  const bool met = run(study, arguments, std::cout, figures);
+  const bool as_stated = run(study, arguments, std::cout, figures);
   if (!arguments.no_pictures)
     for (const auto& picture : draw(study, arguments.output)) fmt::print("  written: {}\n", picture);
-  fmt::print("\n{}: {}\n", study.name, met ? "all figures are met" : "NOT all figures are met");
-  return met;
+  fmt::print("\n{}: {}\n", study.name, outcome(as_stated, figures));
+  return as_stated;
 }
 
 /// Prints it as well, at its end.
@@ -107,12 +108,12 @@ StudyRecord run_for_report(const Study& study, const ValidateArguments& argument
   StudyRecord record{.study = &study};
   std::ostringstream text;
   const auto begin = std::chrono::steady_clock::now();
-  record.met = run(study, arguments, text, record.figures);
+  record.as_stated = run(study, arguments, text, record.figures);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   record.text = text.str();
   if (!arguments.no_pictures) record.pictures = draw(study, arguments.output);
   fmt::print("{}: {}\n{}\n{}: {}\n", study.name, study.summary, record.text, study.name,
-             record.met ? "all figures are met" : "NOT all figures are met");
+             outcome(record.as_stated, record.figures));
   return record;
 }
 
@@ -127,19 +128,23 @@ int report(const std::vector<const Study*>& studies, ValidateArguments arguments
   const std::vector<std::string> written = write_validation_report(folder, records);
   InterruptGuard::throw_if_interrupted();
   for (const auto& file : written) fmt::print("written: {}\n", file);
-  return std::ranges::all_of(records, &StudyRecord::met) ? ExitCode::done : ExitCode::not_met;
+  return std::ranges::all_of(records, &StudyRecord::as_stated) ? ExitCode::done : ExitCode::not_met;
 }
 
 /// Adds the study's figures to the document.
 bool run_for_programs(const Study& study, const ValidateArguments& arguments, io::Json& document) {
   std::vector<Figure> figures;
   std::ostream silent(nullptr);
-  const bool met = run(study, arguments, silent, figures);
-  io::Json result = {{"name", study.name}, {"summary", study.summary}, {"met", met}, {"figures", io::Json::array()}};
+  const bool as_stated = run(study, arguments, silent, figures);
+  io::Json result = {{"name", study.name},
+                     {"summary", study.summary},
+                     {"as_stated", as_stated},
+                     {"outcome", outcome(as_stated, figures)},
+                     {"figures", io::Json::array()}};
   for (const Figure& figure : figures) result["figures"].push_back(to_json(figure));
   result["pictures"] = arguments.no_pictures ? std::vector<std::string>() : draw(study, arguments.output);
   document["studies"].push_back(result);
-  return met;
+  return as_stated;
 }
 
 } // namespace
@@ -157,15 +162,16 @@ int run_studies(const ValidateArguments& arguments) {
   }
   if (arguments.report) return report(studies, arguments);
   auto document = json_document("validate");
-  bool all_met = true;
+  bool all_as_stated = true;
   for (const Study* study : studies)
-    all_met =
-        (arguments.json ? run_for_programs(*study, arguments, document) : run_for_people(*study, arguments)) && all_met;
+    all_as_stated =
+        (arguments.json ? run_for_programs(*study, arguments, document) : run_for_people(*study, arguments)) &&
+        all_as_stated;
   if (arguments.json) {
-    document["met"] = all_met;
+    document["as_stated"] = all_as_stated;
     print_json(document);
   }
-  return all_met ? ExitCode::done : ExitCode::not_met;
+  return all_as_stated ? ExitCode::done : ExitCode::not_met;
 }
 
 } // namespace microslip::app

@@ -26,8 +26,8 @@ int run_studies_program(const ValidateArguments&) {
 
 constexpr const char* footer =
     R"(Runs studies that compute what has been published and print both, each figure with its unit. With --json a
-list of the same figures, as they are printed. Exit code: 0 all figures are met, 1 some are not, 2 bad
-input.
+list of the same figures, as they are printed. Exit code: 0 all figures are as stated: met, or within a
+known limit that a page of the documentation explains; 1 some are not; 2 bad input.
 
 Example:
   microslip validate model-problem -o results)";

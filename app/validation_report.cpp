@@ -7,6 +7,7 @@
 #include "microslip/version.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -82,6 +83,7 @@ std::string picture(const fs::path& file) {
 
 std::string verdict(const validation::Figure& figure) {
   if (!figure.met) return fmt::format("<td class=\"shown\">{}</td>", escaped(figure.remark));
+  if (figure.is_known) return fmt::format("<td class=\"not\">NOT MET, {}</td>", escaped(figure.remark));
   return *figure.met ? "<td class=\"met\">met</td>" : "<td class=\"not\">NOT MET</td>";
 }
 
@@ -101,10 +103,16 @@ std::string figures_table(const std::vector<validation::Figure>& figures) {
          rows + "</tbody></table>\n";
 }
 
+/// With a capital and a full stop.
+std::string sentence(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + ".";
+}
+
 std::string study_section(const StudyRecord& record) {
   std::string out = fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n<p class=\"{2}\">{3} ({4:.1f} s)</p>\n",
-                                record.study->name, escaped(record.study->summary), record.met ? "met" : "not",
-                                record.met ? "All figures are met." : "NOT all figures are met.", record.seconds);
+                                record.study->name, escaped(record.study->summary), record.as_stated ? "met" : "not",
+                                sentence(outcome(record.as_stated, record.figures)), record.seconds);
   if (!record.figures.empty()) out += figures_table(record.figures);
   for (const auto& file : record.pictures) out += picture(file);
   return out +
@@ -127,12 +135,13 @@ std::string facts(const std::vector<StudyRecord>& records) {
 
 std::string index(const std::vector<StudyRecord>& records) {
   std::string rows;
-  for (const auto& [study, met, seconds, figures, text, pictures] : records) {
+  for (const auto& [study, as_stated, seconds, figures, text, pictures] : records) {
     const auto judged = std::ranges::count_if(figures, [](const auto& figure) { return figure.met.has_value(); });
     const auto good = std::ranges::count_if(figures, [](const auto& figure) { return figure.met.value_or(false); });
     rows += fmt::format(
         "<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td>{2} of {3}</td><td class=\"{4}\">{5}</td></tr>\n",
-        study->name, escaped(study->summary), good, judged, met ? "met" : "not", met ? "met" : "NOT MET");
+        study->name, escaped(study->summary), good, judged, as_stated ? "met" : "not",
+        as_stated ? "as stated" : "NOT as stated");
   }
   return "<table><thead><tr><th scope=\"col\">study</th><th scope=\"col\">what it shows</th><th "
          "scope=\"col\">figures</th><th scope=\"col\"></th></tr></thead><tbody>\n" +
@@ -140,17 +149,23 @@ std::string index(const std::vector<StudyRecord>& records) {
 }
 
 std::string page(const std::vector<StudyRecord>& records) {
-  const bool all = std::ranges::all_of(records, &StudyRecord::met);
+  const bool all = std::ranges::all_of(records, &StudyRecord::as_stated);
   std::string sections;
-  for (const auto& record : records) sections += study_section(record);
+  std::vector<validation::Figure> figures;
+  for (const auto& record : records) {
+    sections += study_section(record);
+    figures.insert(figures.end(), record.figures.begin(), record.figures.end());
+  }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>microslip: validation report</title><style>{}</style></head><body>\n"
       "<h1>microslip: validation report</h1>\n<p>Computed figures beside those that are published, or that follow from "
-      "closed formulas. <span class=\"{}\">{}</span></p>\n{}{}{}</body></html>\n",
-      style, all ? "met" : "not", all ? "All figures are met." : "NOT all figures are met.", facts(records),
-      index(records), sections);
+      "closed formulas. <span class=\"{}\">{}</span></p>\n<p>What each figure must keep to is written in the study "
+      "before it runs, and stands beside the figure; figures without a verdict are shown for comparison only. A figure "
+      "that is not met for a reason that the documentation gives is a known limit: the report names it, the limit that "
+      "it keeps to, and the page.</p>\n{}{}{}</body></html>\n",
+      style, all ? "met" : "not", sentence(outcome(all, figures)), facts(records), index(records), sections);
 }
 
 /// Returns whether a browser has made it.
@@ -172,6 +187,14 @@ bool print_to(const fs::path& pdf, const fs::path& html) {
 }
 
 } // namespace
+
+std::string outcome(bool as_stated, const std::vector<validation::Figure>& figures) {
+  if (!as_stated) return "NOT all figures are as stated";
+  const auto known = std::ranges::count_if(figures, &validation::Figure::is_known);
+  if (known == 0) return "all figures are met";
+  return fmt::format("all figures are as stated, {} of {} {} a known limit", known, figures.size(),
+                     known == 1 ? "is" : "are");
+}
 
 std::vector<std::string> write_validation_report(const fs::path& folder, const std::vector<StudyRecord>& records) {
   const fs::path html = folder / validation_page, pdf = folder / "validation.pdf";

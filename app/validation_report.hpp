@@ -11,12 +11,16 @@ namespace microslip::app {
 /// A study that has been run.
 struct StudyRecord {
   const validation::Study* study = nullptr;
-  bool met = false;
+  bool as_stated = false;
   double seconds = 0;
   std::vector<validation::Figure> figures = {};
   std::string text = {};                  ///< as it is printed
   std::vector<std::string> pictures = {}; ///< names of PNG files
 };
+
+/// What comes of a study in words: "all figures are met", "all figures are as stated, 1 of 12 is a known limit", "NOT
+/// all figures are as stated".
+std::string outcome(bool as_stated, const std::vector<validation::Figure>& figures);
 
 /// The name of the page in its folder.
 inline constexpr const char* validation_page = "validation.html";

@@ -110,7 +110,7 @@ io::Json profile_document(const ProfileFindings& findings) {
   const auto& profile = findings.prepared.profile;
   const auto& report = findings.prepared.report;
   auto document = io::Json::object();
-  document["format"] = report.format;
+  document["file_format"] = report.format;
   document["role"] = to_string(profile.role());
   document["comment"] = report.comment;
   document["unit"] = io::json_number(report.unit);

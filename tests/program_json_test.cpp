@@ -220,7 +220,7 @@ TEST(ProgramJson, PlotAndConvertNameTheirFiles) {
 TEST(ProgramJson, ValidateListsTheFiguresThatItPrints) {
   const TemporaryFolder folder;
   const auto json = document(folder, "validate model-problem --no-pictures");
-  EXPECT_EQ(json.at("met"), true);
+  EXPECT_EQ(json.at("as_stated"), true);
   const auto& study = json.at("studies").at(0);
   EXPECT_EQ(study.at("name"), "model-problem");
   const auto printed = run_program(folder, "validate model-problem --no-pictures").output;

@@ -158,7 +158,8 @@ bool compare(Report& report, std::string_view heading, const Contacts& contacts,
                worst = *std::max_element(of_table.worst.begin(), of_table.worst.end());
   report.bounded("rms of the table's forces", "{:.5f}", force, fmt::format("<= {:g}", goal.force_rms));
   report.bounded("and of its moment", "{:.5f}", of_table.rms[2], fmt::format("<= {:g}", goal.moment_rms));
-  report.bounded("worst of all", "{:.4f}", worst, fmt::format("<= {:g}", goal.worst));
+  report.bounded("worst of all", "{:.4f}", worst, fmt::format("<= {:g}", goal.worst),
+                 {.bound = "<= 0.0065", .page = "creep-force-tables.md"});
   return true;
 }
 
@@ -327,7 +328,7 @@ bool run_creep_table(const StudyOptions& options, std::ostream& out) {
   report.bounded("derivatives against differences, over G a b", "{:.1e}", error, "<= 1e-6");
   if (!compare_falling_friction(report, table, options)) return false;
   report_times(report, random_contacts(5000, 0.05, 20, true), table);
-  return report.all_met();
+  return report.all_as_stated();
 }
 
 } // namespace microslip::validation

@@ -470,7 +470,7 @@ bool run_layers(const StudyOptions& options, std::ostream& out) {
   } catch (const Stopped&) {
     return false;
   }
-  return report.all_met();
+  return report.all_as_stated();
 }
 
 } // namespace microslip::validation

@@ -27,7 +27,8 @@ Progress part_of(const Progress& whole, double begin, double end);
 struct Study {
   std::string_view name;
   std::string_view summary; ///< one line
-  /// Prints the figures; true if all of them are met. Throws Error if the output folder cannot be written.
+  /// Prints the figures; true if all of them are as stated: met, or within a known limit. Throws Error if the output
+  /// folder cannot be written.
   bool (*run)(const StudyOptions& options, std::ostream& out);
 };
 

@@ -251,7 +251,7 @@ bool run_vehicle(const StudyOptions& options, std::ostream& out) {
   if (!go_on()) return false;
   curve(report);
   if (options.thorough && !ten_minutes(report, options)) return false;
-  return report.all_met();
+  return report.all_as_stated();
 }
 
 } // namespace microslip::validation

@@ -11,7 +11,7 @@ bool run_vehicle(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
   report.line(
       "  not run: microslip was built without Simbody; with the package libsimbody-dev the build has the vehicle");
-  return report.all_met();
+  return report.all_as_stated();
 }
 
 std::vector<VehicleSpeed> vehicle_speeds() {

@@ -117,7 +117,7 @@ bool run_wheel_surfaces(const StudyOptions& options, std::ostream& out) {
   report.count("states that it does not solve", refused, 0);
   report.figure("flat patches beyond 0.02 without a warning",
                 fmt::format("{} of {}, {} warned of", missed, needed, warned), "at most 5 %", missed <= 0.05 * needed);
-  return report.all_met();
+  return report.all_as_stated();
 }
 
 } // namespace microslip::validation

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from output import NUMBER, same_number
 
-VERDICT = re.compile(r"\b(ok|NOT MET)\b")
+VERDICT = re.compile(r"\b(?:ok|NOT MET(?:, known limit: .*)?)\b")
 
 
 @dataclass(frozen=True)

@@ -454,7 +454,7 @@ TEST_F(ExplorerTest, SeesThatAFileHasChanged) {
 TEST_F(ExplorerTest, ReadsProfiles) {
   const io::Json found = result({{"call", "profile"}, {"name", "s1002.prw"}, {"text", profiles()["s1002.prw"]}});
   EXPECT_EQ(found["role"], "wheel");
-  EXPECT_EQ(found["format"], "Simpack");
+  EXPECT_EQ(found["file_format"], "Simpack");
   EXPECT_EQ(found["curve"]["y"].size(), found["curve"]["z"].size());
   EXPECT_EQ(found["measured"]["y"].size(), found["points_read"].get<std::size_t>());
   EXPECT_EQ(found["units"]["curve/y"], "m");

@@ -26,6 +26,11 @@ class RenewedTest(unittest.TestCase):
         self.assertEqual(renewed("Second table\n  Fx 10  rms   0.0199  0.0111  NOT MET\n  cases that fail   0  0   ok\n", OUTPUT),
                          "Second table\n  Fx 10  rms   0.0112  0.0111  ok\n  cases that fail   1  0  NOT MET\n")
 
+    def test_a_known_limit_belongs_to_the_verdict(self):
+        limit = "NOT MET, known limit: <= 2, limits.md"
+        self.assertEqual(renewed("  cases that fail   0  0   ok\n", f"  cases that fail   1  0  {limit}\n"), f"  cases that fail   1  0  {limit}\n")
+        self.assertEqual(renewed(f"  cases that fail   1  0  {limit}\n", OUTPUT), "  cases that fail   1  0  NOT MET\n")
+
     def test_what_is_right_stays(self):
         whole = OUTPUT.partition("\n\n")[2]
         self.assertEqual(renewed(whole, OUTPUT), whole)
