@@ -200,7 +200,8 @@ def stresses_picture(result, contact, which, y):
     to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
     figure = new_figure(12, 2.2 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
     bodies = bodies_of(result)
-    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result))
+    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result)
+              + f"\nhatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
         axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor=GRID, hatch="xxxx", edgecolor=LINE, linewidth=0)
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
@@ -210,8 +211,7 @@ def stresses_picture(result, contact, which, y):
                    for body, who in zip((1, 2), bodies)]
         axes.set_title("\n".join([text, "largest for all y: " + largest[0], largest[1]]))
         scale_text = "" if to_scale else "\n(not to the scale of z)"
-        axes.set_xlabel(f"{label_along_x(result)}{scale_text}\n"
-                        f"hatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
+        axes.set_xlabel(f"{label_along_x(result)}{scale_text}")
         axes.locator_params(axis="x", nbins=7)
     figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")
     return figure

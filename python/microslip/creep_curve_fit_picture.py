@@ -43,7 +43,7 @@ def panels(what, result):
     return figure, curves, deviations
 
 
-def draw_points(curves, deviations, result, conditions, colour, number=None, marker="o", of_points=None):
+def draw_points(curves, deviations, result, conditions, colour, number=None, marker="o", of_points=None, filled=True):
     """The points of a run, speed and load, and what they differ by from a curve: the fitted one, or that of a number. Without
     `curves` the differences alone."""
     creepage, measured, computed = result.arrays([f"/points/{name}" for name in ("creepage", "coefficient", "fitted")])
@@ -54,7 +54,8 @@ def draw_points(curves, deviations, result, conditions, colour, number=None, mar
     creepage, measured, computed = creepage[here], measured[here], computed[here]
     if curves is not None:
         curves.plot(100 * creepage, measured, marker, color=of_points or colour, markersize=3.5, alpha=0.6)
-    deviations.plot(100 * creepage, measured - computed, marker, color=colour, markersize=3, alpha=0.6)
+    deviations.plot(100 * creepage, measured - computed, marker, color=colour, markersize=3, alpha=0.6,
+                    fillstyle="full" if filled else "none")
 
 
 def label_of(result, conditions):

@@ -31,7 +31,7 @@ def measured_points_picture(result):
             marker = MARKERS[everything.index(one) % len(MARKERS)]
             is_new = sum(one in before for before in drawn) == 1
             draw_points(curves if is_new else None, deviations, result, one, colour, number=number, marker=marker,
-                        of_points=colour if by_points or len(groups) == 1 else INK3)
+                        of_points=colour if by_points or len(groups) == 1 else INK3, filled=dashes == DASHES[0])
         creepage, computed = result.arrays([f"/curve_{number}/{name}" for name in ("creepage", "coefficient")])
         curves.plot(100 * creepage, computed, color=colour, linestyle=dashes, linewidth=1.8, label=label_of_curve(result, number, group))
     curves.set_title(f"rms {result.number('/rms'):.4f}, bias {result.number('/bias'):.4f}" if len(groups) == 1 else "")
