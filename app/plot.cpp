@@ -22,9 +22,9 @@ namespace microslip::app {
 namespace {
 
 struct PlotArguments {
-  std::string result, folder, other, spins, style;
+  std::string result, folder, spins, style;
   std::filesystem::path points;
-  std::vector<std::string> fields, surfaces, formats;
+  std::vector<std::string> fields, surfaces, formats, others;
   std::optional<int> dpi;
   std::vector<double> cut, stresses; ///< one value, if given
   bool convergence = false, json = false;
@@ -45,9 +45,16 @@ std::vector<std::string> python_arguments(const PlotArguments& given) {
   for (const double y : given.cut) add("cut", fmt::format("{}", y));
   for (const double y : given.stresses) add("stresses", fmt::format("{}", y));
   add("creep-curves", given.spins);
-  add("compare", given.other);
+  for (const auto& other : given.others) add("compare", other);
   if (given.convergence) arguments.emplace_back("--convergence");
   return arguments;
+}
+
+/// Format, resolution and style alone.
+PlotArguments how_it_is_drawn(const PlotArguments& given) {
+  PlotArguments how;
+  how.formats = given.formats, how.dpi = given.dpi, how.style = given.style;
+  return how;
 }
 
 void print_document(const PlotArguments& arguments, const Pictures& pictures) {
@@ -57,46 +64,39 @@ void print_document(const PlotArguments& arguments, const Pictures& pictures) {
   print_json(document);
 }
 
-template <class Comparison>
-int print_points(const PlotArguments& arguments, const Comparison& comparison, const std::vector<std::string>& files) {
-  if (arguments.json) {
-    auto document = json_document("plot");
-    document["input"] = arguments.result;
-    document["measured_points"] = comparison_document(comparison);
-    document["files"] = files;
-    print_json(document);
-  } else {
-    fmt::print("{}\n{}\n", comparison_text(comparison), fmt::join(files, "\n"));
-  }
-  return ExitCode::done;
-}
-
-/// The case of a result of two bodies, or the curves of a sweep, beside measured points.
+/// Results beside measured points: cases of two bodies, and the curves of sweeps.
 int plot_points(const PlotArguments& arguments, const std::filesystem::path& folder) {
-  PlotArguments alone;
-  alone.result = arguments.result, alone.folder = arguments.folder;
+  PlotArguments alone = how_it_is_drawn(arguments);
+  alone.result = arguments.result, alone.folder = arguments.folder, alone.others = arguments.others;
   if (python_arguments(arguments) != python_arguments(alone))
-    throw Error("--points: is drawn by itself, without other options for pictures");
+    throw Error("--points: goes with --compare, --style, --format and --dpi; draw fields and cuts without it");
+  std::vector<std::string> results = {arguments.result};
+  results.insert(results.end(), arguments.others.begin(), arguments.others.end());
+  const auto curves = arguments.others.empty() ? compare_result(arguments.result, arguments.points)
+                                               : compare_results(results, arguments.points);
   const auto attribute = [&](const char* name) { return io::result_attribute(arguments.result, name).value_or(""); };
   const io::Provenance provenance = {.kind = "",
                                      .title = attribute("title"),
                                      .command_line = command_line(),
                                      .case_file = attribute("case_file"),
                                      .case_text = attribute("case_text")};
-  const std::string kind = attribute("kind");
-  if (kind == campaign::sweep_kind) {
-    const auto curves = campaign::compare_sweep(arguments.result, arguments.points);
-    return print_points(arguments, curves, write_comparison(curves, provenance, folder));
+  PlotArguments of_points = how_it_is_drawn(arguments);
+  of_points.result = write_comparison(curves, provenance, folder).string(), of_points.folder = folder.string();
+  Pictures pictures = draw_pictures(python_arguments(of_points));
+  pictures.files.insert(pictures.files.begin(), of_points.result);
+  const bool is_sum = arguments.others.empty() && attribute("kind") != campaign::sweep_kind; // as `solve` has it
+  if (arguments.json) {
+    auto document = json_document("plot");
+    document["input"] = arguments.result;
+    document["measured_points"] = is_sum ? comparison_document(deviations_of(curves)) : comparison_document(curves);
+    document["files"] = pictures.files;
+    print_json(document);
+  } else {
+    fmt::print("{}\n{}\n", is_sum ? comparison_text(deviations_of(curves)) : comparison_text(curves),
+               fmt::join(pictures.files, "\n"));
   }
-  if (kind != "rolling_contact") {
-    const bool is_rail = kind == "wheel_rail" || kind == "wheelset";
-    throw Error(
-        arguments.result + ": --points is for " +
-        (is_rail ? std::string("results of ") + instead_of_wheel : "results of `solve` of two bodies and of `sweep`"));
-  }
-  const auto input = io::parse_case(provenance.case_text, provenance.case_file);
-  const fit::MeasuredComparison comparison = compare_with_points(input, arguments.points);
-  return print_points(arguments, comparison, write_comparison(comparison, provenance, folder, true));
+  if (!pictures.problem.empty()) fmt::print(stderr, "microslip: warning: {}\n", pictures.problem);
+  return ExitCode::done;
 }
 
 int plot(const PlotArguments& arguments) {
@@ -159,10 +159,13 @@ void add_plot_command(Command& program, int& exit_code) {
   command.add_option("--creep-curves SPINS", arguments.spins,
                      "Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4");
   command.add_flag("--convergence", arguments.convergence, "errors of the exact theory over the number of elements");
-  command.add_option("--compare OTHER.h5", arguments.other,
-                     "another result file, side by side with this one, and fields with their differences");
+  command
+      .add_option("--compare OTHER.h5", arguments.others,
+                  "another result file beside this one; may be given again for curves and sweeps")
+      .expected(1)
+      .take_all();
   command.add_option("--points POINTS.csv", arguments.points,
-                     "measured creep curves as of `fit`, beside those of a case of two bodies or of a sweep over the "
+                     "measured creep curves as of `fit`, beside those of cases of two bodies and of sweeps over the "
                      "creepage, with rms and bias");
   add_json_flag(command, arguments.json);
 }

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <type_traits>
@@ -75,9 +74,9 @@ WrittenFiles write(const SolveArguments& arguments, const Input& input, const Re
 
 template <class Input, class Result>
 void print_document(const Input& input, const Result& result, const io::Provenance& provenance,
-                    const WrittenFiles& files, const std::optional<fit::MeasuredComparison>& comparison) {
+                    const WrittenFiles& files, const std::vector<campaign::ComparedCurve>& comparison) {
   io::Json document = cases::case_document(input, result, provenance);
-  if (comparison) document["measured_points"] = comparison_document(*comparison);
+  if (!comparison.empty()) document["measured_points"] = comparison_document(deviations_of(comparison));
   document["files"] = files.results;
   for (const std::string& picture : files.pictures) document["files"].push_back(picture);
   print_json(document);
@@ -99,11 +98,20 @@ void warn_of_old_pictures(const fs::path& folder, const std::vector<std::string>
 
 /// The case beside measured points, if there are any.
 template <class Input>
-std::optional<fit::MeasuredComparison> compare(const SolveArguments& arguments, const Input& input) {
-  if (arguments.points.empty()) return std::nullopt;
+std::vector<campaign::ComparedCurve> compare(const SolveArguments& arguments, const Input& input) {
+  if (arguments.points.empty()) return {};
   if (io::is_csv(arguments.output)) throw Error("--points: needs a folder as output");
   if constexpr (std::is_same_v<Input, io::RollingCase>) return compare_with_points(input, arguments.points);
   throw Error(std::string("--points: is for ") + instead_of_wheel);
+}
+
+/// Writes and draws a case beside measured points.
+void add_comparison(const SolveArguments& arguments, const std::vector<campaign::ComparedCurve>& curves,
+                    const io::Provenance& provenance, WrittenFiles& files) {
+  const fs::path written = write_comparison(curves, provenance, arguments.output);
+  files.pictures.push_back(written.string());
+  if (arguments.no_pictures) return;
+  for (const auto& picture : draw_pictures(written, arguments.output)) files.pictures.push_back(picture);
 }
 
 /// Throws Error unless the output can be written: said before long work.
@@ -119,12 +127,10 @@ template <class Input> int solve(const SolveArguments& arguments, const Input& i
   const auto comparison = compare(arguments, input);
   const auto result = solve_with_progress(input, arguments.case_file.filename().string());
   if (!arguments.json) print_tables(input.title, result_tables(input, result));
-  if (comparison && !arguments.json) fmt::print("{}\n\n", comparison_text(*comparison));
+  if (!comparison.empty() && !arguments.json) fmt::print("{}\n\n", comparison_text(deviations_of(comparison)));
   const io::Provenance provenance = provenance_of(arguments, input, text);
   WrittenFiles files = write(arguments, input, result, provenance);
-  if (comparison)
-    for (const auto& written : write_comparison(*comparison, provenance, arguments.output, !arguments.no_pictures))
-      files.pictures.push_back(written);
+  if (!comparison.empty()) add_comparison(arguments, comparison, provenance, files);
   if (arguments.json)
     print_document(input, result, provenance, files, comparison);
   else

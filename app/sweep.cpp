@@ -167,7 +167,7 @@ private:
   std::optional<campaign::Sweep> sweep_;
   std::size_t kept_ = 0;
   campaign::SweepCount count_;
-  std::vector<campaign::SweepCurve> curves_; ///< those with measured points
+  std::vector<campaign::ComparedCurve> curves_; ///< those with measured points
 };
 
 /// What makes the table where one is asked for. Nothing in a table tells of which sweep it is: none is replaced.

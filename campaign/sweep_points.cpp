@@ -186,13 +186,13 @@ std::vector<CreepState> states_of(const SweepResult& result, bool is_lateral) {
 }
 
 /// The curve through cases, on the side that more of them are on; empty if no case has a creepage.
-SweepCurve curve_through(const std::vector<CreepState>& states) {
+ComparedCurve curve_through(const std::vector<CreepState>& states) {
   std::map<double, const CreepState*> sides[2];
   for (const CreepState& state : states)
     if (std::isfinite(state.coefficient) && state.creepage != 0)
       sides[state.creepage < 0].emplace(std::abs(state.creepage), &state);
   const auto& side = sides[sides[1].size() > sides[0].size()];
-  SweepCurve curve;
+  ComparedCurve curve;
   if (side.empty()) return curve;
   curve.speed = side.begin()->second->speed, curve.normal_force = side.begin()->second->normal_force;
   for (const auto& [creepage, state] : side) {
@@ -203,7 +203,7 @@ SweepCurve curve_through(const std::vector<CreepState>& states) {
 }
 
 /// Coefficient at a creepage between those of the cases.
-double coefficient_at(const SweepCurve& curve, double creepage) {
+double coefficient_at(const ComparedCurve& curve, double creepage) {
   const auto& x = curve.creepage;
   constexpr double rounding = 1e-9;
   const double at = std::clamp(creepage, x.front(), x.back());
@@ -221,24 +221,30 @@ bool is_near(double one, double other) {
 }
 
 /// Adds the points at the curve's speed and load.
-void add_points(SweepCurve& curve, const std::string& text, const std::string& name) {
-  const auto measured =
-      io::read_measured_curves(text, name, {.speed = curve.speed, .normal_force = curve.normal_force});
-  double sum = 0, squares = 0;
-  for (const io::MeasuredPoint& point : measured.points) {
-    if (!is_near(point.speed, curve.speed) || !is_near(point.normal_force, curve.normal_force)) continue;
-    curve.points.push_back(point);
+void add_points(ComparedCurve& curve, const std::string& text, const std::string& name) {
+  curve.measured = io::read_measured_curves(text, name, {.speed = curve.speed, .normal_force = curve.normal_force});
+  std::erase_if(curve.measured.points, [&](const io::MeasuredPoint& point) {
+    return !is_near(point.speed, curve.speed) || !is_near(point.normal_force, curve.normal_force);
+  });
+  for (const io::MeasuredPoint& point : curve.measured.points)
     curve.computed.push_back(coefficient_at(curve, point.creepage));
-    const double deviation = curve.computed.back() - point.coefficient;
-    sum += deviation, squares += deviation * deviation;
-  }
-  const double count = static_cast<double>(std::max<std::size_t>(1, curve.points.size()));
-  curve.bias = sum / count, curve.rms = std::sqrt(squares / count);
+  curve.find_deviations();
 }
 
 } // namespace
 
-std::vector<SweepCurve> compare_sweep(const std::filesystem::path& result_file, const std::filesystem::path& points) {
+void ComparedCurve::find_deviations() {
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < computed.size(); ++i) {
+    const double deviation = computed[i] - measured.points[i].coefficient;
+    sum += deviation, squares += deviation * deviation;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, computed.size()));
+  bias = sum / count, rms = std::sqrt(squares / count);
+}
+
+std::vector<ComparedCurve> compare_sweep(const std::filesystem::path& result_file,
+                                         const std::filesystem::path& points) {
   const std::string text = io::read_case_text(points), name = points.string();
   constexpr io::MeasuringConditions any = {.speed = 1, .normal_force = 1e12}; // large: no force is out of range
   const bool is_lateral = io::read_measured_curves(text, name, any).is_lateral;
@@ -253,13 +259,13 @@ std::vector<SweepCurve> compare_sweep(const std::filesystem::path& result_file, 
     if (place == combinations.size()) combinations.emplace_back(combination, std::vector<CreepState>());
     combinations[place].second.push_back(states[i]);
   }
-  std::vector<SweepCurve> curves;
+  std::vector<ComparedCurve> curves;
   for (const auto& [combination, of_it] : combinations) {
-    SweepCurve curve = curve_through(of_it);
+    ComparedCurve curve = curve_through(of_it);
     if (curve.creepage.empty()) continue;
     curve.name = combination;
     add_points(curve, text, name);
-    if (!curve.points.empty()) curves.push_back(std::move(curve));
+    if (!curve.measured.points.empty()) curves.push_back(std::move(curve));
   }
   if (curves.empty()) throw Error(name + ": no point has a rolling speed and load of " + result.name() + ", to 5 %");
   return curves;

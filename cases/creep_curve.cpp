@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace microslip::cases {
 namespace {
@@ -27,6 +29,39 @@ Variable choose_variable(const EllipticContact& contact) {
   return {"creepage_lateral", "-", &Creepage::lateral, limit / coefficients.c22};
 }
 
+/// How far a curve is from the straight line between two neighbouring points, about: the length squared over 8 times
+/// the second derivative at either end.
+double bend_behind(const CreepCurve& curve, std::size_t first) {
+  const auto second_derivative = [&](std::size_t i) {
+    const auto slope = [&](std::size_t k, double ContactForces::*force) {
+      return (curve.forces[k + 1].*force - curve.forces[k].*force) / (curve.value[k + 1] - curve.value[k]);
+    };
+    const auto change = [&](double ContactForces::*force) { return slope(i, force) - slope(i - 1, force); };
+    const double length = std::abs(curve.value[i + 1] - curve.value[i - 1]) / 2;
+    return std::hypot(change(&ContactForces::fx), change(&ContactForces::fy)) / length;
+  };
+  double largest = 0;
+  for (const std::size_t i : {first, first + 1})
+    if (i > 0 && i + 1 < curve.value.size()) largest = std::max(largest, second_derivative(i));
+  const double length = curve.value[first + 1] - curve.value[first];
+  return length * length / 8 * largest;
+}
+
+/// The first of the two points between which the curve bends most; of straight lines the ones farthest apart.
+std::size_t most_bent(const CreepCurve& curve) {
+  constexpr double evenness = 1e-3; // of the largest force: a smaller bend is not seen
+  double force = std::numeric_limits<double>::min();
+  for (const ContactForces& one : curve.forces) force = std::max(force, std::hypot(one.fx, one.fy));
+  std::size_t most = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < curve.value.size(); ++i) {
+    const double length = (curve.value[i + 1] - curve.value[i]) / (curve.value.back() - curve.value.front());
+    const double bend = bend_behind(curve, i) / force + evenness * length;
+    if (bend > largest) most = i, largest = bend;
+  }
+  return most;
+}
+
 } // namespace
 
 CreepCurve creep_curve(const EllipticContact& contact, int points,
@@ -38,10 +73,16 @@ CreepCurve creep_curve(const EllipticContact& contact, int points,
       .variable = variable.name, .unit = variable.unit, .value = {}, .forces = {}, .point_value = point};
   const double begin = span == CurveSpan::both_signs ? -end : 0;
   auto moved = contact;
-  for (int i = 0; i < points; ++i) {
-    moved.creepage.*variable.member = begin + (end - begin) * i / (points - 1);
-    curve.value.push_back(moved.creepage.*variable.member);
-    curve.forces.push_back(solve(moved));
+  const auto insert = [&](std::size_t at, double value) {
+    moved.creepage.*variable.member = value;
+    curve.value.insert(curve.value.begin() + static_cast<std::ptrdiff_t>(at), value);
+    curve.forces.insert(curve.forces.begin() + static_cast<std::ptrdiff_t>(at), solve(moved));
+  };
+  const int even = std::max(2, points / 2 + 1);
+  for (int i = 0; i < even; ++i) insert(curve.value.size(), begin + (end - begin) * i / (even - 1));
+  for (int i = even; i < points; ++i) {
+    const std::size_t first = most_bent(curve);
+    insert(first + 1, (curve.value[first] + curve.value[first + 1]) / 2);
   }
   return curve;
 }

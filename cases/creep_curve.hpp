@@ -20,9 +20,9 @@ struct CreepCurve {
 /// Where a creep curve begins: at no creepage, or as far on its other side as it goes.
 enum class CurveSpan { from_zero, both_signs };
 
-/// The creep curve through a contact, at evenly spaced points, at least 2. The larger of its longitudinal and lateral
-/// creepage varies, or spin if both are zero, from 0 to three times its value or well into sliding, whichever is more:
-/// 3 mu Fn/(G a b C) with Kalker's C (for spin 3 mu Fn/(G (a b)^(3/2) C23)).
+/// The creep curve through a contact, at least 2 points: one half evenly spaced, the others where it bends most. The
+/// larger of its longitudinal and lateral creepage varies, or spin if both are zero, from 0 to three times its value or
+/// well into sliding, whichever is more: 3 mu Fn/(G a b C) with Kalker's C (for spin 3 mu Fn/(G (a b)^(3/2) C23)).
 CreepCurve creep_curve(const EllipticContact& contact, int points,
                        const std::function<ContactForces(const EllipticContact&)>& solve,
                        CurveSpan span = CurveSpan::from_zero);

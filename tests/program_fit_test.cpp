@@ -133,6 +133,54 @@ TEST(ProgramFit, SweepsOfAWheelAreComparedWithPoints) {
             std::string::npos);
 }
 
+/// A case and a sweep of it go through points that the sweep computed; one with more friction has its bias.
+TEST(ProgramFit, SeveralResultsAreComparedWithPoints) {
+  const TemporaryFolder folder;
+  const std::string example_case = MICROSLIP_SOURCE_DIR "/examples/creep_curve.toml";
+  std::string slippery = contents(example_case);
+  const std::string coefficient = "static_coefficient = 0.3\n";
+  slippery.replace(slippery.find(coefficient), coefficient.size(), "static_coefficient = 0.2\n");
+  std::ofstream(folder / "slippery.toml") << slippery;
+  std::ofstream(folder / "sweep.toml")
+      << "title = \"Sweep\"\ncase = \"" + example_case + "\"\n[grid]\n"
+      << "motion.creepage_longitudinal = { from = 1e-3, to = 0.1, count = 9, scale = \"logarithmic\" }\n";
+  program_document(folder, "sweep sweep.toml -o sweep.h5");
+  program_document(folder, "solve " + example_case + " -o case --no-pictures");
+  program_document(folder, "solve slippery.toml -o slippery --no-pictures");
+  const Hdf5Reader file(folder / "sweep.h5");
+  const auto creepage = file.values<double>("parameters/motion.creepage_longitudinal", H5T_NATIVE_DOUBLE);
+  const auto force = file.values<double>("contact/fx", H5T_NATIVE_DOUBLE);
+  std::ofstream measured(folder / "points.csv");
+  measured << "creepage_longitudinal,force\n";
+  for (std::size_t i = 0; i < force.size(); ++i) measured << fmt::format("{},{}\n", creepage[i], -force[i]);
+  measured.close();
+  const auto drawn = program_document(folder, "plot case/result.h5 --compare sweep.h5 --compare slippery/result.h5 "
+                                              "--points points.csv --style paper --format svg -o drawn");
+  const auto& curves = drawn.at("measured_points");
+  ASSERT_EQ(curves.size(), 3U);
+  const std::string names[] = {"case", "sweep.h5", "slippery"}; // two have the same title
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(curves[k].at("name"), names[k]);
+  EXPECT_LT(curves[0].at("rms").get<double>(), 1e-9);
+  EXPECT_LT(curves[1].at("rms").get<double>(), 1e-9);
+  EXPECT_LT(curves[2].at("bias").get<double>(), -0.01);
+  EXPECT_TRUE(std::filesystem::exists(folder / "drawn/measured_points.svg"));
+  const Hdf5Reader written(folder / "drawn/measured_points.h5");
+  const auto fine = written.values<double>("curve_0/creepage", H5T_NATIVE_DOUBLE);
+  EXPECT_NEAR(fine.front(), 1e-3, 1e-15);
+  EXPECT_NEAR(fine.back(), 0.1, 1e-12);
+  EXPECT_GT(fine.size(), force.size());
+
+  const auto refused = [&](const std::string& arguments, const std::string& words) {
+    const Outcome outcome = run_program(folder, "plot case/result.h5 " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
+  };
+  refused("--compare sweep.h5 --points points.csv --field px", "--points: goes with --compare");
+  refused("--compare sweep.h5", "with --points POINTS.csv results of `solve` of two bodies and of `sweep` are drawn");
+  program_document(folder, "solve " MICROSLIP_SOURCE_DIR "/examples/wheel_on_rail.toml -o wheel --no-pictures");
+  refused("--compare wheel/result.h5 --points points.csv", "[ellipse] of a patch's area");
+}
+
 TEST(ProgramFit, RefusesWithTheNearestWord) {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string& arguments, const std::string& words) {

@@ -48,7 +48,7 @@ def study(name, *pictures, slow=False):
 def gallery():
     """All that the page of the gallery shows, by the commands that it names, one after the other in a folder with the examples."""
     page = (ROOT / "docs" / "gallery.md").read_text()
-    commands = "\n".join(re.findall(r"```sh\n(.*?)\n```", page, re.DOTALL))
+    commands = "\n".join(re.findall(r"(?<!-->\n)```sh\n(.*?)\n```", page, re.DOTALL))
     pictures = {image: path for path, image in re.findall(r"<!-- picture: (\S+) -->\n!\[[^]]*\]\(images/(\S+)\)", page)}
     return Source(f"cp -r examples {{folder}} && cd {{folder}} && set -e\n{commands}", pictures, slow=True)
 

@@ -1,17 +1,14 @@
-"""Draws what wear.py wrote: plot.py FOLDER [PICTURE], by default FOLDER/wear.png."""
+"""Draws what wear.py wrote: plot.py FOLDER [PICTURE], by default FOLDER/wear.png. Colours and letters are those of
+microslip's pictures."""
 
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import SIZES_OF_LINES
-
-SECOND, GREY = "#a3182b", "#67747f"
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from microslip.picture_style import INK, RED, SIZES_OF_LINES, names_above, new_figure, open_axes, style
 
 
 def read_profiles(folder):
@@ -26,7 +23,7 @@ def draw_profiles(axes, profiles, colours):
     axes.set_aspect("equal")
     axes.set_xlim(-72, 62)
     axes.set_ylabel("z [mm], up")
-    axes.set_title("Profiles of the wheel", fontsize=10, loc="left")
+    axes.set_title("Profiles of the wheel")
 
 
 def depth_between(new, old):
@@ -43,20 +40,19 @@ def draw_depths(axes, profiles, colours):
     axes.set_xlim(-72, 62)
     axes.set_xlabel("y [mm], to the field side")
     axes.set_ylabel("depth [mm]")
-    axes.set_title("What is worn off, along the normal", fontsize=10, loc="left")
+    axes.set_title("What is worn off, along the normal")
 
 
-def draw_course(axes, distance, rate, thickness, height):
-    axes.step(distance, rate, where="post", color=GREY)
-    axes.set_xlabel("distance [km]")
-    axes.set_ylabel("wear rate [mm$^2$ per 1000 km]", color=GREY)
+def draw_course(axes, other, distance, rate, thickness, height):
+    axes.step(distance, rate, where="post", color=INK)
+    axes.set_ylabel("wear rate\n[mm² per 1000 km]")
     axes.set_ylim(0, None)
-    axes.set_title("Wear rate and flange", fontsize=10, loc="left")
-    other = axes.twinx()
-    other.plot(distance, height - height[0], color=SECOND, label="height")
-    other.plot(distance, thickness - thickness[0], color=SECOND, linestyle="--", label="thickness")
-    other.set_ylabel("change of the flange [mm]", color=SECOND)
-    other.legend(frameon=False, fontsize=8, loc="center right")
+    axes.set_title("Wear rate and flange")
+    other.plot(distance, height - height[0], color=INK, label="height")
+    other.plot(distance, thickness - thickness[0], color=RED, linestyle="--", label="thickness")
+    other.set_ylabel("change of the\nflange [mm]")
+    other.set_xlabel("distance [km]")
+    names_above(other, fontsize="small")
 
 
 def main():
@@ -64,15 +60,19 @@ def main():
     picture = Path(sys.argv[2]) if len(sys.argv) > 2 else folder / "wear.png"
     profiles = read_profiles(folder)
     distance, rate, height, thickness, _ = np.genfromtxt(folder / "wear.csv", delimiter=",", skip_header=1, unpack=True)
-    norm = matplotlib.colors.Normalize(0, distance[-1])
+    norm = Normalize(0, distance[-1])
     colours = [SIZES_OF_LINES(norm(km)) for km, _ in profiles]
-    figure, axes = plt.subplots(3, 1, figsize=(8, 9), layout="constrained", height_ratios=(1.1, 1, 1))
-    draw_profiles(axes[0], profiles, colours)
-    draw_depths(axes[1], profiles, colours)
-    draw_course(axes[2], distance, rate, thickness, height)
-    figure.colorbar(matplotlib.cm.ScalarMappable(norm, SIZES_OF_LINES), ax=axes[:2], label="distance [km]")
     part = picture.with_suffix(".part.png")
-    figure.savefig(part, dpi=130)
+    with style():
+        figure = new_figure(7.0, 8.6)
+        axes = figure.subplots(4, 1, height_ratios=(0.9, 1.2, 0.8, 0.8))
+        draw_profiles(axes[0], profiles, colours)
+        draw_depths(axes[1], profiles, colours)
+        draw_course(axes[2], axes[3], distance, rate, thickness, height)
+        for one in axes:
+            open_axes(one)
+        figure.colorbar(ScalarMappable(norm, SIZES_OF_LINES), ax=axes[:2], label="distance [km]")
+        figure.savefig(part)
     part.replace(picture)
 
 

@@ -9,12 +9,11 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 import microslip
-from microslip.picture_style import (GREEN, GRID, INK, INK3, LINE, SERIES, SIZES, THEORIES, bodies_of, heading, new_figure,
+from microslip.picture_style import (GREEN, GRID, INK, INK3, LINE, LINES, SIZES, THEORIES, bodies_of, heading, new_figure,
                                      number, open_axes, put_title, shown, the, unit_for, with_unit)
 from microslip.result_file import ResultError
 from microslip.solved_contacts import label_along_x, read_contacts
 
-LINE_COLOURS = SERIES[3:] + SERIES[:3]  # those of theories last
 CURVE_GRID, CURVE_CELLS = 16, 20  # elements and cells across: a picture needs no more
 GRIDS = (8, 12, 16, 24, 32, 48)
 LEVELS = 16
@@ -79,7 +78,7 @@ def creep_curves_picture(result, spins=()):
     put_title(figure, heading("Creep curves, no lateral creepage", result, forces))
     for axes, name, label in zip(figure.subplots(1, 2, sharex=True), ("fx", "fy"), ("$F_x$", "$F_y$")):
         open_axes(axes)
-        for row, (spin, colour) in enumerate(zip(spins, LINE_COLOURS * len(spins))):
+        for row, (spin, colour) in enumerate(zip(spins, LINES * len(spins))):
             for theory, style in (("exact", "-"), (simplified, "--")):
                 force = shown(getattr(forces[theory], name)[row], limit) / limit
                 axes.plot(1e3 * creepages, force, style, color=colour, linewidth=2,
@@ -104,7 +103,7 @@ def convergence_picture(result):
             raise
         raise ResultError(f"{result.path}: this picture compares second order with classical elements, and needs similar "
                           "elastic bodies, Coulomb's law, no layer and no temperatures") from None
-    figure = new_figure(7.2, 6)
+    figure = new_figure(7.0, 6)
     axes = figure.subplots()
     open_axes(axes)
     for name, colour in (("second_order", INK), ("classical", GREEN)):
@@ -201,7 +200,8 @@ def stresses_picture(result, contact, which, y):
     to_scale = 1 / 3 < 4 * a / (3.2 * size) < 3
     figure = new_figure(12, 2.2 + 4.4 * (0.8 * size / a if to_scale else 1), layout="compressed" if to_scale else "constrained")
     bodies = bodies_of(result)
-    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result))
+    put_title(figure, heading(f"Stresses in {bodies[0]} and {bodies[1]}{which}, y = {number(y)} mm", result)
+              + f"\nhatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
     for axes, (measure, text) in zip(figure.subplots(1, 2, sharey=True), measures.items()):
         axes.axhspan(-1e3 * depth[0], 1e3 * depth[0], facecolor=GRID, hatch="xxxx", edgecolor=LINE, linewidth=0)
         draw_section(figure, axes, x, depth, {body: scale * getattr(states, measure) for body, states in sections.items()}, unit)
@@ -211,8 +211,7 @@ def stresses_picture(result, contact, which, y):
                    for body, who in zip((1, 2), bodies)]
         axes.set_title("\n".join([text, "largest for all y: " + largest[0], largest[1]]))
         scale_text = "" if to_scale else "\n(not to the scale of z)"
-        axes.set_xlabel(f"{label_along_x(result)}{scale_text}\n"
-                        f"hatched: nearer to the surface than 3/4 of an element, {with_unit(depth[0], 'm')}, not resolved")
+        axes.set_xlabel(f"{label_along_x(result)}{scale_text}")
         axes.locator_params(axis="x", nbins=7)
     figure.axes[0].set_ylabel(f"z [mm]: {bodies[0]} above, {bodies[1]} below")
     return figure

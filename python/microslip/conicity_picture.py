@@ -3,9 +3,8 @@
 import numpy as np
 
 from microslip.contact_points_picture import draw_contact_points
-from microslip.picture_style import RAIL, SERIES, heading, new_figure, open_axes, put_title
+from microslip.picture_style import LINES, RAIL, heading, names_above, new_figure, open_axes, put_title
 
-COLOURS = SERIES
 JUMP = 1e-8  # [m], displacements that are closer are the two sides of a jump of the contact
 
 
@@ -20,22 +19,22 @@ def conicity_pictures(result):
 def conicity_picture(result):
     """Conicity over the amplitude; rolling radius difference, contact angle difference and height over the displacement."""
     amplitude, gauges = 1e3 * result.array("/amplitude"), result.array("/gauges")
-    figure = new_figure(9, 8.5)
+    figure = new_figure(7.0, 8.2)
     put_title(figure, heading("Equivalent conicity", result))
     conicity, *others = figure.subplots(4, 1, height_ratios=(2.2, 1, 1, 1))
     for k, gauge in enumerate(gauges):
-        colour, group, label = COLOURS[k % len(COLOURS)], f"/gauge_{k}", f"gauge {1e3 * gauge:.2f} mm"
+        colour, group, label = LINES[k % len(LINES)], f"/gauge_{k}", f"gauge {1e3 * gauge:.2f} mm"
         values = result.array(f"{group}/conicity", finite=False)
         conicity.plot(amplitude, values, color=colour, linewidth=1.6, label=label)
         if len(gauges) == 1:
             band = np.minimum(0.05, 0.5 * values)
             conicity.fill_between(amplitude, values - band, values + band, color=colour, alpha=0.15, linewidth=0,
-                                  label="\N{PLUS-MINUS SIGN}min(0.05, half the conicity), the narrow band of EN 15302")
+                                  label="\N{PLUS-MINUS SIGN}min(0.05, half of it), narrow band of EN 15302")
         draw_over_displacement(others, result, f"{group}/curve", colour)
     conicity.set_xlabel("amplitude [mm]")
     conicity.set_ylabel("equivalent conicity [-]")
     conicity.set_ylim(bottom=0)
-    conicity.legend(loc="best")
+    names_above(conicity, most=2, fontsize="small")
     others[-1].set_xlabel("lateral displacement [mm], to the left")
     for axes in (conicity, *others):
         open_axes(axes)
@@ -62,14 +61,14 @@ def draw_over_displacement(axes, result, group, colour):
         lines = [one.axvline(1e3 * y[jump], linestyle=":", color=colour, linewidth=0.8) for jump in jumps]
         one.set_ylabel(label)
         if lines and one is axes[0]:
-            one.legend(lines[:1], ["contact jumps"], loc="upper left", frameon=True, edgecolor="none")
+            one.legend(lines[:1], ["contact jumps"], loc="upper left", frameon=True, edgecolor="none", fontsize="small")
 
 
 def contact_points_picture(result):
     """Points of contact of the left wheel, and of the right one if it or its rail is another, over the displacement at the first
     gauge; lines at both ends of a jump are bold."""
     sides = [side for side in ("left", "right") if f"profiles/{side}_rail" in result]
-    figure = new_figure(9, 4.6 * len(sides) + 0.4)
+    figure = new_figure(7.6, 4.0 * len(sides) + 0.4)
     put_title(figure, heading("Contact points of the left wheel" if len(sides) == 1 else "Contact points of both wheels", result))
     y, radii = result.arrays([f"/gauge_0/curve/{name}" for name in ("lateral", "rolling_radius_difference")])
     jumps = jumps_of(y, radii)

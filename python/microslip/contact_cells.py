@@ -16,6 +16,8 @@ MOST_CELLS = 400
 PIXELS = 600
 # Arrows along the contact's longer axis.
 MOST_ARROWS = 16
+# The longest arrow in parts of the axes' width, where x and y have different scales.
+LONGEST_IN_WIDTH = 0.055
 # Shorter ones, in parts of the longest, are left out.
 LEAST_ARROW = 0.02
 # Areas that are smaller, in parts of the contact, have no word in them.
@@ -273,9 +275,10 @@ class ContactCells:
         keep = np.hypot(*found) > LEAST_ARROW * longest
         if only == SLIP and self.has_boundary():
             keep &= self.at(self.stickiness(), x, y, False) < 0
-        if self.true_to_scale() and longest > 0:
+        if longest > 0:
+            lengths = [self.arrow_length(apart)] * 2 if self.true_to_scale() else [2.3 * LONGEST_IN_WIDTH * axis for axis in (self.a, self.b)]
             for side in (-0.5, 0.5):
-                ends = [at + side * self.arrow_length(apart) / longest * size for at, size in zip((x, y), found)]
+                ends = [at + side * length / longest * size for at, length, size in zip((x, y), lengths, found)]
                 keep &= self.outline.contain(*ends)
         return x[keep], y[keep], found[0][keep], found[1][keep]
 

@@ -2,6 +2,7 @@
 the bodies where points were asked for."""
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from microslip.contact_cells import EXTERIOR, ContactCells
 from microslip.cut_picture import shade
@@ -38,7 +39,7 @@ def contact_run_pictures(result):
 def forces_picture(result):
     """Forces on body 1 over the cases, of each patch."""
     numbers, patches = (result.array(f"/cases/{name}") for name in ("number", "patch"))
-    figure = new_figure(8.4, 5)
+    figure = new_figure(7.0, 5.6)
     panels = figure.subplots(2, 1, sharex=True)
     drawn = ((panels[0], "normal_force", INK, "$F_n$"), (panels[1], "fx", ALONG, "$F_x$"), (panels[1], "fy", ACROSS, "$F_y$"))
     values = {name: result.array(f"/cases/{name}", finite=False) for _, name, _, _ in drawn}
@@ -48,16 +49,18 @@ def forces_picture(result):
         label = f", patch {int(patch)}" if patch > 0 else ""
         for axes, name, colour, symbol in drawn:
             scale, _ = unit_for(largest[axes], "N")
-            axes.plot(numbers[chosen], scale * shown(values[name][chosen], max(largest.values()), STEADY), color=colour,
-                      marker="osD^v<>"[int(patch) % 7], markersize=3, linewidth=1, label=symbol + label)
-    for axes, what in zip(panels, ("normal force", "forces on body 1")):
+            forces = scale * shown(values[name][chosen], max(largest.values()), STEADY)
+            axes.plot(numbers[chosen], forces, "osD^v<>"[int(patch) % 7], color=colour, markersize=4, label=symbol + label)
+            axes.plot(numbers[chosen], forces, color=colour, linewidth=0.8, alpha=0.4)
+    for axes, what in zip(panels, ("normal force", "force on body 1")):
         axes.set_ylabel(f"{what} [{unit_for(largest[axes], 'N')[1]}]")
         open_axes(axes)
         axes.ticklabel_format(useOffset=False)
         names_above(axes)
         show_noise_as_a_line(axes)
     panels[1].set_xlabel("case")
-    panels[1].xaxis.get_major_locator().set_params(integer=True)
+    panels[1].set_xlim(numbers.min() - 0.5, numbers.max() + 0.5)
+    panels[1].xaxis.set_major_locator(MaxNLocator(integer=True))
     put_title(figure, heading("Forces", result))
     return figure
 

@@ -1,11 +1,10 @@
-"""Measured creep curves with fitted ones and their bands, or with those of a case."""
+"""Measured creep curves with fitted ones and their bands."""
 
 import numpy as np
 from matplotlib.ticker import StrMethodFormatter
 
-from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SKY_BLUE, VERMILION, heading, new_figure, open_axes, put_title
+from microslip.picture_style import INK2, LINES, heading, new_figure, open_axes, put_title
 
-COLOURS = (BLUE, VERMILION, GREEN, ORANGE, SKY_BLUE, GREY)
 CONDITIONS = ("run", "rolling_speed", "normal_force")
 
 
@@ -14,80 +13,49 @@ def creep_curve_fit_pictures(result):
     return {"creep_curve_fit.png": creep_curve_fit_picture(result)}
 
 
-def measured_points_pictures(result):
-    """The picture of a result file of kind measured_points, by file name."""
-    return {"measured_points.png": measured_points_picture(result)}
-
-
 def creep_curve_fit_picture(result):
     """Points over the logarithm of the creepage; each curve with the 95 % bands of the curve and of further points; below the
     deviations of the points."""
     figure, curves, deviations = panels("Fitted creep curves", result)
     for k in range(int(result.number("/curves"))):
-        colour, group = COLOURS[k % len(COLOURS)], f"/curve_{k}"
+        colour, group = LINES[k % len(LINES)], f"/curve_{k}"
         conditions = [result.number(f"{group}/{name}") for name in CONDITIONS]
         draw_points(curves, deviations, result, conditions, colour)
         draw_curve(curves, result, group, colour, label_of(result, conditions), k == 0)
     curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
-    curves.legend(loc="best")
+    curves.legend(loc="lower right", fontsize="small")
     return figure
-
-
-def measured_points_picture(result):
-    """Points with the curve of a case through what it has at their creepages; below the deviations of the points."""
-    figure, curves, deviations = panels("Measured points", result)
-    every = list(zip(*result.arrays([f"/points/{name}" for name in CONDITIONS])))
-    if "/curves" in result:
-        draw_sweep(curves, deviations, result, every)
-        every = []
-    for k, conditions in enumerate(sorted(set(every), key=every.index)):
-        colour = COLOURS[k % len(COLOURS)]
-        creepage, computed = draw_points(curves, deviations, result, conditions, colour)
-        order = np.argsort(creepage)
-        curves.plot(100 * creepage[order], computed[order], color=colour, linewidth=1.6, label=label_of(result, conditions))
-    curves.set_title(f"rms {result.number('/rms'):.4f}, bias {result.number('/bias'):.4f}")
-    curves.set_ylim(bottom=min(0, float(np.min(result.array("/points/coefficient")))))
-    curves.legend(loc="best")
-    return figure
-
-
-def draw_sweep(curves, deviations, result, every):
-    """The curves of a sweep, each with the points of the run of its number."""
-    for k in range(int(result.number("/curves"))):
-        colour, group = COLOURS[k % len(COLOURS)], f"/curve_{k}"
-        for conditions in sorted({one for one in every if one[0] == k}):
-            draw_points(curves, deviations, result, conditions, colour)
-        creepage, computed = result.arrays([f"{group}/creepage", f"{group}/coefficient"])
-        name = result.text("/runs").split("\n")[k]
-        label = f"{name + ': ' if name else ''}rms {result.number(group + '/rms'):.4f}"
-        curves.plot(100 * creepage, computed, color=colour, linewidth=1.6, label=label)
 
 
 def panels(what, result):
     """A figure with its axes for curves and for deviations."""
-    figure = new_figure(9, 7)
+    figure = new_figure(7, 6.2)
     put_title(figure, heading(what, result))
     curves, deviations = figure.subplots(2, 1, height_ratios=(3, 1), sharex=True)
-    deviations.axhline(0, color=GREY, linewidth=0.8)
+    deviations.axhline(0, color=INK2, linewidth=0.8)
     curves.set_xscale("log")
     curves.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
     curves.set_ylabel("adhesion coefficient [-]")
-    deviations.set_ylabel("measured - computed [-]")
+    deviations.set_ylabel("measured \N{MINUS SIGN}\ncomputed [-]")
     deviations.set_xlabel("creepage [%]")
     for axes in (curves, deviations):
         open_axes(axes)
     return figure, curves, deviations
 
 
-def draw_points(curves, deviations, result, conditions, colour):
-    """The points of a run, speed and load. Returns their creepages and what is computed there."""
+def draw_points(curves, deviations, result, conditions, colour, number=None, marker="o", of_points=None, filled=True):
+    """The points of a run, speed and load, and what they differ by from a curve: the fitted one, or that of a number. Without
+    `curves` the differences alone."""
     creepage, measured, computed = result.arrays([f"/points/{name}" for name in ("creepage", "coefficient", "fitted")])
     here = np.all([values == value for values, value in zip(result.arrays([f"/points/{name}" for name in CONDITIONS]), conditions)],
                   axis=0)
+    if number is not None:
+        here &= result.array("/points/curve") == number
     creepage, measured, computed = creepage[here], measured[here], computed[here]
-    curves.plot(100 * creepage, measured, "o", color=colour, markersize=3.5, alpha=0.6)
-    deviations.plot(100 * creepage, measured - computed, "o", color=colour, markersize=3, alpha=0.6)
-    return creepage, computed
+    if curves is not None:
+        curves.plot(100 * creepage, measured, marker, color=of_points or colour, markersize=3.5, alpha=0.6)
+    deviations.plot(100 * creepage, measured - computed, marker, color=colour, markersize=3, alpha=0.6,
+                    fillstyle="full" if filled else "none")
 
 
 def label_of(result, conditions):

@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from microslip.picture_style import (ACROSS, GREEN, GRID, INK, INK3, MAGENTA, SIZES_OF_LINES, new_figure, open_axes,
-                                     put_title, round_up)
+from microslip.picture_style import (GRID, INK, INK3, LOOKS, SIZES_OF_LINES, THEORIES, new_figure, open_axes, put_title,
+                                     round_up)
 
 # Rms error of the simplified theory itself (table 1 of the paper, parabolic bound, three flexibilities).
 THEORY_ERROR = {"fx": 0.026, "fy": 0.039}
 FORCES = {"fx": "$F_x$", "fy": "$F_y$"}
-# Group: name, colour, marker.
-ALGORITHMS = {
-    "fastsim": ("FASTSIM", ACROSS, "o"),
-    "fastsim_half_step": ("FASTSIM, half first step", GREEN, "^"),
-    "fastsim2": ("FASTSIM2", MAGENTA, "s"),
+# Group: marker.
+MARKERS = {
+    "fastsim": "o",
+    "fastsim_half_step": "^",
+    "fastsim2": "s",
 }
 
 
@@ -38,7 +38,7 @@ def distributions(result, grids):
         axes.set_xlim(0, round_up(np.quantile(errors[min(1, len(grids) - 1)], 0.95)))
         axes.set_ylim(0, 100)
         axes.set_xlabel(r"$|\Delta F_y|\,/\,(\mu F_n)$ [-]")
-        axes.set_title(ALGORITHMS[algorithm][0])
+        axes.set_title(THEORIES[algorithm])
     panels[0].set_ylabel("share of the cases [%]")
     panels[1].legend(title="cells", loc="lower right", frameon=True, framealpha=0.9, edgecolor="none")
     return figure
@@ -51,14 +51,16 @@ def convergence(result, grids):
     panels = figure.subplots(1, 2, sharey=True)
     for axes, (force, label) in zip(panels, FORCES.items()):
         open_axes(axes)
-        for algorithm, (name, colour, marker) in ALGORITHMS.items():
+        for algorithm, marker in MARKERS.items():
             computed = result.array(f"/{algorithm}/rms_{force}")
-            axes.loglog(grids, computed, color=colour, marker=marker, markersize=5, linewidth=1.6, label=name)
+            colour, dashes = LOOKS[algorithm]
+            axes.loglog(grids, computed, color=colour, linestyle=dashes, marker=marker, markersize=5, linewidth=1.6,
+                        label=THEORIES[algorithm])
         for algorithm in ("fastsim", "fastsim2"):
-            name, colour, marker = ALGORITHMS[algorithm]
-            axes.loglog(grids, result.array(f"/published/{algorithm}/rms_{force}"), color=colour, marker=marker,
-                        markersize=10, markerfacecolor="none", linestyle="none", label=f"{name}, published")
-        axes.axhline(THEORY_ERROR[force] / 10, color=INK, linestyle="--", linewidth=1.2,
+            axes.loglog(grids, result.array(f"/published/{algorithm}/rms_{force}"), color=LOOKS[algorithm][0],
+                        marker=MARKERS[algorithm], markersize=10, markerfacecolor="none", linestyle="none",
+                        label=f"{THEORIES[algorithm]}, published")
+        axes.axhline(THEORY_ERROR[force] / 10, color=INK, linewidth=1.2,
                      label="a tenth of the theory's own error")
         axes.set_xticks(grids, [str(grid) for grid in grids])
         axes.minorticks_off()
@@ -81,4 +83,4 @@ def slopes(panels, result, grids):
             axes.annotate(str(order), (right, (high * low) ** 0.5), xytext=(4, 0), textcoords="offset points",
                           va="center", size="small")
             axes.annotate("1", ((left * right) ** 0.5, high), xytext=(0, 3), textcoords="offset points", ha="center",
-                          fontsize=9)
+                          size="small")

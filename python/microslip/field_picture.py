@@ -128,10 +128,11 @@ def field_surface(result, contacts, name):
     field = FieldOfContacts(result, contacts, name)
     if any(cells.is_regular and min(cells.x.shape) == 1 for cells in field.cells.values()):
         raise ResultError(f"{result.path}: a single row of elements has no surface; --field and --cut show it")
-    figure = new_figure(5.0 * len(field.values) + 1, 4.9)
+    figure = new_figure(5.0 * len(field.values) + 1, 4.6, layout="none")
     put_title(figure, heading(field.heading(), result, field.cells))
     along_x = f"x [mm], rolling {'against' if rolls_backward(result) else 'along'} x" if tells_direction(result) else "x [mm]"
-    panels = [figure.add_subplot(1, len(field.values), number + 1, projection="3d") for number in range(len(field.values))]
+    share = 0.9 / len(field.values)
+    panels = [figure.add_axes((number * share, 0.0, share, 0.96), projection="3d") for number in range(len(field.values))]
     surfaces = {key: field.cells[key].surface(value, field.vanishes) for key, value in field.values.items()}
     heights = [height for meshes in surfaces.values() for *_, height in meshes]
     low, high = min(0, *map(np.nanmin, heights)), max(0, *map(np.nanmax, heights))
@@ -147,13 +148,14 @@ def field_surface(result, contacts, name):
         axes.set_xlim(left, right)
         axes.set_ylim(front, back)
         axes.set_zlim(low, high if high > low else low + 1)
-        axes.set_xlabel(along_x, labelpad=8)
-        axes.set_ylabel("y [mm]", labelpad=8)
+        axes.set_xlabel(along_x, labelpad=4)
+        axes.set_ylabel("y [mm]", labelpad=4)
         axes.set_box_aspect((grid.a, grid.b, 0.7 * max(grid.a, grid.b)) if min(grid.a, grid.b) > 0.3 * max(grid.a, grid.b)
-                            else (1, 1, 0.7), zoom=0.92)
+                            else (1, 1, 0.7), zoom=0.98)
         axes.tick_params(axis="x", labelrotation=0, pad=1)
         axes.locator_params(nbins=6)
         axes.view_init(elev=32, azim=-125)
-        axes.set_title(label_of(key))
-    figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), ax=panels, label=field.label(), shrink=0.6, pad=0.1)
+        axes.text2D(0.12, 0.86, label_of(key), transform=axes.transAxes)
+    bar = figure.add_axes((0.915, 0.2, 0.014, 0.55))
+    figure.colorbar(ScalarMappable(norm=field.scale, cmap=field.colours), cax=bar, label=field.label())
     return figure

@@ -2,17 +2,18 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, VERMILION, heading, new_figure, open_axes, put_title
+from microslip.picture_style import (ACROSS, ALONG, INK2, INK3, RED, heading, new_figure, open_axes,
+                                     put_title)
 
 # Response: what it is in the legend, colour, dashes.
 CREEP_FORCES = {
-    "fx_by_creepage_longitudinal": (r"$F_x$ by longitudinal creepage $\xi$", BLUE, "-"),
-    "fy_by_creepage_lateral": (r"$F_y$ by lateral creepage $\eta$", VERMILION, "-"),
-    "fy_by_spin": (r"$F_y$ by spin $\phi$", GREEN, "--"),
+    "fx_by_creepage_longitudinal": (r"$F_x$ by longitudinal creepage $\xi$", ALONG, "-"),
+    "fy_by_creepage_lateral": (r"$F_y$ by lateral creepage $\eta$", ACROSS, "-"),
+    "fy_by_spin": (r"$F_y$ by spin $\phi$", RED, "--"),
 }
 BY_LOAD = {
-    "fx_by_normal_force": (r"$F_x$ by normal force $F_n$", BLUE, ":"),
-    "fy_by_normal_force": (r"$F_y$ by normal force $F_n$", VERMILION, ":"),
+    "fx_by_normal_force": (r"$F_x$ by normal force $F_n$", ALONG, ":"),
+    "fy_by_normal_force": (r"$F_y$ by normal force $F_n$", ACROSS, ":"),
 }
 NOTHING = 1e-6  # of the largest response of a force: no response
 
@@ -25,7 +26,7 @@ def frequency_response_pictures(result):
 def frequency_response_picture(result):
     """Sizes in parts of those of endless waves, with the contact filter, and lags below."""
     wavelength, frequency = 1e3 * result.array("/wavelength"), result.array("/frequency")
-    figure = new_figure(7.2, 6.4)
+    figure = new_figure(7.0, 6.6)
     put_title(figure, heading("Response to oscillations", result))
     size, lag = figure.subplots(2, 1, sharex=True, height_ratios=(1.3, 1))
     shown = {**CREEP_FORCES, **BY_LOAD}
@@ -35,16 +36,16 @@ def frequency_response_picture(result):
             continue
         size.plot(wavelength, np.abs(ratio), dashes, color=colour, linewidth=1.8, label=label)
         lag.plot(wavelength, np.degrees(-np.unwrap(np.angle(ratio)[::-1])[::-1]), dashes, color=colour, linewidth=1.8)
-    size.plot(wavelength, np.abs(result.array("/contact_filter")), color=GREY, linewidth=1.2, label="contact filter of roughness")
+    size.plot(wavelength, np.abs(result.array("/contact_filter")), color=INK3, linewidth=1.2, label="contact filter of roughness")
     for axes in (size, lag):
         open_axes(axes)
         axes.set_xscale("log")
-        axes.axhline(0, color=BLACK, linewidth=0.8)
+        axes.axhline(0, color=INK2, linewidth=0.8)
     size.set_ylim(bottom=0)
     size.set_ylabel("size, of that of endless waves [-]")
     lag.set_ylabel("lag [deg]")
     lag.set_xlabel("wavelength along the track [mm]")
-    size.legend(loc="upper center", bbox_to_anchor=(0.5, -0.04), ncols=2)
+    lag.legend(*size.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(-0.01, -0.24), ncols=2, fontsize="small", handlelength=2.6)
     put_frequencies(size, wavelength, frequency)
     return figure
 

@@ -1,13 +1,11 @@
 """A friction law: the coefficient over the slip velocity, a curve for each pressure and temperature of a table."""
 
-import matplotlib
 import numpy as np
 
-from microslip.picture_style import BLUE, heading, new_figure, number, open_axes, put_title
+from microslip.picture_style import INK, SIZES_OF_LINES, heading, new_figure, number, open_axes, put_title
 
 # Slip velocities below a metre in a second are shown in mm/s.
 FAST = 1.0
-COLOURS = matplotlib.colormaps["viridis"]
 
 
 def friction_law_picture(result):
@@ -15,7 +13,7 @@ def friction_law_picture(result):
     velocities = result.array("/friction_law/slip_velocity")
     curves = result.array("/friction_law/coefficient", dimensions=2)
     factor, unit = (1, "m/s") if velocities[-1] >= FAST else (1e3, "mm/s")
-    figure = new_figure(7.2, 4.6)
+    figure = new_figure(7.0, 4.6)
     axes = figure.subplots()
     open_axes(axes)
     labels, colours = labels_of(result, len(curves)), colours_of(len(curves))
@@ -47,4 +45,4 @@ def labels_of(result, count):
 
 def colours_of(count):
     """One colour, or shades from the first curve to the last."""
-    return [BLUE] if count == 1 else [COLOURS(0.85 * k / (count - 1)) for k in range(count)]
+    return [INK] if count == 1 else [SIZES_OF_LINES(k / (count - 1)) for k in range(count)]

@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from microslip.picture_style import ACROSS, GREEN, INK, INK3, MAGENTA, new_figure, open_axes, put_title
+from microslip.picture_style import ACROSS, GRID, INK, INK3, LOOKS, new_figure, open_axes, put_title
 
 CASES = {
     "case1": "case 1: parabolic bound, small spin",
     "case2": "case 2: parabolic bound, large spin",
     "case3": "case 3: elliptic bound",
 }
-# Group: name, colour, marker, its size.
+# Group: name, colour, marker, its size; FASTSIM takes the first step, FASTSIM2 the last one.
 STRATEGIES = {
-    "backward_euler": ("backward Euler", ACROSS, "^", 6),
-    "theta_method": ("theta method", GREEN, "D", 5),
-    "tracked": ("tracked boundaries", MAGENTA, "o", 5),
+    "backward_euler": ("backward Euler", LOOKS["fastsim"][0], "^", 6),
+    "theta_method": ("theta method", ACROSS, "D", 5),
+    "tracked": ("tracked boundaries", LOOKS["fastsim2"][0], "o", 5),
 }
 
 
@@ -39,7 +39,7 @@ def draw_case(panels, result, case):
     s = result.arrays([f"/{case}/x_exact", f"/{case}/s_exact"], finite=False)[1]
     for axes in panels:
         open_axes(axes)
-    panels[0].fill_between(x, -bound, bound, color="0.93", linewidth=0)
+    panels[0].fill_between(x, -bound, bound, color=GRID, alpha=0.6, linewidth=0)
     panels[0].plot(x, bound, "--", color=INK3, linewidth=1.2, label="bound on |u|")
     panels[0].plot(x, -bound, "--", color=INK3, linewidth=1.2)
     for axes, exact in zip(panels, (u, s)):

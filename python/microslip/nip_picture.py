@@ -11,7 +11,7 @@ from microslip.solved_contacts import label_along_x, slip_unit
 def nip_picture(result, grid):
     """The exact theory's cells with what the rollers' user asks of them in the title."""
     row = int(np.argmax(grid.bound.max(axis=1)))
-    figure = new_figure(7.2, 5.8)
+    figure = new_figure(7.0, 5.8)
     put_title(figure, f"{heading('Nip', result)}\n{results(result)}")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.7, 1))
     draw_pressure(above, result, grid, row)

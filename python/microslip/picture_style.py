@@ -11,9 +11,12 @@ import matplotlib
 import numpy as np
 from cycler import cycler
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import Collection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Annotation
 
@@ -26,10 +29,11 @@ WHEEL, WHEEL_FILL, RAIL, RAIL_FILL = "#3d5166", "#c3cedb", "#66543f", "#e0d5c6"
 ROLLING = "#0b6b78"  # the rolling direction, and points to look at
 # Components along and across the rolling direction.
 ALONG, ACROSS = "#4b3fb0", "#8a6a00"
-# Curves that stand for nothing of the above, and the same colours by the names of hues.
+# Curves that stand for nothing of the above.
 MAGENTA, GREEN = "#a3267f", "#1d9a86"
-SERIES = (INK, MAGENTA, GREEN, ALONG, ACROSS, "#a3182b")
-BLACK, GREY, ORANGE, SKY_BLUE, BLUE, VERMILION = INK, INK3, SLIDES, STICKS, "#33529c", "#a3182b"
+RED = "#a3182b"
+SERIES = (INK, MAGENTA, GREEN, ALONG, ACROSS, RED)
+LINES = SERIES[3:] + SERIES[:3]  # those of theories last
 
 # Maps of even steps of lightness: sizes, friction where it sticks and where it slides, and values of both signs.
 SIZES = LinearSegmentedColormap.from_list("microslip_sizes", ("#faf9de", "#cfe6be", "#93d6b2", "#5dc0b4", "#2ca6b8", "#1589b0",
@@ -71,15 +75,18 @@ SETTINGS = {
     "savefig.pad_inches": 0.08,
 }
 
-# What each style changes. A paper's pictures of one panel fit a column of 90 mm, those of two panels the page; slides are read
+# What each style changes. A width of 7 inches becomes a paper's column of 85 mm, one of 14 its page of 170 mm; slides are read
 # from afar.
 STYLES = {
     "page": {},
-    "paper": {"figure.figsize": (4.2, 3.15), "font.size": 8, "figure.titlesize": 9, "axes.titlesize": 8, "xtick.labelsize": 7,
-              "ytick.labelsize": 7, "legend.fontsize": 7, "axes.linewidth": 0.6, "savefig.dpi": 300},
+    "paper": {"figure.figsize": (3.06, 2.295), "font.size": 7, "figure.titlesize": 7.5, "axes.titlesize": 7, "xtick.labelsize": 6.5,
+              "ytick.labelsize": 6.5, "legend.fontsize": 6.5, "axes.linewidth": 0.6, "savefig.dpi": 300},
     "slides": {"figure.figsize": (7.2, 5.4), "font.size": 14, "figure.titlesize": 17, "axes.titlesize": 14, "xtick.labelsize": 13,
                "ytick.labelsize": 13, "legend.fontsize": 13, "axes.linewidth": 1.2, "savefig.dpi": 200},
 }
+
+
+LINE_SCALES = {"page": 1, "paper": 0.6, "slides": 1.3}
 
 
 def settings_of(style):
@@ -123,6 +130,8 @@ PREFIXES_OF = {"Pa": ("Mk", 0.1), "m": ("mµn", 1.0), "N": ("Mkmµn", 1.0)}
 LINE_OF_TEXT, LINE_WITH_SYMBOLS = 1.05, 1.3
 # Letters in a line of an explanation, in parts of those of a title: without symbols, and with some, whose names are longer than they.
 LETTERS_OF_TEXT, LETTERS_OF_SYMBOLS = 1.15, 1.8
+# The widest legend above axes, in parts of their share of the figure.
+WIDTH_OF_LEGEND = 0.84
 # Letters in a line of a title, in inches of the figure's width.
 LETTERS_PER_INCH = 9.5
 
@@ -148,7 +157,7 @@ def put_title(figure, text):
     below = [part for line in others
              for part in textwrap.wrap(line, max(24, int(letters * (LETTERS_OF_SYMBOLS if "$" in line else LETTERS_OF_TEXT))))]
     height = sum(LINE_WITH_SYMBOLS if "$" in line else LINE_OF_TEXT for line in below) * matplotlib.rcParams["font.size"] / size
-    figure.suptitle("\n".join(title + [" "] * math.ceil(height + 0.4 * bool(below))), x=0.008, ha="left")
+    figure.suptitle("\n".join(title + [" "] * math.ceil(height + 0.2 * bool(below))), x=0.008, ha="left")
     if below:
         explanation = Annotation("\n".join(below), (0, 1), xycoords=figure._suptitle, va="top", color=INK2, annotation_clip=False,
                                  xytext=(0, -1.25 * size * len(title)), textcoords="offset points")
@@ -211,11 +220,27 @@ def new_figure(width, height, layout="constrained"):
 
 
 def names_above(axes, most=4, **how):
-    """A legend in a row above the axes."""
+    """A legend above the axes, in as many columns as fit their width."""
     handles, labels = axes.get_legend_handles_labels()
-    if handles:
-        axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=min(most, len(handles)), borderaxespad=0.1,
-                    handlelength=2.6, **how)
+    grid = axes.get_subplotspec().get_gridspec()
+    width = WIDTH_OF_LEGEND * axes.figure.bbox.width / grid.ncols
+    for columns in range(min(most, len(handles)), 0, -1):
+        legend = axes.legend(handles, labels, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=columns, borderaxespad=0.1,
+                             handlelength=2.6, columnspacing=1.4, **how)
+        if legend.get_window_extent(axes.figure.canvas.get_renderer()).width <= width:
+            break
+
+
+def scale_lines(figure, style_name):
+    """Makes the lines and marks of a figure thinner or bolder, as its style's letters are smaller or larger."""
+    factor = LINE_SCALES[style_name]
+    if factor == 1:
+        return
+    for artist in figure.findobj(lambda one: isinstance(one, (Line2D, Patch, Collection))):
+        artist.set_linewidth(factor * np.asarray(artist.get_linewidth()))
+        if isinstance(artist, Line2D):
+            artist.set_markersize(factor * artist.get_markersize())
+            artist.set_markeredgewidth(factor * artist.get_markeredgewidth())
 
 
 def vanishing(values, largest):

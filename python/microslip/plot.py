@@ -11,11 +11,12 @@ import threading
 import matplotlib
 
 from microslip import computed_pictures
+from microslip.compared_curves import compared_curves, is_swept, require_one_kind
 from microslip.comparison_picture import comparison_picture
 from microslip.conicity_picture import conicity_pictures
 from microslip.contact_cells import cells_of  # noqa: F401, microslip.plot.cells_of
 from microslip.contact_run_pictures import cases_of_run, contact_run_pictures
-from microslip.creep_curve_fit_picture import creep_curve_fit_pictures, measured_points_pictures
+from microslip.creep_curve_fit_picture import creep_curve_fit_pictures
 from microslip.cut_picture import cut_picture
 from microslip.difference_picture import difference_picture
 from microslip.fastsim2_table1_pictures import fastsim2_table1_pictures
@@ -23,8 +24,9 @@ from microslip.fastsim2_table2_pictures import fastsim2_table2_pictures
 from microslip.field_picture import FIELDS, field_map, field_surface
 from microslip.frequency_response_picture import frequency_response_pictures
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
+from microslip.measured_points_picture import measured_points_pictures
 from microslip.model_problem_picture import model_problem_pictures
-from microslip.picture_style import STYLES, settings_of
+from microslip.picture_style import STYLES, scale_lines, settings_of
 from microslip.picture_style import style as in_style
 from microslip.profile_picture import profile_pictures
 from microslip.profiles_picture import profiles_pictures
@@ -86,25 +88,24 @@ def pictures(result):
     return PICTURES_OF_KIND[kind](result)
 
 
-def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, other=None):
+def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, convergence=False, stresses=None, others=()):
     """Figures that are asked for, by file name: fields as maps and surfaces, cut and stresses at y [mm], on rails in each
     patch's frame; of two bodies also creep curves for spins [1/m] (empty: chosen from the contact) and convergence. With
-    another open result file fields are drawn beside its own, with their differences."""
+    other open result files their curves are drawn together, with one other fields beside its own with their differences."""
     asked = {"--field": fields, "--surface": surfaces, "--cut": cut is not None, "--stresses": stresses is not None,
-             "--creep-curves": spins is not None, "--convergence": convergence, "--compare": other}
-    for one in (result, other):
-        if one:
-            check_options(one, [option for option, wanted in asked.items() if wanted])
+             "--creep-curves": spins is not None, "--convergence": convergence, "--compare": others}
+    for one in (result, *others):
+        check_options(one, [option for option, wanted in asked.items() if wanted])
     if result.attribute("kind") == "contact_run":
-        figures = pictures_of_cases(result, () if other else fields, surfaces, cut)
-        return {**figures, **(compared_pictures(result, other, fields) if other else {})}
-    contacts = read_contacts(result) if (fields and not other) or surfaces or cut is not None else {}
-    figures = {} if other else {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
+        figures = pictures_of_cases(result, () if others else fields, surfaces, cut)
+        return {**figures, **(compared_pictures(result, others, fields) if others else {})}
+    contacts = read_contacts(result) if (fields and not others) or surfaces or cut is not None else {}
+    figures = {} if others else {f"field_{name}.png": field_map(result, contacts, name) for name in fields}
     figures.update({f"surface_{name}.png": field_surface(result, contacts, name) for name in surfaces})
     if cut is not None:
         figures["cut.png"] = cut_picture(result, contacts, cut)
-    if other is not None:
-        figures.update(compared_pictures(result, other, fields))
+    if others:
+        figures.update(compared_pictures(result, others, fields))
     if spins is not None:
         figures["creep_curves.png"] = computed("creep_curves", "creep_curves_picture", result, spins)
     if convergence:
@@ -114,19 +115,26 @@ def chosen_pictures(result, fields=(), surfaces=(), cut=None, spins=None, conver
     return figures
 
 
-def compared_pictures(result, other, fields):
-    """Figures of two results by file name: differences of fields, and of two bodies both side by side."""
-    kinds = [one.attribute("kind") for one in (result, other)]
-    if kinds[0] != kinds[1]:
-        raise ResultError(f"{other.path}: is of kind '{kinds[1]}', {result.path} of kind '{kinds[0]}'")
-    results = (result, other)
-    if kinds[0] == "contact_run":
+def compared_pictures(result, others, fields):
+    """Figures of several results by file name: their curves, or of two in one state differences of fields, and of two bodies
+    both side by side."""
+    results = (result, *others)
+    if len(others) > 1 or is_swept(result) or is_swept(others[0]):
+        if fields:
+            raise ResultError(f"{result.path}: --field compares two results of one state; without it their curves are compared")
+        return {"compared_curves.png": compared_curves(results)}
+    other, of_two_bodies = others[0], result.attribute("kind") == "rolling_contact"
+    require_one_kind(results)
+    if result.attribute("kind") == "contact_run":
         return compared_cases(results, fields or FIELDS_TO_COMPARE)
-    of_two_bodies = kinds[0] == "rolling_contact"
     fields = fields or (() if of_two_bodies else FIELDS_TO_COMPARE)
     contacts = [read_contacts(one) for one in results] if fields else []
     figures = {f"difference_{name}.png": difference_picture(results, contacts, name) for name in fields}
-    return {**figures, "comparison.png": comparison_picture(result, other)} if of_two_bodies else figures
+    if of_two_bodies:
+        figures["comparison.png"] = comparison_picture(result, other)
+        if all("creep_curve" in one for one in results) and not fields:
+            figures["compared_curves.png"] = compared_curves(results)
+    return figures
 
 
 def compared_cases(results, fields):
@@ -155,6 +163,8 @@ def check_options(result, options):
     """Throws for options that a file's kind does not have; says which it has."""
     kind = result.attribute("kind")
     has = OPTIONS_OF_CONTACTS + (OPTIONS_OF_TWO_BODIES if kind == "rolling_contact" else ()) if kind in KINDS else ()
+    if kind in ("sweep", "conicity"):
+        has = ("--compare",)
     if kind == "contact_run":
         has = OPTIONS_OF_RUNS
     wrong = [option for option in options if option not in has]
@@ -178,12 +188,17 @@ def computed(name, function, *arguments):
 
 def figures(path, style="page", **chosen):
     """The figures of a result file by file name: all of its kind, or those that are asked for, see chosen_pictures; `other`
-    is a path too. `style`: page, paper or slides. For notebooks: figures("result.h5", fields=["pressure"])["field_pressure.png"]."""
+    is the path of one more result, or a list of paths. `style`: page, paper or slides. For notebooks: figures("result.h5", fields=["pressure"])["field_pressure.png"]."""
     with contextlib.ExitStack() as files, in_style(style):
         result = files.enter_context(ResultFile(path))
-        if chosen.get("other"):
-            chosen["other"] = files.enter_context(ResultFile(chosen["other"]))
-        return chosen_pictures(result, **chosen) if chosen else pictures(result)
+        other = chosen.pop("other", None) or []
+        if other:
+            paths = [other] if isinstance(other, (str, os.PathLike)) else other
+            chosen["others"] = [files.enter_context(ResultFile(one)) for one in paths]
+        drawn = chosen_pictures(result, **chosen) if chosen else pictures(result)
+        for figure in drawn.values():
+            scale_lines(figure, style)
+        return drawn
 
 
 def is_creep_table(path):
@@ -202,7 +217,9 @@ def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0
             import microslip
             from microslip.creep_table_picture import creep_table_picture
             table = microslip.CreepForceTable(path, poisson_ratio=poisson_ratio)
-            return {"creep_table.png": creep_table_picture(table, axis_ratio, poisson_ratio, spins)}
+            figure = creep_table_picture(table, axis_ratio, poisson_ratio, spins)
+            scale_lines(figure, style)
+            return {"creep_table.png": figure}
         except ImportError as error:
             raise ResultError(f"creep_table.png needs the compiled module of microslip: {error}") from None
         except ValueError as error:
@@ -325,7 +342,7 @@ def parse(arguments):
                         help="Fx and Fy over the longitudinal creepage by both theories, for spins [1/m], e.g. 0,0.2,0.4")
     parser.add_argument("--convergence", action="store_true", help="errors of the exact theory over the number of elements")
     parser.add_argument("--stresses", metavar="Y", type=float, help="stresses inside both bodies in the plane of y [mm]")
-    parser.add_argument("--compare", metavar="OTHER.h5", help="this result beside another; fields with their differences")
+    parser.add_argument("--compare", metavar="OTHER.h5", action="append", help="this result beside another; may be given again for curves")
     parser.add_argument("--axis-ratio", metavar="A/B", type=float, help="of a creep-force table: semi-axis along x over that along y")
     parser.add_argument("--poisson-ratio", metavar="NU", type=float, help="of a creep-force table: Poisson's ratio")
     parser.add_argument("--spins", metavar="SPINS", type=numbers,

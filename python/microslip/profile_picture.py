@@ -2,19 +2,21 @@
 
 import numpy as np
 
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, heading, new_figure, open_axes, put_title
+from microslip.picture_style import (GREEN, INK2, INK3, LINE, RAIL, RED, WHEEL, heading, new_figure, open_axes,
+                                     put_title)
 
 
 def profile_pictures(result):
     """The picture of a result file of kind profile, by file name."""
     y, z, s, angle, curvature = result.arrays([f"/curve/{name}" for name in ("y", "z", "s", "angle", "curvature")])
-    figure = new_figure(9, 8.5)
+    figure = new_figure(7.0, 7.4)
     put_title(figure, heading(result.text("/role"), result))
-    shape, inclination, bend = figure.subplots(3, 1, height_ratios=(2.6, 1, 1))
-    draw_shape(shape, result, y, z)
-    inclination.plot(1e3 * s, np.degrees(np.unwrap(angle)), color=BLUE, linewidth=1.4)
+    shape, inclination, bend = figure.subplots(3, 1, height_ratios=(1.9, 1, 1))
+    colour = WHEEL if result.text("/role") == "wheel" else RAIL
+    draw_shape(shape, result, y, z, colour)
+    inclination.plot(1e3 * s, np.degrees(np.unwrap(angle)), color=colour, linewidth=1.4)
     inclination.set_ylabel("inclination [deg]")
-    bend.plot(1e3 * s, curvature, color=BLUE, linewidth=1)
+    bend.plot(1e3 * s, curvature, color=colour, linewidth=1)
     bend.set_ylabel("curvature [1/m]")
     bend.set_ylim(*robust_range(curvature))
     bend.set_xlabel("length along the curve from the gauge side [mm]")
@@ -25,14 +27,14 @@ def profile_pictures(result):
     return {"profile.png": figure}
 
 
-def draw_shape(axes, result, y, z):
+def draw_shape(axes, result, y, z, colour):
     """The curve to scale, the points it was laid through or smoothed from, kinks, and what is measured on it."""
     open_axes(axes)
     points = result.arrays(["/measured/y", "/measured/z"])
-    axes.plot(*(1e3 * values for values in points), ".", color=ORANGE, markersize=3, label="points")
-    axes.plot(1e3 * y, 1e3 * z, color=BLUE, linewidth=1.4, label="spline")
+    axes.plot(*(1e3 * values for values in points), ".", color=LINE, markersize=5, label="points")
+    axes.plot(1e3 * y, 1e3 * z, color=colour, linewidth=1.4, label="spline")
     if "kinks" in result:
-        axes.plot(*(1e3 * values for values in result.arrays(["/kinks/y", "/kinks/z"])), "D", color=VERMILION,
+        axes.plot(*(1e3 * values for values in result.arrays(["/kinks/y", "/kinks/z"])), "D", color=RED,
                   markersize=6, markerfacecolor="none", label="kinks")
     if "dimensions/tape_line" in result:
         mark_tape_line(axes, result)
@@ -42,8 +44,8 @@ def draw_shape(axes, result, y, z):
     axes.set_xlabel("y [mm], to the field side")
     axes.set_ylabel("z [mm], up")
     # A rail's inside and a wheel's upper side are free.
-    axes.legend(loc="lower center" if "dimensions/gauge_y" in result else "upper left")
-    axes.text(0.01, 0.02, dimensions_text(result), transform=axes.transAxes, fontsize=9, color=BLACK, va="bottom")
+    axes.legend(loc="lower center" if "dimensions/gauge_y" in result else "upper left", fontsize="small")
+    axes.text(0.01, 0.02, dimensions_text(result), transform=axes.transAxes, color=INK2, va="bottom", size="small")
 
 
 RING = {"linestyle": "none", "marker": "o", "color": GREEN, "markersize": 7, "markerfacecolor": "none", "markeredgewidth": 1.6}
@@ -92,4 +94,4 @@ def mark_kinks(axes, result, y, z, s):
     if "kinks" not in result:
         return
     for kink_y, kink_z in zip(*result.arrays(["/kinks/y", "/kinks/z"])):
-        axes.axvline(1e3 * s[np.argmin(np.hypot(y - kink_y, z - kink_z))], color=GREY, linestyle=":", linewidth=1)
+        axes.axvline(1e3 * s[np.argmin(np.hypot(y - kink_y, z - kink_z))], color=INK3, linestyle=":", linewidth=1)

@@ -2,12 +2,10 @@
 
 from itertools import count, takewhile
 
-import matplotlib
 import numpy as np
 
-from microslip.picture_style import GREY, heading, new_figure, open_axes, put_title
+from microslip.picture_style import INK3, SIZES_OF_LINES, heading, new_figure, open_axes, put_title
 
-COLOURS = "viridis"
 MOST_NAMES = 24  # in a legend
 ORIGINS = {"wheel": ("y [mm] from the tape line, to the field side", "z [mm] from the tape circle, up"),
            "rail": ("y [mm] from the gauge point, to the field side", "z [mm] from the top, up")}
@@ -27,11 +25,11 @@ def profiles_pictures(result):
 
 
 def draw_profiles(axes, result, role, groups):
-    """Curves to scale, in the order of their names from dark to light."""
+    """Curves to scale, in the order of their names from light to dark."""
     open_axes(axes)
-    axes.axvline(0, color=GREY, linewidth=0.8, linestyle="--")
-    axes.axhline(0, color=GREY, linewidth=0.8, linestyle="--")
-    shades = matplotlib.colormaps[COLOURS](np.linspace(0, 0.9, len(groups)))
+    axes.axvline(0, color=INK3, linewidth=0.8, linestyle="--")
+    axes.axhline(0, color=INK3, linewidth=0.8, linestyle="--")
+    shades = SIZES_OF_LINES(np.linspace(0, 1, len(groups)))
     for group, shade in zip(groups, shades):
         y, z = result.arrays([f"{group}/y", f"{group}/z"])
         axes.plot(1e3 * y, 1e3 * z, color=shade, linewidth=1, label=result.text(f"{group}/file"))

@@ -4,17 +4,16 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
-from microslip.picture_style import (ACROSS, ALONG, GREEN, INK, INK3, MAGENTA, SLIDES, SOFT_STICKS, new_figure, open_axes,
-                                     put_title)
+from microslip.picture_style import (ACROSS, ALONG, GREEN, INK, INK3, LOOKS, MAGENTA, RED, SIZES_OF_LINES, SLIDES, STICKS,
+                                     new_figure, open_axes, put_title)
 
 FORCE = r"$-F_x\,/\,(\mu F_n)$ [-]"
-GRID_COLOURS = (ACROSS, GREEN, ALONG, MAGENTA)
 MARKERS = "o^sDvP"
 # Group: label, colour, dashes.
 TRACTIONS = {
-    "plain_1": (r"$\delta q = \delta x$", MAGENTA, "-"),
+    "plain_1": (r"$\delta q = \delta x$", INK, "-"),
     "plain_5": (r"$\delta q = 5\,\delta x$", ALONG, "-"),
-    "corrected_1": (r"$\delta q = \delta x$, corrected", GREEN, "-"),
+    "corrected_1": (r"$\delta q = \delta x$, corrected", RED, "-"),
     "corrected_5": (r"$\delta q = 5\,\delta x$, corrected", ALONG, "--"),
 }
 EDGES = {
@@ -25,7 +24,7 @@ EDGES = {
     "theta_80": (r"$\theta = 0.8$", GREEN),
     "true_edge": ("true edge", INK3),
 }
-STATES = {1: ("sticks", SOFT_STICKS), 2: ("slides", SLIDES)}
+STATES = {1: ("sticks", STICKS), 2: ("slides", SLIDES)}
 
 
 def refinement_pictures(result):
@@ -45,9 +44,9 @@ def draw_creep_curve(result):
     axes = figure.subplots()
     open_axes(axes)
     scaled = result.array("/creep_curve/scaled")
-    for group, label, colour, dashes in (("plain", "exact theory", INK, "-"),
-                                         ("corrected", "exact theory, leading edge corrected", GREEN, "-."),
-                                         ("fastsim2", "FASTSIM2, 50 × 50 cells", MAGENTA, "--")):
+    for group, label, colour, dashes in (("plain", "exact theory", *LOOKS["exact"]),
+                                         ("corrected", "exact theory, leading edge corrected", ALONG, (0, (1, 1.4))),
+                                         ("fastsim2", "FASTSIM2, 50 × 50 cells", *LOOKS["fastsim2"])):
         axes.plot(scaled, result.array(f"/creep_curve/{group}"), color=colour, linestyle=dashes, linewidth=1.7,
                   label=label)
     axes.plot(0.7, result.number("/limit"), "o", color=INK, markerfacecolor="none", label="the test: limit")
@@ -68,8 +67,8 @@ def draw_steps(result):
     for axes, group, title in zip(panels, ("plain", "corrected"), ("Figure 2: without the correction at the leading edge",
                                                                    r"Figure 6: with it, $\theta = 0.5$")):
         open_axes(axes)
-        for row, across, colour, marker in zip(result.array(f"/steps/{group}", dimensions=2), grids, GRID_COLOURS,
-                                               MARKERS):
+        for row, across, colour, marker in zip(result.array(f"/steps/{group}", dimensions=2), grids,
+                                               SIZES_OF_LINES(np.linspace(0, 1, len(grids))), MARKERS):
             axes.plot(steps, row, color=colour, marker=marker, markersize=5, label=f"{across:.0f} × {across:.0f}")
         axes.axhline(result.number("/limit"), color=INK3, linestyle="--", linewidth=1.2, label="limit")
         axes.set_title(title)

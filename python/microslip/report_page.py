@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from microslip import plot
 from microslip.contact_cells import read_cells
-from microslip.picture_style import BLACK, SETTINGS, THEORIES, new_figure, open_axes
+from microslip.picture_style import INK, SETTINGS, THEORIES, new_figure, open_axes
 from microslip.report_checks import checks
 from microslip.report_sweep import sweep_tables
 from microslip.report_template import FOLDER, address, environment, is_number, template_name
@@ -238,7 +238,7 @@ def profiles_picture(result):
     names = [name for name in BODIES if f"profiles/{name}" in result]
     figure = new_figure(2.8 * max(2, len(names)), 2.4)
     for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
-        axes.plot(*(1e3 * result.array(f"profiles/{name}/{axis}") for axis in "yz"), color=BLACK, linewidth=1.2)
+        axes.plot(*(1e3 * result.array(f"profiles/{name}/{axis}") for axis in "yz"), color=INK, linewidth=1.2)
         axes.set_title(name.replace("_", " "))
         axes.set_aspect("equal", adjustable="datalim")
         axes.set_xlabel("y [mm]")

@@ -128,6 +128,20 @@ class ResultFile:
             return [f"{group}/{name}" for group in groups if group in self._file for name, dataset in self._file[group].items()
                     if isinstance(dataset, h5py.Dataset) and dataset.dtype.kind == "f"]
 
+    def scalars_of(self, group):
+        """Numbers and texts without dimensions in a group and its groups, by their names from there."""
+        found = {}
+
+        def add(name, item):
+            if isinstance(item, h5py.Dataset) and item.shape == ():
+                value = item[()]
+                found[name] = float(value) if item.dtype.kind in "iuf" else _decoded(value)
+
+        with self._reading(group):
+            if group in self._file:
+                self._file[group].visititems(add)
+        return found
+
     def entry(self, name, index):
         """An entry of a dataset, as a number or as text."""
         dataset = self._dataset(name)

@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 
-from microslip.contact_cells import ADHESION, SLIP, is_line_contact, read_cells
+from microslip.contact_cells import ADHESION, LONGEST_IN_WIDTH, SLIP, is_line_contact, read_cells
 from microslip.creep_curve_picture import creep_curve_picture
 from microslip.friction_law_picture import friction_law_picture
 from microslip.history_picture import history_picture
@@ -136,13 +136,13 @@ def draw_arrows(axes, cells, grid, arrows, longest, key_text):
         return
     length = max(other.arrow_length() for other in cells.values())
     if not grid.true_to_scale():
-        scaling = {"angles": "uv", "scale_units": "width", "scale": longest / 0.08}
+        scaling = {"angles": "uv", "scale_units": "width", "scale": longest / LONGEST_IN_WIDTH}
     else:
         scaling = {"angles": "xy", "scale_units": "xy", "scale": longest / length}
     drawn = axes.quiver(*arrows, pivot="middle", color=INK, units="width", width=0.0045, headwidth=3.6, headlength=4.2,
                         headaxislength=3.9, minlength=0.6, zorder=4, **scaling)
     key = round_down(longest)
-    axes.quiverkey(drawn, 0.8, 0.05, key, key_text(key), labelpos="E", coordinates="axes",
+    axes.quiverkey(drawn, 0.7, 0.05, key, key_text(key), labelpos="E", coordinates="axes",
                    fontproperties={"size": matplotlib.rcParams["legend.fontsize"]})
 
 

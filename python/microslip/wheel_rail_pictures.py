@@ -94,7 +94,7 @@ def patches_picture(result, patches):
     wide = u[1] - u[0] > 1.3 * (x[1] - x[0])
     scale = (9 if wide else 4.4) / (u[1] - u[0])
     height = scale * (x[1] - x[0])
-    figure = new_figure(10.5 if wide else 10.5, (2 * height + 2.4) if wide else height + 1.8, layout="compressed")
+    figure = new_figure(10.5, (2 * height + 2.4) if wide else height + 1.8, layout="compressed")
     texts = [patch_text(result, k, len(cells.outline.parts)) for k, cells in enumerate(patches)]
     put_title(figure, "\n".join([heading("Patches on the unrolled rail head", result), *texts]))
     pressure, areas = figure.subplots(2, 1) if wide else figure.subplots(1, 2)
@@ -241,7 +241,7 @@ def gap_picture(result):
     at = np.linspace(rail_y.min(), rail_y.max(), 4001)
     gap = envelope(wheel_y, wheel_z, at, False) - envelope(rail_y, rail_z, at, True)
     top_y = rail_y[np.argmax(rail_z)]
-    figure = new_figure(9, 8.8)
+    figure = new_figure(7.6, 7.4)
     put_title(figure, heading("Wheel and rail cut open, seen forward", result))
     shape, distance = figure.subplots(2, 1, height_ratios=(2.1, 1), sharex=True)
     draw_section(shape, (rail_y - top_y, rail_z), (wheel_y - top_y, wheel_z))
@@ -333,7 +333,7 @@ def contact_points_picture(result):
     else:
         state, on_rail, on_wheel, force = np.zeros(0, dtype=int), np.zeros(0), np.zeros(0), np.zeros(0)
     width = 0.4 + 1.6 * np.nan_to_num(force / max(np.nanmax(force, initial=0), 1e-300))
-    figure = new_figure(9, 5)
+    figure = new_figure(7.6, 4.4)
     put_title(figure, heading("Contact points", result))
     axes = figure.subplots()
     lines = draw_contact_points(axes, (rail_y, rail_z), (wheel_y, wheel_z), (on_rail, envelope_at(rail_y, rail_z, on_rail, True)),
@@ -364,7 +364,7 @@ def plot_states(axes, values, results, dashes, color, label):
 def forces_picture(result):
     """Forces on the wheel, their split on patches, contact angles, T-gamma and power over what a sweep varies."""
     label, values = varied(result)
-    figure = new_figure(7.6, 9)
+    figure = new_figure(7.0, 8.6)
     put_title(figure, heading("Forces on the wheel", result))
     forces, loads, angles, wear = figure.subplots(4, 1, sharex=True)
     both = {name: result.array(f"/wheel/{name}", finite=False) for name in ("force_x", "force_y")}

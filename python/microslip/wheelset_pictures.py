@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from microslip.picture_style import (INK, SERIES, heading, names_above, new_figure, number, open_axes, put_title, unit_for,
+from microslip.picture_style import (INK, RED, heading, names_above, new_figure, number, open_axes, put_title, unit_for,
                                      with_unit)
 from microslip.pressure_picture import pressure_picture
 from microslip.solved_contacts import patch_cells
@@ -32,7 +32,7 @@ def wheelset_picture(result):
     for one, force, text in ((axes[0], "force_y", "lateral force, to the left"), (axes[1], "force_z", "vertical force")):
         of_sides = {side: result.array(f"/{side}/wheel/{force}", finite=False) for side in ("left", "right")}
         scale, unit = unit_for(max(np.nanmax(np.abs(forces), initial=0) for forces in of_sides.values()), "N")
-        for (side, forces), colour, dashes in zip(of_sides.items(), (INK, SERIES[5]), ("-", "--")):
+        for (side, forces), colour, dashes in zip(of_sides.items(), (INK, RED), ("-", "--")):
             plot_states(one, values, scale * forces, dashes, color=colour, label=f"{side} wheel")
         one.set_ylabel(f"{text} [{unit}]")
         names_above(one)

@@ -83,7 +83,8 @@ class ChosenPicturesTest(FolderTest):
     def test_comparison_has_the_totals_of_both(self):
         other = self.folder / "other.h5"
         write_rolling_contact(other, creepage=(0.003, 0, 0))
-        figure = self.chosen(other=other)
+        figure = plot.figures(self.path, other=other)["comparison.png"]
+        self.assertIn("motion.creepage_longitudinal = 0.001 (A), 0.003 (B)", title_of(figure.subfigs[0]))
         table = next(axes.tables[0] for part in figure.subfigs for axes in part.axes if axes.tables)
         cells = {position: cell.get_text().get_text() for position, cell in table.get_celld().items()}
         numbers = [[float(cells[row, column].split()[0].replace("\N{MINUS SIGN}", "-")) for column in (1, 2, 3)]

@@ -39,7 +39,7 @@ class SweepPictureTest(unittest.TestCase):
         self.assertEqual([line.get_label() for line in axes.lines], ["a.word = one", "a.word = two"])
         np.testing.assert_array_equal(axes.lines[1].get_xdata(), [0, 1e3, 2e3, 3e3])
         np.testing.assert_allclose(axes.lines[1].get_ydata(), [0.001, 1.001, 2.001, np.nan])
-        self.assertEqual(axes.get_ylabel(), "contact/fx [kN]")
+        self.assertEqual(axes.get_ylabel(), "$F_x$ on body 1 [kN]")
 
     def test_rounding_is_no_curve(self):
         _, moments = self.picture((2, 4), {"contact/mz": 1e-14 * np.arange(8)})

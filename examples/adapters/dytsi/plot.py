@@ -1,30 +1,28 @@
 """Draws limit cycles that critical_speed wrote: plot.py PICTURE CYCLES.csv... A file is named after its law; `LAW-steel.csv`
-is the law with the shear modulus of steel."""
+is the law with the shear modulus of steel. Colours and letters are those of microslip's pictures, from its Python package."""
 
 import pathlib
 import re
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
+from microslip.picture_style import ALONG, LOOKS, THEORIES, new_figure, open_axes, style
 
-LAWS = {"dytsi": ("Shen, Hedrick & Elkins", "#0072b2", "s"), "shen_hedrick_elkins": ("Shen, Hedrick & Elkins", "#0072b2", "s"),
-        "fastsim2": ("FASTSIM2", "#d55e00", "o"), "table": ("creep-force table", "#009e73", "^")}
+SHEN_HEDRICK_ELKINS = ("Shen, Hedrick & Elkins", (ALONG, ":"), "s")
+LAWS = {"dytsi": SHEN_HEDRICK_ELKINS, "shen_hedrick_elkins": SHEN_HEDRICK_ELKINS,
+        **{theory: (THEORIES[theory], LOOKS[theory], marker) for theory, marker in (("fastsim2", "o"), ("table", "^"))}}
 LEAST = 3e-3  # least_amplitude in stability.hpp [m]
 
 
 def draw(axes, file):
     """Amplitudes over the speed, with the linear critical speed as a line from the axis."""
-    label, colour, marker = LAWS[file.stem.removesuffix("-steel")]
+    label, (colour, dashes), marker = LAWS[file.stem.removesuffix("-steel")]
     linear = float(re.search(r"critical speed ([\d.]+)", file.read_text()).group(1))
     speed, amplitude = np.genfromtxt(file, delimiter=",", skip_header=2, unpack=True)
     lives = amplitude >= LEAST
-    axes.plot(speed[lives], 1e3 * amplitude[lives], marker + "-", color=colour, markersize=4, linewidth=1, fillstyle="none",
+    axes.plot(speed[lives], 1e3 * amplitude[lives], marker, linestyle=dashes, color=colour, markersize=4, linewidth=1.4, fillstyle="none",
               label=f"{label}: {speed[lives].min():.1f}, {linear:.1f} m/s")
-    axes.plot([speed[lives].min()] * 2, [0, 1e3 * amplitude[lives][0]], ":", color=colour, linewidth=1)
+    axes.plot([speed[lives].min()] * 2, [0, 1e3 * amplitude[lives][0]], "-", color=colour, linewidth=0.8)
     axes.plot([linear], [0], marker, color=colour, clip_on=False, zorder=5)
 
 
@@ -33,18 +31,19 @@ def main():
     steel = [file for file in files if file.stem.endswith("-steel")]
     groups = [("DYTSI's shear modulus, 144 GPa", [file for file in files if file not in steel])]
     groups += [("Shear modulus of steel, 82.7 GPa", steel)] if steel else []
-    figure, panels = plt.subplots(len(groups), 1, figsize=(7.5, 3.4 * len(groups)), sharex=True, squeeze=False)
-    for axes, (title, members) in zip(panels[:, 0], groups):
-        for file in members:
-            draw(axes, file)
-        axes.set_title(title, loc="left", fontsize=10)
-        axes.set_ylabel("amplitude [mm]")
-        axes.set_ylim(0, 10)
-        axes.spines[["top", "right"]].set_visible(False)
-        axes.legend(title="law: nonlinear, linear critical speed", frameon=False, fontsize=8, title_fontsize=8, loc="lower center")
-    panels[-1, 0].set_xlabel("speed [m/s]")
-    figure.tight_layout()
-    figure.savefig(picture, dpi=150)
+    with style():
+        figure = new_figure(7.0, 3.1 * len(groups))
+        panels = figure.subplots(len(groups), 1, sharex=True, squeeze=False)
+        for axes, (title, members) in zip(panels[:, 0], groups):
+            for file in members:
+                draw(axes, file)
+            axes.set_title(title)
+            axes.set_ylabel("amplitude [mm]")
+            axes.set_ylim(0, 10)
+            open_axes(axes)
+            axes.legend(title="law: nonlinear, linear critical speed", fontsize="small", title_fontsize="small", loc="lower center")
+        panels[-1, 0].set_xlabel("speed [m/s]")
+        figure.savefig(picture)
 
 
 if __name__ == "__main__":
