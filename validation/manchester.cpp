@@ -1,8 +1,11 @@
 #include "validation/studies.hpp"
 
+#include "io/creep_table_file.hpp"
 #include "io/profile_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/wheel_rail.hpp"
+#include "microslip/table/creep_force_table.hpp"
+#include "validation/manchester_steps.hpp"
 #include "validation/manchester_without_yaw.hpp"
 #include "validation/report.hpp"
 
@@ -11,6 +14,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -102,6 +106,7 @@ struct Compared {
   double fx, fy;                             ///< differences over mu Fn
   double pressure;                           ///< relative difference of the peak
   double our_x, our_y, printed_x, printed_y; ///< on the wheel [N]
+  double bound;                              ///< mu Fn [N]
 
   double force() const { return std::max(std::abs(fx), std::abs(fy)); }
 };
@@ -133,7 +138,8 @@ Compared compare(WheelRail& contact, TrackSide side, int number, const State& st
           .our_x = s.force.x,
           .our_y = s.force.y,
           .printed_x = -printed.at("Fx_tr"),
-          .printed_y = printed.at("Fy_tr")};
+          .printed_y = printed.at("Fy_tr"),
+          .bound = bound};
 }
 
 /// One of our methods beside CONTACT, and what comes of it for all cases.
@@ -291,6 +297,20 @@ void print(Report& report, const std::array<Compliance, 3>& all) {
   }
 }
 
+/// The forces of all methods, and those of the level `table`.
+std::vector<ManchesterForces> forces_of(const std::array<Compliance, 3>& all, const std::vector<Vec2>& by_table) {
+  const auto& [planes, surface, fast] = all;
+  const auto ours = [](const Compared& c) { return Vec2{c.our_x, c.our_y}; };
+  std::vector<ManchesterForces> out;
+  for (std::size_t k = 0; k < by_table.size(); ++k) {
+    const Compared& c = planes.cases[k];
+    const std::string name = fmt::format("{:5} {:4.1f}", c.side == TrackSide::left ? "left" : "right", c.lateral);
+    out.push_back(
+        {name, c.bound, {c.printed_x, c.printed_y}, ours(c), ours(surface.cases[k]), by_table[k], ours(fast.cases[k])});
+  }
+  return out;
+}
+
 } // namespace
 
 bool run_manchester(const StudyOptions& options, std::ostream& out) {
@@ -303,6 +323,10 @@ bool run_manchester(const StudyOptions& options, std::ostream& out) {
   }
   const Profile rail = io::read_profile(rail_file).profile, wheel = io::read_profile(wheel_file).profile;
   std::array<Compliance, 3> all = methods();
+  const WheelRailMethod table{.theory = Theory::table,
+                              .table = std::make_shared<const CreepForceTable>(
+                                  io::read_creep_table(io::shipped_creep_table()), steel.poisson_ratio)};
+  std::vector<Vec2> by_table;
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
     const std::string name = side == TrackSide::left ? "mbench_a22_left" : "mbench_a22_right";
     const auto states = read_states(cases_folder / (name + ".inp"));
@@ -318,11 +342,17 @@ bool run_manchester(const StudyOptions& options, std::ostream& out) {
           return false;
       }
     }
+    WheelRail contact(bodies, table);
+    for (const State& s : states) {
+      const Vec3<double> force = contact.solve(s.state, s.force).force;
+      by_table.push_back({force.x, force.y});
+    }
   }
   print(report, all);
   for (const Compliance& one : all) print(report, one);
   report_two_patches(report, rail, wheel);
   report_without_yaw(report, rail, wheel);
+  report_steps(report, forces_of(all, by_table));
   return report.all_as_stated();
 }
 

@@ -105,8 +105,13 @@ bool run_measurements(const StudyOptions& options, std::ostream& out);
 bool run_model_problem(const StudyOptions& options, std::ostream& out);
 
 /// The study `models`: laws of creep forces that vehicle programs use beside the exact theory on the 3,220 cases:
-/// errors of forces and T-gamma, where the worst ones are, and time.
+/// errors of forces and T-gamma, where the worst ones are, and time. Writes models.h5, from which its picture is drawn.
 bool run_models(const StudyOptions& options, std::ostream& out);
+
+/// The study `normal-models`: models of the normal problem, and the laws of creep forces, beside the exact theory for
+/// wheels on new, worn and measured rails: errors of area, pressure, extent, height, forces and T-gamma, where the
+/// worst ones are, and time. Writes normal_models.h5, from which its picture is drawn.
+bool run_normal_models(const StudyOptions& options, std::ostream& out);
 
 /// The study `random-problems`: 20,000 seeded random contacts of all kinds (steady and transient rolling, shifts,
 /// forces given, bodies of different materials, viscoelastic ones, layers that yield, friction that falls or heats),

@@ -40,6 +40,7 @@ constexpr std::array all_studies = {
     study("measurements", run_measurements),
     study("model-problem", run_model_problem),
     study("models", run_models),
+    study("normal-models", run_normal_models),
     study("random-problems", run_random_problems),
     study("random-wheels", run_random_wheels),
     study("refinement", run_refinement),

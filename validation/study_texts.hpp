@@ -36,6 +36,8 @@ inline constexpr std::array study_texts = {
     StudyText{"measurements", "measured profiles with noise: forces, pressures and conicity beside those without"},
     StudyText{"model-problem", "the 1-D model problem of the FASTSIM2 paper: exact solutions and three strategies"},
     StudyText{"models", "laws of creep forces beside the exact theory on 3,220 ellipses: errors, where, cost"},
+    StudyText{"normal-models",
+              "models of the normal problem of wheels on rails beside the exact theory: errors, where, cost"},
     StudyText{"random-problems", "20,000 random contacts of all kinds: which are solved, in how many steps"},
     StudyText{"random-wheels",
               "100,000 random wheels on new, worn and measured profiles: statuses, contradictions, times"},

@@ -26,6 +26,7 @@ from microslip.frequency_response_picture import frequency_response_pictures
 from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.measured_points_picture import measured_points_pictures
 from microslip.model_problem_picture import model_problem_pictures
+from microslip.models_pictures import models_pictures
 from microslip.picture_style import STYLES, scale_lines, settings_of
 from microslip.picture_style import style as in_style
 from microslip.profile_picture import profile_pictures
@@ -57,6 +58,7 @@ PICTURES_OF_KIND = {
     "frequency_response": frequency_response_pictures,
     "measured_points": measured_points_pictures,
     "model-problem": model_problem_pictures,
+    "models": models_pictures,
     "profile": profile_pictures,
     "profiles": profiles_pictures,
     "refinement": refinement_pictures,

@@ -127,6 +127,17 @@ def write_fastsim2_table1(path, cases=400):
                             file[f"/published/{variant}/p{percent}_{force}"] = largest * percent / 100
 
 
+def write_models(path):
+    """A file of kind models: two panels, three models, one of them without the second error."""
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"kind": "models", "title": "Models", "version": "0.1.0", "commit": "abc"})
+        for panel in (1, 2):
+            file[f"/panels/{panel}/title"] = f"error {panel}"
+            file[f"/panels/{panel}/series"] = "rms\nlargest"
+            file[f"/panels/{panel}/models"] = "one\ntwo\nthree"
+            file[f"/panels/{panel}/errors"] = [[1e-3, 2e-3], [1e-2, np.nan], [0.1, 0.5]]
+
+
 GRIDS = (5, 10, 20, 40, 80, 160)
 RMS = {"fastsim": (0.4, 1), "fastsim_half_step": (0.2, 1), "fastsim2": (0.13, 2)}
 

@@ -20,7 +20,7 @@ from microslip import plot
 from microslip.picture_style import SETTINGS, bodies_of, put_title, new_figure, quantity, round_down, round_up, unit_for, with_unit
 from microslip.result_file import ResultFile
 from tests.synthetic_results import (GRIDS, write_contact_run, write_fastsim2_table1, write_fastsim2_table2, write_history,
-                                     write_model_problem, write_rolling_contact)
+                                     write_model_problem, write_models, write_rolling_contact)
 
 PYTHON_FOLDER = Path(__file__).resolve().parent.parent
 
@@ -98,7 +98,8 @@ class CommandLineTest(FolderTest):
         for write, names in ((write_contact_run, ["forces.png", "case_0002.png"]),
                              (write_fastsim2_table1, ["fastsim2_figure3.png"]),
                              (write_fastsim2_table2, ["fastsim2_figure4.png", "fastsim2_figure5.png"]),
-                             (write_model_problem, ["model_problem.png"])):
+                             (write_model_problem, ["model_problem.png"]),
+                             (write_models, ["result.png"])):
             with self.subTest(names=names):
                 write(self.path)
                 self.expect_pictures(names)
