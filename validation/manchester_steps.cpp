@@ -47,8 +47,8 @@ void report_steps(Report& report, const std::vector<ManchesterForces>& all) {
   };
   report.remark("states beyond 0.005", fmt::format("{} of {}", others, all.size()), "-", "each with its rules above");
   for (std::size_t k = 0; k < ManchesterForces::steps.size(); ++k)
-    report.remark(fmt::format("changed by less: {}", ManchesterForces::steps[k]),
-                  fmt::format("{} of {}", within(k), all.size()), "-", "");
+    report.remark(ManchesterForces::steps[k], fmt::format("{} of {}", within(k), all.size()), "-",
+                  "changed by at most 0.005");
 }
 
 } // namespace microslip::validation

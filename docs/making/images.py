@@ -83,6 +83,8 @@ SOURCES = (
     study("model-problem", "model_problem.png"),
     study("fastsim2-table1", "fastsim2_figure3.png", slow=True),
     study("fastsim2-table2", "fastsim2_figure4.png", "fastsim2_figure5.png"),
+    study("models", "models.png", slow=True),
+    study("normal-models", "normal_models.png", slow=True),
     study("subsurface", "subsurface.png", slow=True),
     study("refinement", "refinement_figure1.png", "refinement_figures_2_6.png", "refinement_figures_3_4.png",
           "refinement_figure5.png", "refinement_figures_7_8.png", slow=True),

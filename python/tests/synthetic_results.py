@@ -128,14 +128,14 @@ def write_fastsim2_table1(path, cases=400):
 
 
 def write_models(path):
-    """A file of kind models: two panels, three models, one of them without the second error."""
+    """A file of kind models: two panels, six models, two of them without the second error."""
     with h5py.File(path, "w") as file:
         file.attrs.update({"kind": "models", "title": "Models", "version": "0.1.0", "commit": "abc"})
         for panel in (1, 2):
             file[f"/panels/{panel}/title"] = f"error {panel}"
             file[f"/panels/{panel}/series"] = "rms\nlargest"
-            file[f"/panels/{panel}/models"] = "one\ntwo\nthree"
-            file[f"/panels/{panel}/errors"] = [[1e-3, 2e-3], [1e-2, np.nan], [0.1, 0.5]]
+            file[f"/panels/{panel}/models"] = "one\ntwo\nthree\nfour\nfive\nsix"
+            file[f"/panels/{panel}/errors"] = 2 * [[1e-3, 2e-3], [1e-2, np.nan], [0.1, 0.5]]
 
 
 GRIDS = (5, 10, 20, 40, 80, 160)
