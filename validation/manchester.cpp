@@ -258,7 +258,7 @@ void count(Report& report, const char* name, const std::vector<Compared>& cases,
   if (wanted == 0) return report.remark(name, computed, "-", "CONTACT's patches are planes");
   const std::string expected = fmt::format("at least {}", wanted);
   if (known > 0 && known <= within && within < wanted)
-    return report.known_limit(name, computed, expected, {fmt::format("at least {}", known), "accuracy-wheel-rail.md"});
+    return report.known_limit(name, computed, expected, {fmt::format("at least {}", known), "manchester.md"});
   report.figure(name, computed, expected, within >= wanted);
 }
 
