@@ -4,7 +4,7 @@ from itertools import count, takewhile
 
 import numpy as np
 
-from microslip.picture_style import INK3, SIZES_OF_LINES, heading, new_figure, open_axes, put_title
+from microslip.picture_style import INK3, RAIL, SIZES_OF_LINES, WHEEL, heading, new_figure, open_axes, put_title
 
 MOST_NAMES = 24  # in a legend
 ORIGINS = {"wheel": ("y [mm] from the tape line, to the field side", "z [mm] from the tape circle, up"),
@@ -16,7 +16,7 @@ def profiles_pictures(result):
     groups = list(takewhile(lambda group: f"{group[1:]}/y" in result, (f"/profiles/{k:04}" for k in count())))
     by_role = {role: [group for group in groups if result.text(f"{group}/role") == role] for role in ORIGINS}
     roles = [role for role, members in by_role.items() if members]
-    figure = new_figure(11, 5.2 * len(roles))
+    figure = new_figure(10, 4.2 * len(roles))
     put_title(figure, heading(" and ".join(f"{len(by_role[role])} {role}{'s' if len(by_role[role]) > 1 else ''}" for role in roles),
                               result))
     for role, axes in zip(roles, figure.subplots(len(roles), 1, squeeze=False)[:, 0]):
@@ -29,7 +29,7 @@ def draw_profiles(axes, result, role, groups):
     open_axes(axes)
     axes.axvline(0, color=INK3, linewidth=0.8, linestyle="--")
     axes.axhline(0, color=INK3, linewidth=0.8, linestyle="--")
-    shades = SIZES_OF_LINES(np.linspace(0, 1, len(groups)))
+    shades = SIZES_OF_LINES(np.linspace(0, 1, len(groups))) if len(groups) > 1 else [WHEEL if role == "wheel" else RAIL]
     for group, shade in zip(groups, shades):
         y, z = result.arrays([f"{group}/y", f"{group}/z"])
         axes.plot(1e3 * y, 1e3 * z, color=shade, linewidth=1, label=result.text(f"{group}/file"))

@@ -155,9 +155,9 @@ def rail_head_picture(result, rail, patches):
     figure = new_figure(9, 9.4, layout="none")
     figure.text(0.06, 0.965, heading("Patches on the rail head", result), size=matplotlib.rcParams["figure.titlesize"], weight="bold")
     field_is_left = result.text("/inputs/wheel/side") == "left"
-    panels = [figure.add_axes((0.03, bottom, 0.86, 0.44), projection="3d", computed_zorder=False) for bottom in (0.5, 0.03)]
+    panels = [figure.add_axes((0.03, bottom, 0.86, 0.44), projection="3d", computed_zorder=False) for bottom in (0.52, 0.06)]
     pressed, areas = panels
-    for axes, title, top in ((pressed, "Pressure, drawn as a height, too", 0.935), (areas, "Where it sticks and where it slides", 0.47)):
+    for axes, title, top in ((pressed, "Pressure, drawn as a height, too", 0.935), (areas, "Where it sticks and where it slides", 0.49)):
         draw_rail_head(axes, x, u, rail, field_is_left)
         figure.text(0.06, top, title)
     for order, cells in enumerate(sorted(patches, key=lambda one: -one.outline.limits()[2]), start=2):
@@ -166,7 +166,7 @@ def rail_head_picture(result, rail, patches):
     bar = figure.add_axes((0.89, 0.6, 0.02, 0.28))
     figure.colorbar(ScalarMappable(norm=Normalize(0, 1e6 * scale * largest), cmap=SIZES), cax=bar, label=f"pressure [{unit}]")
     areas.legend(handles=[Patch(label="sticks", facecolor=STICKS), Patch(label="slides", facecolor=SLIDES)], loc="upper right",
-                 bbox_to_anchor=(0.97, 0.48), bbox_transform=figure.transFigure)
+                 bbox_to_anchor=(0.97, 0.5), bbox_transform=figure.transFigure)
     return figure
 
 
@@ -385,8 +385,9 @@ def forces_picture(result):
     power.spines["top"].set_visible(False)
     if "patches" in result:
         at = values[result.array("/patches/state").astype(int)]
-        loads.plot(at, 1e-3 * result.array("/patches/normal_force", finite=False), "o", color=INK, markersize=3.5)
-        angles.plot(at, np.degrees(result.array("/patches/angle", finite=False)), "o", color=INK, markersize=3.5)
+        size = 3.5 if len(values) < MOST_MARKED else 2
+        loads.plot(at, 1e-3 * result.array("/patches/normal_force", finite=False), "o", color=INK, markersize=size)
+        angles.plot(at, np.degrees(result.array("/patches/angle", finite=False)), "o", color=INK, markersize=size)
     loads.set_ylabel("$F_n$ of each\npatch [kN]")
     angles.set_ylabel("contact\nangle [deg]")
     wear.set_xlabel(label)
