@@ -16,7 +16,7 @@ const views = ["Wheel on rail", "Contact", "Start and stop", "Nip"], sizes = [[1
 /** What pictures were taken with, and where their canvases are. */
 interface Taken { chromium: string; font: number[]; canvases: Record<string, Box[]> }
 
-const mostPoints = 0.002, mostBlocks = 0.02; // that may differ
+const mostPoints = 0.0005, mostBlocks = 0.02; // that may differ
 
 const fileOf = (view: string, width: number) => `${view.toLowerCase().replaceAll(" ", "_")}_${String(width)}.png`;
 

@@ -8,7 +8,7 @@ export interface Box { left: number; top: number; width: number; height: number 
 /** Of the points of both pictures those whose colours differ, edges of letters and lines left out; 1 where the sizes differ. */
 export function shareOfOtherPoints(one: PNG, other: PNG): number {
   if (one.width !== other.width || one.height !== other.height) return 1;
-  return pixelmatch(one.data, other.data, undefined, one.width, one.height, { threshold: 0.1 }) / (one.width * one.height);
+  return pixelmatch(one.data, other.data, undefined, one.width, one.height, { threshold: 0.05 }) / (one.width * one.height);
 }
 
 export const block = 24; // [px], as large as a few letters, whose strokes cover less than half of it
@@ -26,8 +26,8 @@ function blocksOf({ data, width, height }: PNG, box: Box): number[][] {
 }
 
 /**
- * Of the blocks of a canvas those whose mean colours are apart by more than a tenth of the way from black to white: in
- * lightness by twice as much, as letters darken a block but are grey. 1 where the canvas has another size.
+ * Of the blocks of a canvas those whose mean colours are apart by more than a twentieth of the way from black to white: in
+ * lightness by four times as much, as letters darken a block but are grey. 1 where the canvas has another size.
  */
 function shareOfOtherBlocks(one: PNG, box: Box, other: PNG, otherBox: Box): number {
   if (Math.abs(box.width - otherBox.width) > 2 || Math.abs(box.height - otherBox.height) > 2) return 1;
@@ -35,7 +35,7 @@ function shareOfOtherBlocks(one: PNG, box: Box, other: PNG, otherBox: Box): numb
   let differ = 0;
   for (let k = 0; k < count; ++k) {
     const [red, green, blue] = [0, 1, 2].map((c) => mine[k]![c]! - yours[k]![c]!) as [number, number, number];
-    if (Math.max(Math.abs(red - green), Math.abs(blue - green)) > 0.1 * 255 || Math.abs(red + green + blue) / 3 > 0.2 * 255) ++differ;
+    if (Math.max(Math.abs(red - green), Math.abs(blue - green)) > 0.05 * 255 || Math.abs(red + green + blue) / 3 > 0.2 * 255) ++differ;
   }
   return differ / Math.max(count, 1);
 }
