@@ -78,8 +78,7 @@ SOURCES = (
            "MICROSLIP_CREEP_TABLE=$PWD/python/microslip/hertz.creep "
            "sh examples/adapters/dytsi/critical_speeds.sh ../shared/peers/dytsi {folder}/microslip {folder}",
            {"critical_speed.png": "critical_speed.png"}, slow=True),
-    Source("tools/explorer && SCREENSHOTS={folder} sh explorer/tests/page.sh build/release/bin/microslip "
-           "build/explorer/page examples/profiles explorer/page", {"explorer.png": "Wheel_on_rail_1400.png"}, slow=True),
+    Source("tools/explorer && tools/screens {folder}", {"explorer.png": "wheel_on_rail_1400.png"}, slow=True),
     study("model-problem", "model_problem.png"),
     study("fastsim2-table1", "fastsim2_figure3.png", slow=True),
     study("fastsim2-table2", "fastsim2_figure4.png", "fastsim2_figure5.png"),

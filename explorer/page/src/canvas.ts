@@ -57,6 +57,19 @@ export function line(context: CanvasRenderingContext2D, points: readonly Point[]
   context.restore();
 }
 
+/** A round mark with an edge of a colour. */
+export function dot(context: CanvasRenderingContext2D, [x, y]: Point, radius: number, edge: string, width: number): void {
+  context.save();
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fillStyle = token("--panel");
+  context.fill();
+  context.strokeStyle = token(edge);
+  context.lineWidth = width;
+  context.stroke();
+  context.restore();
+}
+
 /** Of arrows in one colour, which stay readable on any ground. */
 export function arrows(context: CanvasRenderingContext2D, all: readonly (readonly [from: Point, to: Point])[], colour: string, width: number, head: number, halo = false): void {
   const shafts = new Path2D(), heads = new Path2D();

@@ -24,7 +24,7 @@ function plain(files: Record<string, string>): Record<string, string> {
 }
 
 async function inputsOf(core: Pick<Core, "ask">, text: string, files: Record<string, string>): Promise<Inputs> {
-  const reply = await core.ask<Inputs>("start", { call: "inputs", case: text, files });
+  const reply = await core.ask<Inputs>("inputs", { call: "inputs", case: text, files });
   if (!reply?.result) throw new Error(reply?.error ? withoutPlace(reply.error.message) : "another case came in between");
   return reply.result;
 }
@@ -84,6 +84,7 @@ function toRail(state: RailState, wanted: Inputs, files: Record<string, string>)
   const { inputs } = wanted;
   fill(state.values, inputs);
   const shape = String(inputs["solution.shape"] ?? "true");
+  state.side = inputs["wheel.side"] === "right" ? "right" : "left";
   if (shape in shapes()) state.shape = shape;
   state.more = moreOf(wanted, (key) => carried.test(key) && !notCarried.test(key) && !(key in state.values));
   state.profiles = { rail: String(inputs["rail.profile"]), wheel: String(inputs["wheelset.profile"]) };

@@ -80,7 +80,7 @@ export function moreInWords(more: More): string {
   return all.length ? `Of the case file, in SI: ${all.join("; ")}.` : "";
 }
 
-export function railCase(state: RailState, theory: "exact" | "fastsim2", side: "left" | "right" = "left"): string {
+export function railCase(state: RailState, theory: "exact" | "fastsim2", side = state.side): string {
   const shape: Entries = theory === "exact" && state.shape !== "true" ? { "solution.shape": state.shape } : {};
   return toToml(`${state.profiles.wheel} on ${state.profiles.rail}`, {
     ...state.values, ...state.more, "rail.profile": state.profiles.rail, "wheelset.profile": state.profiles.wheel, "wheel.side": side,
@@ -88,11 +88,11 @@ export function railCase(state: RailState, theory: "exact" | "fastsim2", side: "
   });
 }
 
-/** What the running of a wheelset depends on: no load, speed, friction or position of a wheel. */
+/** What the running of a wheelset depends on: no load, speed, friction, position or side of a wheel. */
 export function runningCase(state: RailState): string {
   const ofRunning = (key: string) => /^(track|rail|wheelset)\./.test(key), { values } = initialState().rail;
   const kept = <Kept>(of: Record<string, Kept>) => Object.fromEntries(Object.entries(of).filter(([key]) => ofRunning(key)));
-  return railCase({ ...state, values: { ...values, ...kept(state.values) }, more: kept(state.more) }, "fastsim2");
+  return railCase({ ...state, values: { ...values, ...kept(state.values) }, more: kept(state.more) }, "fastsim2", "left");
 }
 
 export function startCase(state: StartState): string {
@@ -136,7 +136,7 @@ export function isHowRead(key: string, section: "rail" | "wheelset"): boolean {
 
 /** The same wheel on the same rail in Python, whose arguments have the names of the keys. */
 export function railPython(state: RailState): string {
-  const { profiles, shape } = state, all: Entries = { ...state.values, ...state.more };
+  const { profiles, shape, side } = state, all: Entries = { ...state.values, ...state.more };
   const literal = (value: Value): string => (Array.isArray(value) ? `(${value.map(literal).join(", ")})` : typeof value === "string" ? JSON.stringify(value) : String(value));
   const isState = (key: string) => input("rail", key).state, isOfFile = (key: string) => isHowRead(key, "rail") || isHowRead(key, "wheelset");
   const ofStrength = /^material\.(hardness|shear_yield_strength)$/;
@@ -153,7 +153,8 @@ wheel_rail = microslip.WheelRail(
     track=microslip.Track(${of("track")}),
     rail=microslip.read_profile("${profiles.rail}", kind="rail"${file("rail")}),
     wheelset=microslip.Wheelset(${of("wheelset")}),
-    wheel=microslip.read_profile("${profiles.wheel}", kind="wheel"${file("wheelset")}),
+    wheel=microslip.read_profile("${profiles.wheel}", kind="wheel"${file("wheelset")}),${side === "left" ? "" : `
+    side="${side}",`}
     material=microslip.Material.from_young(${literal(all["material.young_modulus"]!)}, ${literal(all["material.poisson_ratio"]!)}),${strength && `
     strength=microslip.SurfaceStrength(${strength}),`}
     friction=${literal(all["friction.coefficient"]!)}, theory="exact"${named((key) => key.startsWith("solution."))}${shape === "true" ? "" : `, shape="${shape}"`})

@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { dot } from "./canvas.ts";
 import { token } from "./colours.ts";
 import { element } from "./elements.ts";
 
@@ -94,7 +95,7 @@ export class Chart {
   #fillBands(plot: uPlot): void {
     const { top, height } = plot.bbox;
     plot.ctx.save();
-        for (const { from, to, colour } of this.#content?.bands ?? []) {
+    for (const { from, to, colour } of this.#content?.bands ?? []) {
       const [left, right] = [plot.valToPos(from, "x", true), plot.valToPos(to, "x", true)];
       plot.ctx.fillStyle = token(colour);
       plot.ctx.fillRect(left, top, right - left, height);
@@ -126,12 +127,7 @@ export class Chart {
     const [low, high] = [values[i - 1], values[i]];
     if (typeof low !== "number" || typeof high !== "number") return;
     const value = low + ((present - xs[i - 1]!) / (xs[i]! - xs[i - 1]!)) * (high - low), y = plot.valToPos(value, "y", true), { ctx } = plot;
-    ctx.beginPath();
-    ctx.arc(x, y, 5 * devicePixelRatio, 0, 2 * Math.PI);
-    ctx.fillStyle = token("--panel");
-    ctx.fill();
-    ctx.lineWidth = 2.4 * devicePixelRatio;
-    ctx.stroke();
+    dot(ctx, [x, y], 5 * devicePixelRatio, "--ui", 2.4 * devicePixelRatio);
     ctx.font = `650 ${String(12 * devicePixelRatio)}px system-ui, sans-serif`;
     ctx.textAlign = x > left + 0.6 * width ? "right" : "left";
     ctx.fillStyle = token("--ink");

@@ -1,6 +1,6 @@
 // The contact from above with its axes, and on the same axes what friction does along and across two cuts.
 
-import { arrows, fitToScreen, label, line, roundLength, text, ticks, type Box, type Point } from "./canvas.ts";
+import { arrows, dot, fitToScreen, label, line, roundLength, text, ticks, type Box, type Point } from "./canvas.ts";
 import { token } from "./colours.ts";
 import { drawAxes, drawPatch, drawRolling, drawScale, isByState, scaleOf, strokeBorder, strokeOutline, upright, valueOf, type Place, type Shown } from "./field_map.ts";
 import { quantities, type Sheet } from "./sheet.ts";
@@ -202,12 +202,7 @@ export function drawStress(canvas: HTMLCanvasElement, { x, z, values, isSigned, 
   for (const level of isSigned ? inMpa.flatMap((value) => [-value, value]) : inMpa) contour(context, { x, z, values }, 1e6 * level, at);
   context.globalAlpha = 1;
   const top = values.reduce((best, value, k) => (Math.abs(value) > Math.abs(values[best]!) ? k : best), 0), [mx, mz] = [x[top % nx]!, z[Math.floor(top / nx)]!], mark = at(mx, mz);
-  context.beginPath();
-  context.arc(mark[0], mark[1], 4, 0, 2 * Math.PI);
-  context.fillStyle = token("--panel");
-  context.fill();
-  context.strokeStyle = token("--ink");
-  context.stroke();
+  dot(context, mark, 4, "--ink", 1);
   text(context, `${isSigned ? "largest" : "highest"}: ${digits(Math.round(values[top]! / 1e6))} MPa, ${(Math.abs(1e3 * mz)).toFixed(1)} mm deep`, [width / 2, 18], { bold: true, align: "center" });
   line(context, [[mark[0], mark[1] - 5], [width / 2, 22]], "--ink3");
   for (const px of ticks(1e3 * x[0]!, 1e3 * x.at(-1)!, wide / 60)) text(context, label(px), [at(px / 1e3, 0)[0], box.top + deep + 14], { size: 11, align: "center", colour: "--ink2" });

@@ -116,7 +116,8 @@ export class ContactView {
   #interior: Record<string, number[]> | undefined;
   #hasTable = false;
   #frame = 0;
-  readonly #rest = new Seldom(() => { this.#drawRest(); });
+  /** What does not have to follow the hand at every frame. */
+  readonly #rest = new Seldom(() => { this.#tell(); this.#showNumbers(); }, () => { this.#drawTheories(); }, () => { this.#drawStress(); });
   readonly #sheetsOf = new WeakMap<SurfaceFields, Sheet[]>();
   #layout: ContactLayout | undefined;
   #scene: ContactScene | undefined;
@@ -295,7 +296,7 @@ export class ContactView {
     const { state } = this, { values } = state;
     if (state.given !== "ellipse") return true;
     const anyBodies = { ...state, values: { ...values, ...onFlat({ rolling_radius: 1, transverse_radius: 1 }) } };
-    const reply = await this.core.ask<Radii>("radii", {
+    const reply = await this.core.ask<Radii>("contact radii", {
       call: "radii", case: contactCase(anyBodies, "fastsim2"), a: values["ellipse.a"], b: values["ellipse.b"],
     });
     if (!reply || state !== this.state) return false;
@@ -358,7 +359,7 @@ export class ContactView {
     const wanted: Theory[] = ["fastsim2", ...(this.#hasTable ? (["table"] as const) : []), "exact"], run = ++this.#curveRun;
     const found: Partial<Record<Theory, CurveResult>> = {}, remarks: string[] = [];
     for (const theory of wanted) {
-      const reply = await this.core.ask<CurveResult>("curve", {
+      const reply = await this.core.ask<CurveResult>("contact curve", {
         call: "creep_curve", case: contactCase(this.state, theory), variable, from: -reach, to: reach, count: 41,
       });
       if (!reply || run !== this.#curveRun) return;
@@ -400,7 +401,7 @@ export class ContactView {
     if (!this.#solved) return;
     const { a } = this.#solved.hertz;
     const x = Array.from({ length: 41 }, (_, i) => (i - 20) * 0.09 * a), z = Array.from({ length: 28 }, (_, i) => -(i + 0.5) * 0.09 * a);
-    const reply = await this.core.ask<SolveResult>("stress", {
+    const reply = await this.core.ask<SolveResult>("contact stress", {
       call: "solve", fields: true, extent: "solution",
       case: contactCase({ ...this.state, elements: [20, 20] }, "exact", { "interior.x": x, "interior.y": [0], "interior.z": z }),
     });
@@ -454,13 +455,8 @@ export class ContactView {
     this.#rest.soon();
   }
 
-  /** What does not have to follow the hand at every frame. */
-  #drawRest(): void {
-    if (!this.#solved) return;
-    this.#tell();
-    drawTheories(this.#theories, this.#sheets("exact"), this.#sheets("fastsim2"), this.#solved.hertz);
-    this.#drawStress();
-    this.#showNumbers();
+  #drawTheories(): void {
+    if (this.#solved) drawTheories(this.#theories, this.#sheets("exact"), this.#sheets("fastsim2"), this.#solved.hertz);
   }
 
   #drawScene(): void {

@@ -27,6 +27,21 @@ export function titleOf(title: string, sentence: HTMLElement, ...choices: Node[]
   return element("div", { class: "title" }, element("div", {}, element("h2", {}, title), sentence), ...choices);
 }
 
+/** Buttons of which one is pressed. */
+export class Segments<Word extends string> {
+  readonly root: HTMLElement;
+  readonly #buttons = new Map<Word, HTMLButtonElement>();
+
+  constructor(label: string, words: Record<Word, string>, chosen: (word: Word) => void) {
+    for (const [word, name] of Object.entries(words) as [Word, string][]) this.#buttons.set(word, button(name, () => { chosen(word); }));
+    this.root = element("div", { class: "segments", role: "group", "aria-label": label }, ...this.#buttons.values());
+  }
+
+  set(pressed: Word): void {
+    for (const [word, made] of this.#buttons) made.setAttribute("aria-pressed", String(word === pressed));
+  }
+}
+
 /** Words that small screens leave out. */
 export const long = (words: string): HTMLElement[] => [element("span", { class: "long" }, words)];
 
@@ -36,9 +51,17 @@ const shortNames: Record<string, string> = {
   "How the wheel moves on the rail": "Motion", "Load and friction": "Load", "Shapes where they touch": "Shapes",
 };
 
-/** The controls of a view in groups, one of which at a time is shown on small screens: a sheet of three heights. */
+/** The controls of a view in groups: beside the pictures, on smaller screens a drawer, on small ones a sheet of three heights with one group at a time. */
 export function controlsOf(groups: HTMLElement[]): HTMLElement {
   const heights = ["half", "full", "low"], fieldsets = groups.filter((group): group is HTMLFieldSetElement => group instanceof HTMLFieldSetElement);
+  const drawer = button("Controls", () => {
+    const isOpen = root.dataset["drawer"] !== "open";
+    root.dataset["drawer"] = isOpen ? "open" : "closed";
+    drawer.setAttribute("aria-expanded", String(isOpen));
+    window.dispatchEvent(new Event("resize")); // pictures have another width
+  }, "show or hide controls");
+  drawer.className = "drawer";
+  drawer.setAttribute("aria-expanded", "false");
   const grabber = button("", () => { root.dataset["height"] = heights[(heights.indexOf(root.dataset["height"] ?? "half") + 1) % 3]!; }, "larger or smaller controls");
   grabber.className = "grabber";
   const choices = fieldsets.map((fieldset, i) => {
@@ -52,7 +75,7 @@ export function controlsOf(groups: HTMLElement[]): HTMLElement {
     });
     if (root.dataset["height"] === "low") root.dataset["height"] = "half";
   };
-  const root = element("div", { class: "controls", "data-height": "half" }, grabber, element("div", { class: "groups" }, ...choices), ...groups);
+  const root = element("div", { class: "controls", "data-height": "half" }, drawer, grabber, element("div", { class: "groups" }, ...choices), ...groups);
   show(Math.min(1, fieldsets.length - 1));
   return root;
 }
@@ -115,18 +138,28 @@ export class Keys {
 }
 
 const seldom = 150; // [ms]
-/** Something that is done at once, but not again within some time, after which it is made up for. */
+/** Things that are done one a frame, beginning at the next one, but not again within some time, after which they are made up for. */
 export class Seldom {
+  readonly #runs: (() => void)[];
   #done = -Infinity;
   #timer = 0;
+  #isUnderWay = false;
+  #isWanted = false; // once more
 
-  constructor(readonly run: () => void) {}
+  constructor(...runs: (() => void)[]) { this.#runs = runs; }
 
   soon(): void {
     clearTimeout(this.#timer);
-    const wait = this.#done + seldom - performance.now(), now = () => { this.#done = performance.now(); this.run(); };
-    if (wait <= 0) now();
-    else this.#timer = window.setTimeout(now, wait);
+    this.#isWanted = this.#isUnderWay;
+    if (!this.#isUnderWay) this.#timer = window.setTimeout(() => { this.#isUnderWay = true; this.#step(0); }, Math.max(0, this.#done + seldom - performance.now()));
+  }
+
+  #step(place: number): void {
+    const run = this.#runs[place];
+    if (run) { requestAnimationFrame(() => { run(); this.#step(place + 1); }); return; }
+    this.#done = performance.now();
+    this.#isUnderWay = false;
+    if (this.#isWanted) this.soon();
   }
 }
 
@@ -144,12 +177,14 @@ export function statusInWords(status: string, reason = ""): string {
 /** What can be done about a remark, on this page. */
 export interface Remedy { when: RegExp; name: string; run: (remark: string) => void }
 
-/** Shows sentences below each other, each with what can be done about it; none: nothing. */
+/** Shows sentences below each other, each with what can be done about it; none: nothing. What stays is not made anew: a button may just be pressed. */
 export function fillRemarks(list: HTMLElement, sentences: string[], remedies: Remedy[] = []): void {
-  list.replaceChildren(...[...new Set(sentences)].map((sentence) => {
+  const made = [...new Set(sentences)].map((sentence) => {
     const found = remedies.filter(({ when }) => when.test(sentence));
     return element("li", {}, element("span", {}, sentence), ...found.map(({ name, run }) => button(name, () => { run(sentence); })));
-  }));
+  });
+  const texts = (all: Iterable<Element>) => [...all].map(({ textContent }) => textContent).join("\n");
+  if (texts(made) !== texts(list.children)) list.replaceChildren(...made);
 }
 
 /** Gives the browser a file to save. */

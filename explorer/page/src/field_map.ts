@@ -21,15 +21,31 @@ export function turned([ox, oy]: Point, scale: number): Place {
 export interface Scale { shown: Shown; largest: number; unit: string; factor: number }
 export const isByState = (shown: Shown): boolean => shown === "friction" || shown === "used" || shown === "adhesion and slip";
 
+/** Places of the quantities of a chord. */
+const at = Object.fromEntries(quantities.map((name, q) => [name, q])) as Record<Quantity, number>;
+const largestOf = new WeakMap<Sheet, Map<string, number>>(); // sizes that were asked for
+
+/** The largest size of one or, together, two quantities of a sheet. */
+function largest(sheet: Sheet, name: Quantity, second?: Quantity): number {
+  const known = largestOf.get(sheet) ?? new Map<string, number>(), key = name + (second ?? "");
+  largestOf.set(sheet, known);
+  let found = known.get(key);
+  if (found !== undefined) return found;
+  found = 0;
+  for (const { values } of sheet.chords) {
+    const [one, other] = [values[at[name]]!, second && values[at[second]]!];
+    for (let i = 0; i < one.length; ++i) found = Math.max(found, one[i]! ** 2 + (other ? other[i]! ** 2 : 0));
+  }
+  known.set(key, found = Math.sqrt(found));
+  return found;
+}
+
 /** Scale of what is shown of all sheets. */
 export function scaleOf(sheets: readonly Sheet[], shown: Shown): Scale {
-  const q = (name: Quantity) => quantities.indexOf(name);
-  const most = (size: (values: Float64Array[], i: number) => number) =>
-    Math.max(1e-30, ...sheets.flatMap(({ chords }) => chords.map(({ values }) => values[0]!.reduce((largest, _, i) => Math.max(largest, size(values, i)), 0))));
-  const one = (name: Quantity) => (values: Float64Array[], i: number) => Math.abs(values[q(name)]![i]!);
+  const most = (...of: [Quantity, Quantity?]) => Math.max(1e-30, ...sheets.map((sheet) => largest(sheet, ...of)));
   if (shown === "used" || shown === "adhesion and slip") return { shown, largest: 1, unit: "%", factor: 100 };
-  if (shown === "friction") return { shown, largest: most((values, i) => Math.hypot(values[q("px")]![i]!, values[q("py")]![i]!)), unit: "MPa", factor: 1e-6 };
-  return shown === "slip" ? { shown, largest: most(one("slip")), unit: "%", factor: 100 } : { shown, largest: most(one(shown)), unit: "MPa", factor: 1e-6 };
+  if (shown === "friction") return { shown, largest: most("px", "py"), unit: "MPa", factor: 1e-6 };
+  return shown === "slip" ? { shown, largest: most("slip"), unit: "%", factor: 100 } : { shown, largest: most(shown), unit: "MPa", factor: 1e-6 };
 }
 
 export function valueOf(values: Values, shown: Shown): number {
@@ -39,7 +55,6 @@ export function valueOf(values: Values, shown: Shown): number {
 
 /** A colour of a pixel, in the order of bytes of images, from values by the places of their quantities; and which it needs. */
 interface Painter { needs: Quantity[]; paint: (values: Float64Array) => number }
-const at = Object.fromEntries(quantities.map((name, q) => [name, q])) as Record<Quantity, number>;
 const packed = new WeakMap<Rgb[], Uint32Array>();
 function pack(colours: Rgb[]): Uint32Array {
   let found = packed.get(colours);
@@ -138,7 +153,7 @@ function drawArrows(context: CanvasRenderingContext2D, sheets: readonly Sheet[],
     const corners = sheet.outline().map(([x, y]) => at(x, y)), [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
     const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const first = (low: number, high: number) => (low + high) / 2 - Math.floor((high - low) / 2 / spacing) * spacing;
-    const isInside = ([px, py]: Point) => sheet.at(...(back(px, py) as [number, number])) !== undefined;
+    const isInside = ([px, py]: Point) => sheet.contains(...(back(px, py) as [number, number]));
     for (let py = first(top, bottom); py < bottom; py += spacing)
       for (let px = first(left, right); px < right; px += spacing) {
         const values = sheet.at(...(back(px, py) as [number, number]));
@@ -162,6 +177,19 @@ export function drawPatch(context: CanvasRenderingContext2D, sheets: readonly Sh
   strokeOutline(context, sheets, place);
 }
 
+const strips = new WeakMap<Rgb[], HTMLCanvasElement>();
+/** A ramp from left to right, one pixel high. */
+function strip(colours: Rgb[]): HTMLCanvasElement {
+  let found = strips.get(colours);
+  if (!found) {
+    strips.set(colours, found = Object.assign(document.createElement("canvas"), { width: colours.length, height: 1 }));
+    const pixels = found.getContext("2d")!, image = pixels.createImageData(colours.length, 1);
+    new Uint32Array(image.data.buffer).set(pack(colours));
+    pixels.putImageData(image, 0, 0);
+  }
+  return found;
+}
+
 /** The bar of a scale of colours with its numbers below it; of friction two, for adhesion and for slip. Their height. */
 export function drawScale(context: CanvasRenderingContext2D, { left, top, width }: Pick<Box, "left" | "top" | "width">, { shown, largest, unit, factor }: Scale): number {
   const { sizes, sticks, slides, signed } = ramps(), isSigned = shown === "px" || shown === "py";
@@ -170,10 +198,9 @@ export function drawScale(context: CanvasRenderingContext2D, { left, top, width 
   bars.forEach(([name, colours], row) => {
     const y = top + 13 * row;
     if (name) text(context, name, [left, y + 9]);
-    for (let i = 0; i < length; ++i) {
-      context.fillStyle = css(of(colours, shown === "adhesion and slip" ? 0.6 : i / length));
-      context.fillRect(from + i, y, 1.5, 10);
-    }
+    context.fillStyle = css(of(colours, 0.6));
+    if (shown === "adhesion and slip") context.fillRect(from, y, length, 10);
+    else context.drawImage(strip(colours), from, y, length, 10);
   });
   const low = top + 13 * bars.length, end = largest * factor;
   if (shown !== "adhesion and slip")

@@ -1,6 +1,6 @@
 // Input fields: a slider where there is a sensible range, and a text that takes a unit; the core's message where it refuses.
 
-import { help, input } from "./description.ts";
+import { help, input, unitsFor } from "./description.ts";
 import { element, helpOf, sentence } from "./elements.ts";
 import { limits, type Values, type View } from "./state.ts";
 import { fromSi, parse, show, shownUnit, typedUnits } from "./units.ts";
@@ -16,13 +16,22 @@ export interface FieldSpec {
   ends?: [low: string, high: string]; // words at the ends of the slider
 }
 
+/** A part of a slider by shares of its length. */
+function mark(kind: "zero" | "hatched", from: number, to: number): HTMLElement {
+  return element("i", { class: kind, style: `--from: ${String(from)}; --to: ${String(to)}` });
+}
+
 export class Field {
   readonly root: HTMLElement;
   readonly #text: HTMLInputElement;
   readonly #slider: HTMLInputElement | undefined;
   readonly #error: HTMLElement;
   readonly #si: string;
-  readonly #unit: string;
+  readonly #sliderUnit: string;
+  #hatched: HTMLElement[] = []; // ends of the slider
+  #hatchedFor = "";
+  readonly #ends = element("div", { class: "ends", "aria-hidden": "true" });
+  #unit: string;
   #value: number;
   readonly #first: number;
   #misread = ""; // why the text is no number to take, until it is one
@@ -31,14 +40,14 @@ export class Field {
     const { key, label } = spec, described = input(place, key), what = help(described);
     const id = `${place}-${key.replaceAll(".", "-")}`;
     this.#si = described.unit ?? "-";
-    this.#unit = spec.unit ?? shownUnit(this.#si);
+    this.#unit = this.#sliderUnit = spec.unit ?? shownUnit(this.#si);
     this.#value = this.#first = value;
     this.#error = element("span", { class: "error", id: `${id}-error`, role: "alert" });
     this.#text = element("input", { id, type: "text", "aria-describedby": `${id}-help ${id}-error`, autocomplete: "off", spellcheck: "false" });
     this.#text.addEventListener("change", () => { this.#typed(); });
     const told = element("span", { id: `${id}-help` }, what), units = typedUnits(this.#si);
     const [ask, more] = helpOf(label, ...(inWords[key] ? [element("p", {}, inWords[key]!)] : []), told, element("p", { class: "hint" }, units ? `Also takes ${units}.` : "Without a unit."));
-    const parts: Node[] = [element("label", { for: id }, label), ask, this.#text, element("span", { class: "unit" }, this.#unit)];
+    const parts: Node[] = [element("label", { for: id }, label), ask, this.#text, this.#unitMenu(label)];
     if (spec.step !== undefined) {
       const { least = -Infinity, largest = Infinity } = described, end = (bound: number) => fromSi(bound, this.#si, this.#unit);
       this.#slider = element("input", {
@@ -47,8 +56,10 @@ export class Field {
       });
       this.#slider.addEventListener("input", () => { this.#moved(); });
       this.#slider.addEventListener("dblclick", () => { this.set(this.#first); this.changed(this.#first); });
-      parts.push(this.#slider);
-      if (spec.ends) parts.push(element("div", { class: "ends", "aria-hidden": "true" }, ...spec.ends.map((end) => element("span", {}, end))));
+      const { min, max } = this.#slider, share = Number(min) / (Number(min) - Number(max));
+      parts.push(element("div", { class: "slide" }, ...(share > 0 && share < 1 ? [mark("zero", share, share)] : []), this.#slider));
+      if (spec.ends) parts.push(this.#ends);
+      this.#ends.append(...(spec.ends ?? []).map((end) => element("span", {}, end)));
       this.#text.addEventListener("keydown", (event) => { this.#stepped(event); });
     }
     this.root = element("div", { class: "field", title: what }, ...parts, this.#error, more);
@@ -56,6 +67,34 @@ export class Field {
   }
 
   get value(): number { return this.#value; }
+
+  /** Numbers in any of its units; keys go past it, as units may be typed behind the number. */
+  #unitMenu(label: string): HTMLElement {
+    const units = Object.keys(unitsFor(this.#si)), made = element("span", { class: "unit" });
+    if (this.#unit === "" || units.length < 2) { made.textContent = this.#unit; return made; }
+    const menu = element("select", { tabindex: "-1", "aria-label": `unit of ${label}` }, ...units.map((unit) => element("option", { value: unit }, unit)));
+    menu.value = this.#unit;
+    menu.addEventListener("change", () => {
+      this.#unit = menu.value;
+      this.#ends.hidden = this.#unit !== this.#sliderUnit; // whose words have numbers
+      this.set(this.#value);
+      this.reread();
+    });
+    made.append(menu);
+    return made;
+  }
+
+  /** Hatches the slider where a value in SI is beyond a size, and says why. */
+  hatchBeyond(size: number, why: string): void {
+    const slider = this.#slider, key = String(size);
+    if (!slider || key === this.#hatchedFor) return;
+    this.#hatchedFor = key;
+    const [min, max] = [Number(slider.min), Number(slider.max)], share = (value: number) => Math.min(Math.max((fromSi(value, this.#si, this.#sliderUnit) - min) / (max - min), 0), 1);
+    for (const old of this.#hatched) old.remove();
+    this.#hatched = ([[0, share(-size)], [share(size), 1]] as const).filter(([from, to]) => to > from).map(([from, to]) => mark("hatched", from, to));
+    slider.before(...this.#hatched);
+    slider.title = this.#hatched.length ? `hatched: ${why}` : "";
+  }
 
   /** Why what is typed is not taken, with the names that people see; "" if it is, or if the field is not there. */
   get refusal(): string {
@@ -67,7 +106,7 @@ export class Field {
   set(value: number): void {
     this.#value = value;
     this.#text.value = show(value, this.#si, this.#unit);
-    if (this.#slider) this.#slider.value = this.#text.value;
+    if (this.#slider) this.#slider.value = show(value, this.#si, this.#sliderUnit);
     this.#misread = "";
     this.root.classList.toggle("changed", value !== this.#first);
     this.refuse("");
@@ -112,7 +151,7 @@ export class Field {
   }
 
   #moved(): void {
-    const read = parse(this.#slider!.value, this.#si, this.#unit) as number;
+    const read = parse(this.#slider!.value, this.#si, this.#sliderUnit) as number;
     this.#value = read;
     this.#text.value = show(read, this.#si, this.#unit);
     this.#misread = "";

@@ -119,7 +119,8 @@ class Page {
 
   open(view: View): void {
     if (view !== this.state.view && this.#comparedLink !== "") this.#freeze("");
-    this.state.view = view;
+    this.state.view = this.core.shown = view;
+    this.#views.rail.stop();
     this.#views.start.stop();
     for (const [name, { root }] of Object.entries(this.#views)) root.hidden = name !== view;
     for (const [name, made] of Object.entries(this.#tabs)) {

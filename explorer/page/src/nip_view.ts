@@ -111,7 +111,7 @@ export class NipView {
   solve(): void {
     const solved = nipCase(this.state);
     this.#tell();
-    void this.core.ask<NipResult>("nip", { call: "nip", case: solved }).then((reply) => {
+    void this.core.ask<NipResult>("nip both", { call: "nip", case: solved }).then((reply) => {
       if (!reply) return;
       clearTimeout(this.#later);
       this.#form.refuse(named(reply.error?.message ?? "", this.state.values));
@@ -125,7 +125,9 @@ export class NipView {
 
   /** What is set in a sentence, and what one sees. */
   #tell(): void {
-    const { values } = this.state, load = values["load.normal_force"]!, per = this.#ofCylinders ? " a metre" : "";
+    const { values } = this.state, load = values["load.normal_force"]!;
+    this.#form.fields.find(({ spec }) => spec.key === force)!.hatchBeyond(values["friction.coefficient"]! * load, "more than friction can bear");
+    const per = this.#ofCylinders ? " a metre" : "";
     this.#lead.textContent = `A hard roller is pressed with ${digits(load / 1e3)} kN${per} into one with a rubber cover ${digits(1e3 * values[layer("thickness")]!)} mm thick, and both roll at ${digits(values["motion.rolling_speed"]!)} m/s. You look along the nip, from where the material comes in at the right to where it leaves at the left. Behind the curves: blue where both surfaces stick together, orange where they slide.`;
   }
 

@@ -1,10 +1,12 @@
 // Wheel and rail cut open, the rail head from above below it on the same lateral axis, and a lens on the patches in the same
-// orientation: the track's left is at the left, so y grows to the left, and forward is upwards.
+// orientation: the track's left is at the left, so y grows to the left, and forward is upwards. The field side of a left wheel
+// is at the left, that of a right one at the right.
 
-import { arrows, fitToScreen, inBox, label, line, roundLength, text, ticks, wave, type Box, type Point } from "./canvas.ts";
+import { arrows, dot, fitToScreen, inBox, label, line, roundLength, text, ticks, wave, type Box, type Point, type TextStyle } from "./canvas.ts";
 import { token } from "./colours.ts";
 import { drawPatch, drawScale, scaleOf, strokeOutline, turned, valueOf, type Place } from "./field_map.ts";
 import type { ElementFields, Sheet } from "./sheet.ts";
+import type { WheelSide } from "./state.ts";
 import { digits } from "./units.ts";
 
 export interface Outline { y: number[]; z: number[] }
@@ -13,17 +15,18 @@ export interface Patch {
   contact_area: number; slip_area: number; fields: ElementFields | undefined; sheets: Sheet[];
 }
 export interface Scene {
+  side: WheelSide;
   rail: Outline; wheel: Outline; patches: Patch[];
   yaw: number; // [rad]
-  names: { wheel: string; rail: string };
+  names: { wheel: string; radius: string; rail: string };
   trouble: string; // what is wrong with where the wheel is, in words
   compared: { wheel: Outline; patches: Patch[] } | undefined;
   isComputing: boolean; // the patches
   isTold: boolean; // that the wheel can be dragged
 }
 
-/** Pixels of a metre of the section, and where its parts lie. */
-export interface Layout { scale: number; section: Box; above: Box; lens: Box; legend: Point; middle: number; top: number; height: number; isNarrow: boolean }
+/** Pixels of a metre of the section, and where its parts lie. `toField`: 1 where the field side has larger y, at the left, else -1. */
+export interface Layout { scale: number; toField: 1 | -1; section: Box; above: Box; lens: Box; legend: Point; middle: number; top: number; height: number; isNarrow: boolean }
 
 const railWidth = 0.0735; // of 60E1 [m], to which the section is laid out
 const fieldSide = 0.064, gaugeSide = 0.075, above = 0.035, below = 0.034; // what is shown around the rail's top [m]
@@ -32,7 +35,7 @@ export function middleOf({ y }: Outline): number {
   return (Math.min(...y) + Math.max(...y)) / 2;
 }
 
-export function layOut(width: number, rail: Outline): Layout {
+export function layOut(width: number, rail: Outline, side: WheelSide = "left"): Layout {
   const isNarrow = width < 860, size = Math.min(Math.max((Math.max(...rail.y) - Math.min(...rail.y)) / railWidth, 0.5), 3);
   const left = isNarrow ? 26 : 58, plot = isNarrow ? width - left - 4 : Math.min(width - left - 340, 0.63 * width);
   const scale = plot / ((fieldSide + gaugeSide) * size), shown = (isNarrow ? 0.75 : 1) * (above + below) * size * scale;
@@ -41,13 +44,16 @@ export function layOut(width: number, rail: Outline): Layout {
   const foot = head.top + head.height + (isNarrow ? 20 : 36), glass = Math.max(132, 0.36 * width);
   const lens: Box = isNarrow ? { left: 4, top: foot, width: 0.46 * width, height: glass } : { left: left + plot + 40, top: 178, width: width - left - plot - 70, height: head.top + head.height - 178 };
   return {
-    scale, section, above: head, lens, isNarrow, middle: middleOf(rail), top: section.top + (isNarrow ? 0.4 : 0.5) * shown,
+    scale, toField: side === "left" ? 1 : -1, section, above: head, lens, isNarrow, middle: middleOf(rail), top: section.top + (isNarrow ? 0.4 : 0.5) * shown,
     legend: isNarrow ? [lens.left + lens.width + 30, foot + 12] : [lens.left, 20], height: isNarrow ? foot + glass + 8 : foot,
   };
 }
 
-export const sectionPlace = ({ section, middle, top, scale }: Layout) => (y: number, z: number): Point => {
-  const zero = section.left + (fieldSide / (fieldSide + gaugeSide)) * section.width;
+/** A place across by its share of the section's width from the field side [px]. */
+const fromField = ({ section: { left, width }, toField }: Layout, share: number): number => left + (toField > 0 ? share : 1 - share) * width;
+
+export const sectionPlace = (layout: Layout) => (y: number, z: number): Point => {
+  const { middle, top, scale } = layout, zero = fromField(layout, fieldSide / (fieldSide + gaugeSide));
   return [zero - (y - middle) * scale, top - z * scale];
 };
 
@@ -59,8 +65,8 @@ export const abovePlace = (layout: Layout): Place => {
 const yawDrawn = 50; // times
 
 /** The handle that turns the wheelset, on the head from above. */
-export function yawHandle({ above: head, section }: Layout, yaw: number): { foot: Point; tip: Point } {
-  const foot: Point = [section.left + (section.width > 450 ? 0.83 : 0.9) * section.width, head.top + 0.9 * head.height], length = 0.78 * head.height, angle = Math.min(Math.max(yawDrawn * yaw, -1.2), 1.2);
+export function yawHandle(layout: Layout, yaw: number): { foot: Point; tip: Point } {
+  const { above: head, section } = layout, foot: Point = [fromField(layout, section.width > 450 ? 0.83 : 0.9), head.top + 0.9 * head.height], length = 0.78 * head.height, angle = Math.min(Math.max(yawDrawn * yaw, -1.2), 1.2);
   return { foot, tip: [foot[0] - length * Math.sin(angle), foot[1] - length * Math.cos(angle)] };
 }
 
@@ -88,18 +94,22 @@ function drawBody(context: CanvasRenderingContext2D, points: Point[], cut: numbe
   line(context, edge, "--ink3");
 }
 
-/** How far the flange is from the rail's inner side, where the gauge is measured [m]. */
-export function flangeClearance({ rail, wheel }: Pick<Scene, "rail" | "wheel">): { rail: number; wheel: number; z: number } | undefined {
-  const z = Math.max(...rail.z) - 0.014;
+/** How far the flange is from the rail's inner side, where the gauge is measured, and between which places [m]. */
+export function flangeClearance({ side, rail, wheel }: Pick<Scene, "side" | "rail" | "wheel">): { free: number; rail: number; wheel: number; z: number } | undefined {
+  const toField = side === "left" ? 1 : -1, z = Math.max(...rail.z) - 0.014;
   const crossings = ({ y, z: height }: Outline) => y.flatMap((from, i) => {
     const [z0, z1] = [height[i]! - z, (height[i + 1] ?? height[i]!) - z];
     return z0 > 0 !== z1 > 0 ? [from + ((y[i + 1]! - from) * z0) / (z0 - z1)] : [];
   });
-  const inner = Math.min(...crossings(rail)), flank = Math.max(...crossings(wheel));
-  return Number.isFinite(inner) && Number.isFinite(flank) ? { rail: inner, wheel: flank, z } : undefined;
+  const inner = Math.min(...crossings(rail).map((y) => toField * y)), flank = Math.max(...crossings(wheel).map((y) => toField * y));
+  return Number.isFinite(inner) && Number.isFinite(flank) ? { free: inner - flank, rail: toField * inner, wheel: toField * flank, z } : undefined;
 }
 
-function drawForces(context: CanvasRenderingContext2D, at: (y: number, z: number) => Point, patches: Patch[], isNarrow: boolean): void {
+/** How a text is aligned that ends, or on the other side begins, at its place. */
+const endOf = (toField: 1 | -1): CanvasTextAlign => (toField > 0 ? "right" : "left");
+const beginOf = (toField: 1 | -1): CanvasTextAlign => (toField > 0 ? "left" : "right");
+
+function drawForces(context: CanvasRenderingContext2D, at: (y: number, z: number) => Point, patches: Patch[], { isNarrow, toField }: Layout): void {
   const [main] = [...patches].sort((one, other) => other.normal_force - one.normal_force), most = main?.normal_force ?? 1;
   for (const patch of patches) {
     const { normal_force, fy, place_y, place_z, angle } = patch, [px, py] = at(place_y, place_z), pixels = (isNarrow ? 62 : 104) / most;
@@ -107,20 +117,15 @@ function drawForces(context: CanvasRenderingContext2D, at: (y: number, z: number
     const normal: Point = [px + normal_force * pixels * sin, py - normal_force * pixels * cos], across: Point = [px - fy * pixels * cos, py - fy * pixels * sin];
     line(context, [[px - 54 * cos, py - 54 * sin], [px + 54 * cos, py + 54 * sin]], "--ink2", 1, [4, 4]);
     arrows(context, [[[px, py], normal], [[px, py], across]], "--ink", 3, 12, true);
-    context.beginPath();
-    context.arc(px, py, 5, 0, 2 * Math.PI);
-    context.fillStyle = token("--panel");
-    context.fill();
-    context.strokeStyle = token("--ink");
-    context.lineWidth = 2;
-    context.stroke();
+    dot(context, [px, py], 5, "--ink", 2);
     if (normal_force < 0.04 * most) continue;
-    text(context, `${digits(Math.round(normal_force / 100) / 10)} kN`, [normal[0] + 9, normal[1] + 6], { bold: true, size: 12.5, halo: true });
+    const beside = normal[0] + 9 * toField, align = beginOf(toField);
+    text(context, `${digits(Math.round(normal_force / 100) / 10)} kN`, [beside, normal[1] + 6], { bold: true, size: 12.5, halo: true, align });
     if (!isNarrow && patch === main) {
-      text(context, "square to the surface", [normal[0] + 9, normal[1] + 21], { halo: true });
+      text(context, "square to the surface", [beside, normal[1] + 21], { halo: true, align });
       const isLeft = fy * cos > 0;
       text(context, `${digits(Math.round(Math.abs(fy) / 100) / 10)} kN friction, sideways`, [across[0] + (isLeft ? -8 : 8), across[1] - 10], { bold: true, size: 12.5, halo: true, align: isLeft ? "right" : "left" });
-      text(context, `contact plane tilts ${((angle * 180) / Math.PI).toFixed(1).replace("-", "−")}°`, [px - 14, py + 26], { align: "right", halo: true });
+      text(context, `contact plane tilts ${((toField * angle * 180) / Math.PI).toFixed(1).replace("-", "−")}°`, [px - 14 * toField, py + 26], { align: endOf(toField), halo: true });
     }
   }
 }
@@ -136,7 +141,7 @@ function pixelsOf({ y, z }: Outline, at: (y: number, z: number) => Point): Point
 }
 
 function drawSection(context: CanvasRenderingContext2D, scene: Scene, layout: Layout): void {
-  const { section, isNarrow, middle } = layout, at = sectionPlace(layout), points = (outline: Outline) => pixelsOf(outline, at);
+  const { section, isNarrow, middle, toField } = layout, at = sectionPlace(layout), points = (outline: Outline) => pixelsOf(outline, at);
   const foot = section.top + section.height, low = Math.max(...scene.rail.z) - (foot - layout.top) / layout.scale, high = (layout.top - section.top) / layout.scale;
   for (const z of ticks(1e3 * low, 1e3 * high, section.height / 60)) {
     const [, y] = at(0, z / 1e3);
@@ -152,30 +157,32 @@ function drawSection(context: CanvasRenderingContext2D, scene: Scene, layout: La
   drawBody(context, points(scene.wheel), section.top + 3, "--wheel", true);
   if (scene.compared) line(context, points(scene.compared.wheel), "--ink3", 1.6, [6, 4]);
   context.restore();
-  const [wheelX] = at(middle + (isNarrow ? 0.05 : 0.058), 0), [railX, railY] = at(middle + 0.01, isNarrow ? -0.012 : -0.022);
-  text(context, "Wheel", [wheelX, section.top + (isNarrow ? 26 : 46)], { size: 14, bold: true });
+  const outer = Math.min(isNarrow ? 0.05 : 0.058, Math.max(...scene.wheel.y.map((y) => toField * (y - middle))) - 4e-3); // within the wheel
+  const [wheelX] = at(middle + toField * outer, 0), [railX, railY] = at(middle + toField * 0.01, isNarrow ? -0.012 : -0.022);
+  text(context, "Wheel", [wheelX, section.top + (isNarrow ? 26 : 46)], { size: 14, bold: true, align: beginOf(toField) });
   text(context, "Rail", [railX, railY], { size: 14, bold: true, align: "center" });
   if (!isNarrow) {
-    text(context, scene.names.wheel, [wheelX, section.top + 63]);
+    [scene.names.wheel, scene.names.radius].forEach((words, i) => { text(context, words, [wheelX, section.top + 63 + 15 * i], { align: beginOf(toField) }); });
     text(context, scene.names.rail, [railX, railY + 17], { align: "center" });
-    const tread = scene.wheel.y.reduce((best, y, i) => (Math.abs(y - middle - 0.045) < Math.abs(scene.wheel.y[best]! - middle - 0.045) ? i : best), 0);
-    const flange = scene.wheel.z.reduce((lowest, z, i) => (z < scene.wheel.z[lowest]! ? i : lowest), 0);
-    const treadAt = at(scene.wheel.y[tread]!, scene.wheel.z[tread]!), flangeAt = at(scene.wheel.y[flange]!, scene.wheel.z[flange]!);
+    const ofTread = middle + toField * 0.045, tread = scene.wheel.y.reduce((best, y, i) => (Math.abs(y - ofTread) < Math.abs(scene.wheel.y[best]! - ofTread) ? i : best), 0);
+    const tip = scene.wheel.z.reduce((lowest, z, i) => (z < scene.wheel.z[lowest]! ? i : lowest), 0);
+    const treadAt = at(scene.wheel.y[tread]!, scene.wheel.z[tread]!), flangeAt = at(scene.wheel.y[tip]!, scene.wheel.z[tip]!);
     text(context, "tread", [treadAt[0], treadAt[1] - 14], { align: "center" });
     text(context, "flange", [flangeAt[0], flangeAt[1] - 30], { align: "center" });
-    text(context, "◂ field side (outside of the track)", [section.left + 4, 14], { bold: true, size: 12.5 });
-    text(context, "gauge side (towards the other rail) ▸", [section.left + section.width - 2, 14], { bold: true, size: 12.5, align: "right" });
+    const field = "field side (outside of the track)", gauge = "gauge side (towards the other rail)";
+    text(context, `◂ ${toField > 0 ? field : gauge}`, [section.left + 4, 14], { bold: true, size: 12.5 });
+    text(context, `${toField > 0 ? gauge : field} ▸`, [section.left + section.width - 2, 14], { bold: true, size: 12.5, align: "right" });
   } else {
-    text(context, "◂ outside", [section.left, 14]);
-    text(context, "other rail ▸", [section.left + section.width, 14], { align: "right" });
+    text(context, toField > 0 ? "◂ outside" : "◂ other rail", [section.left, 14]);
+    text(context, toField > 0 ? "other rail ▸" : "outside ▸", [section.left + section.width, 14], { align: "right" });
   }
-  const free = flangeClearance(scene);
-  if (free && !isNarrow && free.rail - free.wheel > 2e-4 && free.rail - free.wheel < 0.02) {
-    const [from, to] = [at(free.rail, free.z), at(free.wheel, free.z)];
-    arrows(context, [[[from[0] - 18, from[1]], from], [[to[0] + 16, to[1]], to]], "--ink2", 1, 6);
-    text(context, `${(1e3 * (free.rail - free.wheel)).toFixed(1)} mm to the flange`, [from[0] - 22, from[1] + 4], { align: "right", halo: true });
+  const flange = flangeClearance(scene);
+  if (flange && !isNarrow && flange.free > 2e-4 && flange.free < 0.02) {
+    const [from, to] = [at(flange.rail, flange.z), at(flange.wheel, flange.z)];
+    arrows(context, [[[from[0] - 18 * toField, from[1]], from], [[to[0] + 16 * toField, to[1]], to]], "--ink2", 1, 6);
+    text(context, `${(1e3 * flange.free).toFixed(1)} mm to the flange`, [from[0] - 22 * toField, from[1] + 4], { align: endOf(toField), halo: true });
   }
-  drawForces(context, at, scene.patches, isNarrow);
+  drawForces(context, at, scene.patches, layout);
   if (scene.trouble) {
     const y = section.top + 0.28 * section.height, wide = Math.min(section.width - 20, 7.2 * scene.trouble.length + 30), x = section.left + section.width / 2;
     context.fillStyle = token("--bad-soft");
@@ -187,7 +194,7 @@ function drawSection(context: CanvasRenderingContext2D, scene: Scene, layout: La
     context.stroke();
     text(context, scene.trouble, [x, y + 1], { align: "center", bold: true, size: isNarrow ? 12 : 13, colour: "--bad" });
   }
-  if (!scene.isTold) pill(context, [section.left + (isNarrow ? 0.82 : 0.5) * section.width, section.top + 22], isNarrow ? "↔ drag me" : "↔ drag the wheel");
+  if (!scene.isTold) pill(context, [fromField(layout, isNarrow ? 0.82 : 0.5), section.top + 22], isNarrow ? "↔ drag me" : "↔ drag the wheel");
 }
 
 function pill(context: CanvasRenderingContext2D, [x, y]: Point, words: string): void {
@@ -218,7 +225,7 @@ function lensFrame(patches: Patch[], lens: Box): { x: number; y: number; pixels:
 }
 
 function drawAbove(context: CanvasRenderingContext2D, scene: Scene, layout: Layout, place: Place): void {
-  const { above: head, isNarrow } = layout, [left] = place.at(0, Math.max(...scene.rail.y)), [right] = place.at(0, Math.min(...scene.rail.y));
+  const { above: head, isNarrow, toField } = layout, [left] = place.at(0, Math.max(...scene.rail.y)), [right] = place.at(0, Math.min(...scene.rail.y));
   if (!isNarrow) text(context, "The same rail head from above", [(left + right) / 2, head.top - 9], { bold: true, size: 12.5, align: "center" });
   const shade = context.createLinearGradient(left, 0, right, 0);
   for (const [at, colour] of [[0, "--rail-side"], [0.2, "--rail"], [0.5, "--rail-top"], [0.8, "--rail"], [1, "--rail-side"]] as const) shade.addColorStop(at, token(colour));
@@ -234,14 +241,14 @@ function drawAbove(context: CanvasRenderingContext2D, scene: Scene, layout: Layo
   if (!isNarrow) {
     for (const x of ticks(1e3 * x0, 1e3 * x1, 3)) text(context, label(x), [head.left - 6, place.at(x / 1e3, 0)[1] + 4], { size: 11, align: "right", colour: "--ink2" });
     text(context, "along [mm]", [14, head.top + head.height / 2], { size: 11, align: "center", colour: "--ink2", turned: true });
-    text(context, "← to the field side", [head.left, foot + 30], { size: 11, colour: "--ink2" });
+    text(context, `← to the ${toField > 0 ? "field" : "gauge"} side`, [head.left, foot + 30], { size: 11, colour: "--ink2" });
     text(context, "distance from the rail's middle [mm]", [(left + right) / 2, foot + 30], { size: 11, colour: "--ink2", align: "center" });
-    text(context, "to the gauge side →", [head.left + head.width, foot + 30], { size: 11, colour: "--ink2", align: "right" });
+    text(context, `to the ${toField > 0 ? "gauge" : "field"} side →`, [head.left + head.width, foot + 30], { size: 11, colour: "--ink2", align: "right" });
   }
-  const goes = head.left + (isNarrow ? 0.08 : 0.07) * head.width;
+  const goes = fromField(layout, isNarrow ? 0.08 : 0.07), words: TextStyle = { bold: true, size: 12.5, align: beginOf(toField) };
   arrows(context, [[[goes, foot - 6], [goes, head.top + 8]]], "--ui", 3, 11);
-  text(context, "rolls", [goes + 10, head.top + head.height / 2 - 2], { bold: true, size: 12.5 });
-  if (!isNarrow) text(context, "this way", [goes + 10, head.top + head.height / 2 + 13], { bold: true, size: 12.5 });
+  text(context, "rolls", [goes + 10 * toField, head.top + head.height / 2 - 2], words);
+  if (!isNarrow) text(context, "this way", [goes + 10 * toField, head.top + head.height / 2 + 13], words);
   drawYaw(context, scene, layout);
   context.save();
   context.beginPath();
@@ -255,18 +262,12 @@ function drawYaw(context: CanvasRenderingContext2D, { yaw }: Scene, layout: Layo
   const { foot, tip } = yawHandle(layout, yaw), straight = yawHandle(layout, 0).tip, size = Math.abs(1e3 * yaw).toFixed(1);
   line(context, [foot, straight], "--ui", 1.3, [4, 3]);
   arrows(context, [[foot, tip]], "--ui", 3, 10);
-  context.beginPath();
-  context.arc(tip[0], tip[1], 6.5, 0, 2 * Math.PI);
-  context.fillStyle = token("--panel");
-  context.fill();
-  context.strokeStyle = token("--ui");
-  context.lineWidth = 2;
-  context.stroke();
+  dot(context, tip, 6.5, "--ui", 2);
   if (layout.isNarrow) return;
-  const at: Point = [foot[0] + 24, foot[1] - 34];
-  text(context, "wheel points", at);
-  text(context, yaw === 0 ? "straight ahead" : `${size} mrad ${yaw > 0 ? "left" : "right"}`, [at[0], at[1] + 15]);
-  text(context, "(drawn × 50)", [at[0], at[1] + 29], { size: 11, colour: "--ink2" });
+  const { toField } = layout, at: Point = [foot[0] + 24 * toField, foot[1] - 34], align = beginOf(toField);
+  text(context, "wheel points", at, { align });
+  text(context, yaw === 0 ? "straight ahead" : `${size} mrad ${yaw > 0 ? "left" : "right"}`, [at[0], at[1] + 15], { align });
+  text(context, "(drawn × 50)", [at[0], at[1] + 29], { size: 11, colour: "--ink2", align });
 }
 
 function drawLens(context: CanvasRenderingContext2D, scene: Scene, layout: Layout, place: Place): void {
@@ -338,7 +339,7 @@ function drawLensAxes(context: CanvasRenderingContext2D, { lens, isNarrow }: Lay
 
 export function drawScene(canvas: HTMLCanvasElement, scene: Scene): Layout | undefined {
   if (canvas.clientWidth === 0) return undefined;
-  const layout = layOut(canvas.clientWidth, scene.rail);
+  const layout = layOut(canvas.clientWidth, scene.rail, scene.side);
   canvas.style.height = `${String(Math.round(layout.height))}px`;
   const { context } = fitToScreen(canvas), place = abovePlace(layout);
   drawSection(context, scene, layout);
@@ -367,7 +368,7 @@ export function valuesAt({ lens }: Layout, { patches }: Scene, point: Point): st
 }
 
 export interface Side { outline: { rail: Outline; wheel: Outline }; patches: Patch[]; words: string[] }
-export interface Pair { left: Side; right: Side | undefined; lateral: number; gauge: number }
+export interface Pair { left: Side | undefined; right: Side | undefined; lateral: number; gauge: number }
 
 /** Both wheels of the set, profiles to scale, the track shortened. */
 export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gauge }: Pair): void {
@@ -382,6 +383,7 @@ export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gaug
   context.strokeStyle = token("--line2");
   context.fillRect(axle.left, axle.top, axle.width, axle.height);
   context.strokeRect(axle.left, axle.top, axle.width, axle.height);
+  const most = Math.max(...[left, right].flatMap((side) => (side?.patches ?? []).map(({ normal_force }) => normal_force)), 1);
   [left, right].forEach((side, k) => {
     if (!side) return;
     const middle = middleOf(side.outline.rail), at = (y: number, z: number): Point => [centres[k]! - (y - middle) * scale, top - z * scale];
@@ -393,16 +395,10 @@ export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gaug
     drawBody(context, points(side.outline.rail), foot, "--rail", false);
     drawBody(context, points(side.outline.wheel), 14, "--wheel", true);
     context.restore();
-    const most = Math.max(...left.patches.map(({ normal_force }) => normal_force), 1);
     for (const { normal_force, place_y, place_z, angle } of side.patches) {
       const from = at(place_y, place_z), size = (0.016 * scale * normal_force) / most;
       arrows(context, [[from, [from[0] + size * Math.sin(angle), from[1] - size * Math.cos(angle)]]], "--ink", 2.4, 9, true);
-      context.beginPath();
-      context.arc(from[0], from[1], 3.5, 0, 2 * Math.PI);
-      context.fillStyle = token("--panel");
-      context.fill();
-      context.strokeStyle = token("--ink");
-      context.stroke();
+      dot(context, from, 3.5, "--ink", 1);
     }
     side.words.forEach((words, i) => {
       const isLeft = k === 0, x = isNarrow ? centres[k]! : isLeft ? 4 : width - 4;
@@ -411,13 +407,7 @@ export function drawPair(canvas: HTMLCanvasElement, { left, right, lateral, gaug
   });
   const centre = width / 2, drawn = 4, moved = centre - drawn * lateral * scale;
   line(context, [[centre, axle.top - 6], [centre, foot + 4]], "--ink3", 1, [4, 4]);
-  context.beginPath();
-  context.arc(moved, axle.top + axle.height / 2, 5, 0, 2 * Math.PI);
-  context.fillStyle = token("--panel");
-  context.fill();
-  context.strokeStyle = token("--ui");
-  context.lineWidth = 2;
-  context.stroke();
+  dot(context, [moved, axle.top + axle.height / 2], 5, "--ui", 2);
   if (isNarrow) return;
   const size = Math.abs(1e3 * lateral).toFixed(1);
   text(context, lateral === 0 ? "wheelset in the middle" : `wheelset ${size} mm to the ${lateral > 0 ? "left" : "right"}`, [centre, axle.top + axle.height + 24], { align: "center", halo: true });

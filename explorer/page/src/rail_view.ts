@@ -5,15 +5,15 @@ import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import { loadScript, type Core } from "./core.ts";
 import { help, input, output } from "./description.ts";
-import { Keys, Seldom, button, card, controlsOf, element, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
+import { Keys, Seldom, Segments, button, card, controlsOf, element, fillRemarks, fillTable, long, save, sentence, statusInWords, titleOf, type KeyNumber, type Remedy } from "./elements.ts";
 import { rowHeight } from "./field_map.ts";
 import { Choice, Form, withoutPlace, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
 import type { FirstAnswers, Outlines } from "./first_answers.ts";
 import type { RailHead } from "./rail_head.ts";
-import { drawPair, drawScene, valuesAt, yawAt, yawHandle, type Layout, type Patch, type Scene } from "./rail_picture.ts";
+import { drawPair, drawScene, flangeClearance, valuesAt, yawAt, yawHandle, type Layout, type Patch, type Outline, type Scene, type Side } from "./rail_picture.ts";
 import { sheetsOf, type ElementFields } from "./sheet.ts";
-import { initialState, shapes, type RailState } from "./state.ts";
+import { initialState, shapes, type RailState, type WheelSide } from "./state.ts";
 import { digits, show, shownUnit } from "./units.ts";
 
 declare const BUILT_IN_PROFILES: Record<string, string>;
@@ -71,11 +71,18 @@ const roles = ["wheelset", "rail"] as const;
 const smoothingOf = (role: (typeof roles)[number]) => `${role}.smoothing_length`;
 
 const side = (value: number, positive: string, negative: string): string => (value > 0 ? positive : negative);
+const otherSide = { left: "right", right: "left" } as const;
+
+/** An outline of the other wheel or rail. */
+const mirrored = ({ y, z }: Outline): Outline => ({ y: y.map((value) => -value), z });
 
 export class RailView {
   readonly root = element("section", { class: "view", "aria-label": "Wheel on rail" });
   readonly #form = new Form("rail", this.root);
   readonly #shape: Choice;
+  readonly #side = new Segments<WheelSide>("which wheel is shown", { left: "Left wheel", right: "Right wheel" }, (of) => { this.#turnTo(of); });
+  readonly #run = button("▷ Let it run sideways", () => { if (this.#runs) this.stop(); else this.#start(); }, "let it run sideways, or stop it");
+  readonly #forces: HTMLElement;
   readonly #smoothing: Record<(typeof roles)[number], Choice>;
   readonly section = element("canvas", { class: "map", role: "slider", tabindex: "0", "aria-valuemin": "-8", "aria-valuemax": "8" });
   readonly #pair = element("canvas", { class: "map pair", role: "img", "aria-label": "Both wheels on their rails" });
@@ -96,14 +103,18 @@ export class RailView {
   readonly #conicity: Chart;
   #head: RailHead | undefined;
   #solved: Partial<Record<Level, WheelResult>> = {};
-  #right: WheelResult | undefined;
+  #solvedSide: WheelSide; // of the wheel that is shown
+  #other: WheelResult | undefined; // of the other wheel
+  #runs = 0;
+  #reach = 0; // how far the wheelset moves sideways until a flange touches [m]
   #patches = new Map<WheelResult, Patch[]>();
   #running: Conicity | undefined;
   #runningOf = "";
   #noRunning = ""; // why there is no conicity
   #later = 0;
   #frame = 0;
-  readonly #rest = new Seldom(() => { this.#drawRest(); });
+  /** What does not have to follow the hand at every frame. */
+  readonly #rest = new Seldom(() => { this.#drawRest(); }, () => { this.#drawRunning(); }, () => { this.#drawPair(); });
   #grabbed: { x: number; y: number; what: "wheel" | "yaw"; box: DOMRect } | undefined;
   #isTold = false;
   #layout: Layout | undefined;
@@ -117,25 +128,31 @@ export class RailView {
     this.#conicity = new Chart(conicity);
     this.#shape = new Choice("Shape of the patch", shapes(), state.shape, (shape) => { this.#shapeTo(shape); }, help(input("rail", "solution.shape")));
     const smooth = (role: (typeof roles)[number], label: string) => new Choice(label, smoothings, this.#smoothed(role), (length) => { this.#smooth(role, length); }, help(input("rail", smoothingOf(role))));
+    this.#solvedSide = state.side;
     this.#smoothing = { wheelset: smooth("wheelset", "Smooth the wheel"), rail: smooth("rail", "Smooth the rail") };
+    this.#forces = card("", "", "All patches together. Negative: backwards, or to the right.", this.#numbers, this.#spoken);
+    this.#forces.prepend(element("h3"));
     this.root.append(
-      titleOf("Where wheel and rail touch, and what they do to each other", this.#lead),
+      titleOf("Where wheel and rail touch, and what they do to each other", this.#lead, this.#side.root),
       controlsOf(this.#controls()),
       element("div", { class: "pictures" },
         this.#keys.root,
         card("wide pinned", "", "", this.section, this.#hover, this.#form.message, this.#refused, this.#time),
         this.#warnings,
-        card("wide", "Both wheels", "The same wheelset on both rails, from behind; each wheel carries the load that is set. Profiles to scale, track shortened.", this.#pair, this.#steers),
-        card("", "Forces on the left wheel", "All patches together. Negative: backwards, or to the right.", this.#numbers, this.#spoken),
+        card("wide", "Both wheels", "The same wheelset on both rails, from behind; each wheel carries the load that is set. Profiles to scale, track shortened.", this.#run, this.#pair, this.#steers),
+        this.#forces,
         card("", "Rolling radius difference", "Left wheel's radius less the right one's, over the sideways position", radii, this.#conicityNow),
         card("wide", "Equivalent conicity", "The cone that would steer as strongly, over how far the wheelset sways", conicity),
         this.#threeDimensions()));
+    this.#run.className = "run";
     this.#listen();
     this.#showNames();
+    this.#showSide();
   }
 
   set(state: RailState): void {
     this.state = state;
+    this.#showSide();
     this.#shape.set(state.shape);
     for (const role of roles) this.#smoothing[role].set(this.#smoothed(role));
     this.#form.set(state.values);
@@ -144,11 +161,16 @@ export class RailView {
   }
 
   solve(): void {
+    clearTimeout(this.#later);
     if (!this.#solved.fastsim2) this.draw();
-    void this.#ask("fastsim2").then((drawn) => { if (drawn) void this.#ask("exact"); });
+    void this.#ask("fastsim2").then((drawn) => (drawn ? this.#ask("exact") : false)).then((drawn) => { if (drawn) this.#restLater(); });
+  }
+
+  /** The other wheel and the conicity, once nothing has changed for a while. */
+  #restLater(): void {
     clearTimeout(this.#later);
     this.#later = window.setTimeout(() => {
-      void this.#askRight();
+      void this.#askOther();
       void this.#askConicity();
     }, 150);
   }
@@ -186,6 +208,47 @@ export class RailView {
     this.#smoothing[role].set(length);
     this.#showNames();
     this.solve();
+    this.changed();
+  }
+
+  #turnTo(of: WheelSide): void {
+    this.state.side = of;
+    this.#showSide();
+    this.draw();
+    this.solve();
+    this.changed();
+  }
+
+  /** Of the other wheel what is known of it, until it is solved again. */
+  #showSide(): void {
+    const { side: of } = this.state;
+    this.#side.set(of);
+    this.#forces.querySelector("h3")!.textContent = `Forces on the ${of} wheel`;
+    if (of === this.#solvedSide) return;
+    const last = this.#solved.fastsim2;
+    this.#solved = this.#other ? { fastsim2: this.#other } : {};
+    this.#other = last;
+    this.#solvedSide = of;
+  }
+
+  /** Sways the wheelset between the flanges, from where it is. */
+  #start(): void {
+    const period = 8e3, reach = this.#reach || 6e-3, phase = Math.asin(Math.min(Math.max(this.state.values["wheel.lateral"]! / reach, -1), 1)), begun = performance.now();
+    const step = () => {
+      if (document.hidden) { this.stop(); return; }
+      this.#move("wheel.lateral", Number((reach * Math.sin(phase + (2 * Math.PI * (performance.now() - begun)) / period)).toFixed(5)));
+      this.#runs = requestAnimationFrame(step);
+    };
+    this.#run.textContent = "■ Stop";
+    this.#runs = requestAnimationFrame(step);
+  }
+
+  /** Stops what runs by itself, which is one change to undo. */
+  stop(): void {
+    if (!this.#runs) return;
+    cancelAnimationFrame(this.#runs);
+    this.#runs = 0;
+    this.#run.textContent = "▷ Let it run sideways";
     this.changed();
   }
 
@@ -242,6 +305,7 @@ export class RailView {
       const box = this.#grabbed?.box ?? section.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top] as const;
     };
+    this.root.addEventListener("pointerdown", ({ target }) => { if (target !== this.#run) this.stop(); });
     section.addEventListener("pointerdown", (event) => {
       const [x, y] = place(event), layout = this.#layout;
       if (!layout) return;
@@ -279,11 +343,15 @@ export class RailView {
   }
 
   #change(key: string, value: number): void {
+    this.#move(key, value);
+    this.changed();
+  }
+
+  #move(key: string, value: number): void {
     this.state.values[key] = value;
     this.#form.fields.find(({ spec }) => spec.key === key)?.set(value);
     this.draw(); // the wheel goes with the hand, before it is solved
     this.solve();
-    this.changed();
   }
 
   /** A profile that a person gives; the core says what it is, or why it is none. */
@@ -296,7 +364,7 @@ export class RailView {
     let text: string;
     try { text = new TextDecoder("utf-8", { fatal: true }).decode(bytes); } catch { text = new TextDecoder("latin1").decode(bytes); }
     const name = file.name.replaceAll(/[\\/"]/g, "_");
-    const reply = await this.core.ask<ProfileResult>(`profile ${name}`, { call: "profile", name, text, ...(role ? { role } : {}) });
+    const reply = await this.core.ask<ProfileResult>(`rail profile ${name}`, { call: "profile", name, text, ...(role ? { role } : {}) });
     if (!reply) return;
     if (reply.error) { this.#refused.textContent = reply.error.message; return; }
     const found = role ?? reply.result?.role;
@@ -334,10 +402,10 @@ export class RailView {
   }
 
   async #ask(level: Level): Promise<boolean> {
-    const reply = await this.core.ask<WheelResult>(`rail ${level}`, {
+    const { side: of } = this.state, reply = await this.core.ask<WheelResult>(`rail ${level}`, {
       call: "solve", case: railCase(this.state, level), files: this.#files(), fields: true, extent: level === "exact" ? "solution" : "full",
     });
-    if (!reply) return false;
+    if (!reply || of !== this.state.side) return false;
     if (this.#form.refuse(reply.error?.message ?? "")) return false;
     const found = reply.result!;
     this.#solved[level] = { ...found, outlines: found.outlines ?? this.#solved.fastsim2?.outlines };
@@ -348,10 +416,10 @@ export class RailView {
   }
 
   /** The other wheel, under the same load, by the quick theory. */
-  async #askRight(): Promise<void> {
-    const reply = await this.core.ask<WheelResult>("rail right", { call: "solve", case: railCase(this.state, "fastsim2", "right"), files: this.#files(), fields: true });
-    if (!reply) return;
-    this.#right = reply.result;
+  async #askOther(): Promise<void> {
+    const of = otherSide[this.state.side], reply = await this.core.ask<WheelResult>("rail other", { call: "solve", case: railCase(this.state, "fastsim2", of), files: this.#files(), fields: true });
+    if (!reply || of === this.state.side) return;
+    this.#other = reply.result;
     this.#drawPair();
   }
 
@@ -360,7 +428,7 @@ export class RailView {
     const of = asked + JSON.stringify(this.state.files);
     if (of !== this.#runningOf) {
       this.#runningOf = of;
-      const reply = await this.core.ask<Conicity>("conicity", { call: "conicity", case: asked, files: this.#files() });
+      const reply = await this.core.ask<Conicity>("rail conicity", { call: "conicity", case: asked, files: this.#files() });
       if (!reply || of !== this.#runningOf) return;
       this.#running = reply.result;
       this.#noRunning = reply.error ? sentence(withoutPlace(reply.error.message)) : "";
@@ -421,7 +489,6 @@ export class RailView {
     this.#rest.soon();
   }
 
-  /** What does not have to follow the hand at every frame. */
   #drawRest(): void {
     const solved = this.#solved.exact ?? this.#solved.fastsim2;
     if (!solved) return;
@@ -429,8 +496,6 @@ export class RailView {
     this.#showNumbers();
     fillRemarks(this.#warnings, remarksOn(solved), this.#remedies());
     if (this.#head) this.#head.show(solved.outlines.rail, this.#patchesOf(solved));
-    this.#drawRunning();
-    this.#drawPair();
   }
 
   /** Wheel and rail before the core has answered, which the page knows of its own profiles where it begins. */
@@ -439,7 +504,8 @@ export class RailView {
     this.#showKeys(undefined);
     const isKnown = ["track.cant", "track.gauge", "wheelset.flange_back_distance"].every((key) => values[key] === first.values[key]);
     if (!isKnown || profiles.rail !== first.profiles.rail || profiles.wheel !== first.profiles.wheel || Object.keys(this.state.files).length) return;
-    this.#drawScene(undefined, FIRST_ANSWERS.outlines, first.values["wheel.lateral"]!);
+    const { rail, wheel } = FIRST_ANSWERS.outlines, isLeft = this.state.side === first.side, lateral = first.values["wheel.lateral"]!; // of the left wheel
+    this.#drawScene(undefined, isLeft ? { rail, wheel } : { rail: mirrored(rail), wheel: mirrored(wheel) }, isLeft ? lateral : -lateral);
     this.#tell();
   }
 
@@ -448,13 +514,23 @@ export class RailView {
     const { values, profiles } = this.state, lateral = values["wheel.lateral"]!, moved = lateral - outlinesAt;
     const wheel = moved === 0 ? outlines.wheel : { y: outlines.wheel.y.map((y) => y + moved), z: outlines.wheel.z };
     const cant = values["track.cant"]!, lean = cant === 0 ? "upright" : `leans inwards 1:${digits(Math.round(1 / Math.tan(cant)))}`;
+    const { side: of } = this.state, compared = this.#frozen?.scene.side === of ? this.#frozen.scene : undefined;
     const scene: Scene = {
-      rail: outlines.rail, wheel, patches: solved ? this.#patchesOf(solved) : [], yaw: values["wheel.yaw"]!, trouble: solved ? troubleOf(solved) : "", isComputing: !solved, isTold: this.#isTold, compared: this.#frozen?.scene,
-      names: { wheel: `${nameOf(profiles.wheel)}, radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: `${nameOf(profiles.rail)}, ${lean}` },
+      side: of, rail: outlines.rail, wheel, patches: solved ? this.#patchesOf(solved) : [], yaw: values["wheel.yaw"]!, trouble: solved ? troubleOf(solved) : "", isComputing: !solved, isTold: this.#isTold, compared,
+      names: { wheel: nameOf(profiles.wheel), radius: `radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: `${nameOf(profiles.rail)}, ${lean}` },
     };
     this.#layout = drawScene(this.section, scene);
     this.#scene = scene;
+    this.#showReach(scene, lateral);
     this.section.setAttribute("aria-valuenow", (1e3 * lateral).toFixed(2));
+  }
+
+  /** How far the wheelset may move until the flange of either wheel touches, whose profiles are the same. */
+  #showReach(scene: Scene, lateral: number): void {
+    const flange = flangeClearance(scene);
+    if (!flange || flange.free < -5e-3 || flange.free > 0.03) return; // derailed
+    this.#reach = Math.round(1e4 * (flange.free + (scene.side === "left" ? lateral : -lateral))) / 1e4;
+    this.#form.fields.find(({ spec }) => spec.key === "wheel.lateral")!.hatchBeyond(this.#reach, "a flange touches the rail");
   }
 
   /** The state in a sentence. */
@@ -462,7 +538,7 @@ export class RailView {
     const { "wheel.lateral": lateral = 0, "wheel.yaw": yaw = 0 } = this.state.values;
     const stands = lateral === 0 ? "in the middle of the track" : `${Math.abs(1e3 * lateral).toFixed(1)} mm to the ${side(lateral, "left", "right")} of the track's middle`;
     const turns = yaw === 0 ? "points straight ahead" : `is turned ${Math.abs(1e3 * yaw).toFixed(1)} mrad to the ${side(yaw, "left", "right")}`;
-    this.#lead.replaceChildren("Cut through the ", element("b", {}, "left wheel"), " and its rail", ...long(", to scale; you look along the track, the way the train goes"), `. The wheelset stands ${stands} and ${turns}. `,
+    this.#lead.replaceChildren("Cut through the ", element("b", {}, `${this.state.side} wheel`), " and its rail", ...long(", to scale; you look along the track, the way the train goes"), `. The wheelset stands ${stands} and ${turns}. `,
       ...long("Drag the wheel (Shift: ten times finer) or the handle that turns it; arrow keys do the same."));
     const where = this.#scene!.patches.map((patch) => `${digits(patch.rail_y * 1e3)} mm`).join(" and ");
     this.section.setAttribute("aria-label", `Wheel, moved sideways; wheel and rail seen along the track, contact on the rail at y = ${where || "no place"}`);
@@ -491,7 +567,7 @@ export class RailView {
   }
 
   #drawPair(): void {
-    const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines, right = this.#right;
+    const solved = this.#solved.exact ?? this.#solved.fastsim2, outlines = this.#solved.fastsim2?.outlines, other = this.#other;
     if (!solved || !outlines) return;
     const words = (name: string, of: WheelResult, radius: number | undefined) => {
       const value = (key: string) => Number(of.wheel[key]?.[0]), angle = Math.max(...(of.patches?.["angle"] ?? [0]).map(Math.abs));
@@ -499,11 +575,11 @@ export class RailView {
         `${Math.abs(value("force_x") / 1e3).toFixed(1)} kN ${side(value("force_x"), "forwards", "backwards")}`, `${Math.abs(value("force_y") / 1e3).toFixed(1)} kN to the ${side(value("force_y"), "left", "right")}`];
     };
     const lateral = this.state.values["wheel.lateral"]!, near = nearest(this.#running, lateral);
-    drawPair(this.#pair, {
-      lateral, gauge: this.state.values["track.gauge"]!,
-      left: { outline: outlines, patches: this.#patchesOf(solved), words: words("Left wheel", solved, near?.left) },
-      right: right?.outlines && { outline: right.outlines, patches: this.#patchesOf(right), words: words("Right wheel", right, near?.right) },
-    });
+    const sideOf = (of: WheelSide): Side | undefined => {
+      const result = of === this.state.side ? solved : other, name = of === "left" ? "Left wheel" : "Right wheel", outline = of === this.state.side ? outlines : other?.outlines;
+      return result && outline && { outline, patches: this.#patchesOf(result), words: words(name, result, near?.[of]) };
+    };
+    drawPair(this.#pair, { lateral, gauge: this.state.values["track.gauge"]!, left: sideOf("left"), right: sideOf("right") });
     if (!near) { this.#steers.textContent = ""; return; }
     const difference = near.left - near.right, size = Math.abs(1e3 * difference).toFixed(2), larger = side(difference, "left", "right"), to = side(difference, "right", "left");
     const isBack = lateral !== 0 && difference > 0 === lateral > 0;

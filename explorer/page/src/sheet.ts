@@ -38,7 +38,10 @@ function elementValues(f: ElementFields): Record<Quantity, number[]> {
 
 const all = quantities.map((_, q) => q);
 
+type Piece = [[x: number, y: number], [x: number, y: number]];
+
 export class Sheet {
+  #border: Piece[] | undefined; // once it was asked for
   readonly left: number;
   readonly right: number;
 
@@ -72,13 +75,21 @@ export class Sheet {
     return [one, other, other.y > one.y ? (y - one.y) / (other.y - one.y) : 0];
   }
 
-  /** The values at a place of the contact; undefined outside. */
-  at(x: number, y: number): Values | undefined {
+  /** Where a place of the contact is: between which chords, and how far along them; undefined outside. */
+  #place(x: number, y: number): { one: Chord; other: Chord; t: number; s: number } | undefined {
     const found = this.#around(y);
     if (!found) return undefined;
     const [one, other, t] = found, left = one.left + t * (other.left - one.left), right = one.right + t * (other.right - one.right);
-    if (x < left || x > right) return undefined;
-    const s = right > left ? ((x - left) / (right - left)) * this.places : 0, mixed = (q: number) => between(one.values[q]!, s) + t * (between(other.values[q]!, s) - between(one.values[q]!, s));
+    return x < left || x > right ? undefined : { one, other, t, s: right > left ? ((x - left) / (right - left)) * this.places : 0 };
+  }
+
+  contains(x: number, y: number): boolean { return this.#place(x, y) !== undefined; }
+
+  /** The values at a place of the contact; undefined outside. */
+  at(x: number, y: number): Values | undefined {
+    const found = this.#place(x, y);
+    if (!found) return undefined;
+    const { one, other, t, s } = found, mixed = (q: number) => between(one.values[q]!, s) + t * (between(other.values[q]!, s) - between(one.values[q]!, s));
     return Object.fromEntries(quantities.map((name, q) => [name, mixed(q)])) as Values;
   }
 
@@ -96,14 +107,19 @@ export class Sheet {
   }
 
   /** Pieces of the line between adhesion and slip. */
-  border(): [[x: number, y: number], [x: number, y: number]][] {
-    const { places, chords } = this, q = quantities.indexOf("mark"), pieces: [[number, number], [number, number]][] = [];
+  border(): Piece[] { return (this.#border ??= this.#findBorder()); }
+
+  #findBorder(): Piece[] {
+    const { places, chords } = this, q = quantities.indexOf("mark"), pieces: Piece[] = [];
+    const sticks = (j: number, i: number) => chords[j]!.values[q]![i]! < 0;
     const corner = (j: number, i: number) => {
       const { left, right, y, values } = chords[j]!;
       return { x: left + ((right - left) * i) / places, y, mark: values[q]![i]! };
     };
     for (let j = 0; j + 1 < chords.length; ++j)
       for (let i = 0; i < places; ++i) {
+        const isStuck = sticks(j, i);
+        if (isStuck === sticks(j, i + 1) && isStuck === sticks(j + 1, i + 1) && isStuck === sticks(j + 1, i)) continue;
         const around = [corner(j, i), corner(j, i + 1), corner(j + 1, i + 1), corner(j + 1, i)];
         const crossings = around.flatMap((from, k): [number, number][] => {
           const to = around[(k + 1) % 4]!;

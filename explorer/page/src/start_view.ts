@@ -5,7 +5,7 @@ import { Chart } from "./chart.ts";
 import * as colours from "./colours.ts";
 import type { Core } from "./core.ts";
 import { output } from "./description.ts";
-import { Keys, button, card, controlsOf, element, fillRemarks, save, sentence, statusInWords, titleOf } from "./elements.ts";
+import { Keys, Seldom, button, card, controlsOf, element, fillRemarks, save, sentence, statusInWords, titleOf } from "./elements.ts";
 import { drawMap, rowHeight } from "./field_map.ts";
 import { Choice, Form, type FieldSpec } from "./fields.ts";
 import { presetButtons } from "./presets.ts";
@@ -15,10 +15,11 @@ import { digits } from "./units.ts";
 
 interface Frame {
   distance: number; fx: number; fy: number; mz: number; creepage_longitudinal: number; creepage_lateral: number;
-  px: number[]; py: number[]; sx: number[]; sy: number[]; state: number[];
+  px: Numbers; py: Numbers; sx: Numbers; sy: Numbers; state: Numbers;
 }
+type Numbers = Float64Array | number[]; // few elements are no array of one type
 interface Transient {
-  hertz: { a: number; b: number }; x: number[]; y: number[]; bound: number[]; frames: Frame[]; status: string; reason?: string; warnings: string[];
+  hertz: { a: number; b: number }; x: Numbers; y: Numbers; bound: Numbers; frames: Frame[]; status: string; reason?: string; warnings: string[];
 }
 
 const creepage = { unit: "%", from: -1, to: 1, step: 0.005 } as const, force = { from: -40, to: 40, step: 0.5 } as const;
@@ -61,6 +62,7 @@ export class StartView {
   readonly #cut: Chart;
   readonly #creepages: Chart;
   readonly #forces: Chart;
+  readonly #history = new Seldom(() => { this.#drawHistory(); });
   #found: Transient | undefined;
   #timer = 0;
 
@@ -122,6 +124,7 @@ export class StartView {
   /** What is done to the wheel in a sentence, and what follows. */
   #tell(): void {
     const { given, values } = this.state, friction = values["friction.coefficient"]! * values["load.normal_force"]!;
+    for (const field of this.#form.fields) if (field.spec.key.startsWith("motion.force_")) field.hatchBeyond(friction, "more than friction can bear");
     const force = values["motion.force_longitudinal"]!, across = given.lateral === "force" ? values["motion.force_lateral"]! : 0, size = given.longitudinal === "force" ? Math.hypot(force, across) : Math.abs(across);
     this.#lead.textContent = size > 0
       ? `A wheel at rest is put under ${digits(size / 1e3)} kN${across === 0 ? (force < 0 ? " backwards" : " forwards") : ""}, ${digits(Math.round((100 * size) / friction))} % of what friction can bear, then it rolls. At first it slides all around the edge (Cattaneo); rolling brings that to the trailing edge, and after about one length of the contact nothing changes any more (Carter).`
@@ -130,7 +133,7 @@ export class StartView {
 
   solve(): void {
     this.#tell();
-    void this.core.ask<Transient>("transient", { call: "transient", case: startCase(this.state) }).then((reply) => {
+    void this.core.ask<Transient>("start transient", { call: "transient", case: startCase(this.state) }, true).then((reply) => {
       if (!reply) return;
       this.#form.refuse(reply.error?.message ?? "");
       if (!reply.result) return;
@@ -139,8 +142,8 @@ export class StartView {
       fillRemarks(this.#remarks, [...warnings, ...(status === "ok" ? [] : [`ends at the first frame that is not solved, ${statusInWords(status, reason)}`])].map(sentence));
       this.#time.textContent = `exact theory, ${reply.result.frames.length} frames: ${digits(1e3 * (reply.time ?? 0))} ms`;
       this.#slider.max = String(reply.result.frames.length - 1);
-      this.#drawHistory();
       this.#show(Math.min(this.state.frame, reply.result.frames.length - 1));
+      this.#history.soon();
     });
   }
 
@@ -179,20 +182,21 @@ export class StartView {
     if (!found || !frame) return;
     this.state.frame = index;
     this.#slider.value = String(index);
-    const { x, y, bound } = found, { a, b } = found.hertz;
+    const [x, y, bound] = [found.x, found.y, found.bound].map((of) => [...of]) as [number[], number[], number[]], { a, b } = found.hertz;
+    const [px, py, sx, sy, state] = [frame.px, frame.py, frame.sx, frame.sy, frame.state].map((of) => [...of]) as [number[], number[], number[], number[], number[]];
     const row = [...new Set(y)].sort((one, other) => Math.abs(one) - Math.abs(other))[0]!;
     const places = [...new Set(x)].sort((one, other) => one - other), width = places.length > 1 ? places[1]! - places[0]! : 2 * a;
-    const sheets = sheetsOf({ x, y, width: x.map(() => width), pressure: bound, bound, px: frame.px, py: frame.py, sx: frame.sx, sy: frame.sy, state: frame.state }, rowHeight(y), { a, b });
+    const sheets = sheetsOf({ x, y, width: x.map(() => width), pressure: bound, bound, px, py, sx, sy, state }, rowHeight(y), { a, b });
     drawMap(this.#map, { sheets, shown: "friction", arrows: true, largest: Math.max(...bound, 1e-30) });
-    const at = y.flatMap((value, k) => (value === row && frame.state[k] !== 0 ? [k] : [])).sort((one, other) => x[one]! - x[other]!);
+    const at = y.flatMap((value, k) => (value === row && state[k] !== 0 ? [k] : [])).sort((one, other) => x[one]! - x[other]!);
     this.#cut.draw({
       x: at.map((k) => x[k]! * 1e3), xLabel: "x [mm]", yLabel: "MPa",
       curves: [
         { name: "bound", colour: colours.bound, values: at.map((k) => bound[k]! / 1e6), dash: [4, 4] },
-        { name: "|p|", colour: colours.exact, values: at.map((k) => Math.hypot(frame.px[k]!, frame.py[k]!) / 1e6) },
+        { name: "|p|", colour: colours.exact, values: at.map((k) => Math.hypot(px[k]!, py[k]!) / 1e6) },
       ],
     });
-    for (const chart of [this.#creepages, this.#forces]) chart.draw({ ...chart.content!, present: frame.distance * 1e3 });
+    for (const chart of [this.#creepages, this.#forces]) if (chart.content) chart.draw({ ...chart.content, present: frame.distance * 1e3 });
     const text = frame.distance === 0 ? "at rest, forces put on" : `rolled ${digits(frame.distance * 1e3)} mm, ${digits(frame.distance / (2 * a))} lengths of the contact`;
     this.#spoken.textContent = text;
     this.#showKeys(found, frame);
@@ -200,13 +204,13 @@ export class StartView {
   }
 
   #showKeys({ bound, hertz: { a, b }, frames }: Transient, { distance, fx, fy, creepage_longitudinal, px, py, state }: Frame): void {
-    const of = (wanted: number) => state.filter((one) => one === wanted).length, inContact = of(1) + of(2), share = inContact > 0 ? of(1) / inContact : 1, percent = (value: number) => String(Math.round(100 * value));
+    const of = (wanted: number) => [...state].filter((one) => one === wanted).length, inContact = of(1) + of(2), share = inContact > 0 ? of(1) / inContact : 1, percent = (value: number) => String(Math.round(100 * value));
     const { values } = this.state, possible = values["friction.coefficient"]! * values["load.normal_force"]!, friction = Math.hypot(fx, fy), last = frames.at(-1)!;
-    const largest = (all: number[]) => all.reduce((most, value) => Math.max(most, value), 0), minus = (value: string) => value.replace("-", "−");
+    const largest = (all: Numbers) => [...all].reduce((most, value) => Math.max(most, value), 0), minus = (value: string) => value.replace("-", "−");
     this.#keys.show([
       { name: "Distance rolled", value: digits(distance * 1e3), unit: "mm", note: distance === 0 ? "still at rest" : `${digits(distance / (2 * a))} contact lengths`, what: "How far the contact has moved over both surfaces. After about one length of it the state is nearly steady." },
       { name: "Contact patch", value: (2e3 * a).toFixed(1), unit: "mm long", note: `${(2e3 * b).toFixed(1)} mm wide`, what: "The ellipse of Hertz, along the direction of rolling and across." },
-      { name: "Highest friction", value: digits(Math.round(largest(px.map((p, k) => Math.hypot(p, py[k]!))) / 1e6)), unit: "MPa", note: `of at most ${digits(Math.round(largest(bound) / 1e6))} MPa`, what: "The largest friction force per area. It can be at most the friction coefficient times the pressure, which is largest in the middle." },
+      { name: "Highest friction", value: digits(Math.round(largest([...px].map((p, k) => Math.hypot(p, py[k]!))) / 1e6)), unit: "MPa", note: `of at most ${digits(Math.round(largest(bound) / 1e6))} MPa`, what: "The largest friction force per area. It can be at most the friction coefficient times the pressure, which is largest in the middle." },
       { name: "Sticks and slides", value: "", unit: "", note: `${percent(share)} % sticks, ${percent(1 - share)} % slides`, share, what: "Shares of the contact where both surfaces stick together (adhesion) and where they slide (slip)." },
       { name: "Friction force", value: (friction / 1e3).toFixed(1), unit: "kN", note: `${percent(friction / possible)} % of ${(possible / 1e3).toFixed(1)} kN possible`, what: `Along the surface. ${output("bodies", "fx").text}.` },
       { name: "Creepage", value: distance === 0 ? "–" : minus((100 * creepage_longitudinal).toFixed(3)), unit: distance === 0 ? "" : "%", note: `${minus((100 * last.creepage_longitudinal).toFixed(3))} % at the end`, what: `By how much the wheel turns slower than it rolls; at rest there is none. ${output("bodies", "creepage_longitudinal").text}.` },
@@ -217,7 +221,7 @@ export class StartView {
     const { frames } = this.#found!, rolled = frames.filter(({ distance }) => distance > 0);
     const draw = (chart: Chart, of: Frame[], yLabel: string, [along, across]: [(frame: Frame) => number, (frame: Frame) => number]) => {
       chart.draw({
-        x: of.map(({ distance }) => distance * 1e3), xLabel: "distance rolled [mm]", yLabel,
+        x: of.map(({ distance }) => distance * 1e3), xLabel: "distance rolled [mm]", yLabel, present: frames[this.state.frame]!.distance * 1e3,
         curves: [{ name: "longitudinal", colour: colours.exact, values: of.map(along) }, { name: "lateral", colour: colours.fastsim2, values: of.map(across) }],
       });
     };

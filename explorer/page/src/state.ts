@@ -21,8 +21,11 @@ export interface ContactState {
 }
 /** Of a case file, keys that have no field on the page. */
 export type More = Record<string, Value>;
+export const sides = ["left", "right"] as const;
+export type WheelSide = (typeof sides)[number];
 export interface RailState {
   values: Values;
+  side: WheelSide; // which wheel is the main picture's
   shape: string;
   profiles: { rail: string; wheel: string }; // names of files
   files: Record<string, string>;             // those that were dropped on the page
@@ -102,7 +105,7 @@ export function initialState(): State {
         "wheelset.flange_back_distance": 1.36,
         "material.young_modulus": 210e9, "material.poisson_ratio": 0.28,
       },
-      shape: "true", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {}, more: {},
+      side: "left", shape: "true", profiles: { rail: "60e1.prr", wheel: "s1002.prw" }, files: {}, more: {},
     },
     start: {
       values: {
@@ -175,6 +178,7 @@ export async function decode(fragment: string): Promise<State> {
     merge(state as unknown as Record<string, unknown>, JSON.parse(text) as Record<string, unknown>);
     requireWord("view", state.view, [...views]);
     requireWord("law", state.contact.law, Object.keys(laws()));
+    requireWord("side", state.rail.side, [...sides]);
     requireWord("shape", state.rail.shape, Object.keys(shapes()));
     for (const given of [...Object.values(state.start.given), state.nip.given]) requireWord("given", given, ["force", "creepage"]);
     requireWord("stiffness", state.nip.stiffness, [...stiffnesses]);

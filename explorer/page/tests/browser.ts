@@ -1,5 +1,5 @@
 // What the tests of the page share: the page in a real browser, opened as a file, and the program beside it.
-//   MICROSLIP_PAGE folder of index.html; MICROSLIP the program; PROFILES folder of the examples' profiles; SCREENSHOTS where to leave some
+//   MICROSLIP_PAGE folder of index.html; MICROSLIP the program; PROFILES folder of the examples' profiles; CHROMIUM the browser
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -9,7 +9,7 @@ import path from "node:path";
 import { after, before } from "node:test";
 import { chromium, type Browser, type Download, type Page } from "playwright-core";
 
-export const { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium", SCREENSHOTS: shots } = process.env;
+export const { MICROSLIP_PAGE: folder = "", MICROSLIP: named = "", PROFILES: profiles = "", CHROMIUM: executablePath = "/usr/bin/chromium" } = process.env;
 export const program = path.resolve(named);
 export const address = `file://${path.resolve(folder)}/index.html`;
 export const scratch = mkdtempSync(path.join(tmpdir(), "explorer-"));
@@ -28,8 +28,8 @@ after(async () => {
 
 export interface Opened { page: Page; errors: string[]; requests: string[] }
 
-export async function opened(link = "", size = { width: 1400, height: 900 }, script?: string, colorScheme: "light" | "dark" = "light"): Promise<Opened> {
-  const page = await browser.newPage({ viewport: size, colorScheme });
+export async function opened(link = "", size = { width: 1400, height: 900 }, script?: string, colorScheme: "light" | "dark" = "light", reducedMotion: "reduce" | "no-preference" = "no-preference"): Promise<Opened> {
+  const page = await browser.newPage({ viewport: size, colorScheme, reducedMotion });
   const errors: string[] = [], requests: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("request", (request) => requests.push(request.url()));
@@ -69,13 +69,34 @@ export async function nipField(page: Page, key: string, text: string): Promise<v
   await input.press("Enter");
 }
 
-/** Nothing is computed, and nothing has been for longer than the page puts off what is not urgent. */
-export async function settled(page: Page): Promise<void> {
-  const quiet = await page.evaluateHandle(() => ({ since: performance.now() }));
-  await page.waitForFunction((at) => {
-    if (document.body.ariaBusy === "true") at.since = performance.now();
-    return performance.now() - at.since > 700;
-  }, quiet, { polling: 20, timeout: 120000 });
+/** Nothing is computed, and nothing has been for longer and for more frames than the page puts off what is not urgent. */
+export async function settled(page: { evaluate: (run: (given: undefined) => Promise<void>, given: undefined) => Promise<void> }): Promise<void> {
+  await page.evaluate(() => new Promise((resolve, reject) => {
+    const begun = performance.now();
+    let since = begun, frames = 0;
+    const frame = () => {
+      const now = performance.now();
+      ++frames;
+      if (document.body.ariaBusy === "true") [since, frames] = [now, 0];
+      if (frames > 5 && now - since > 700) resolve();
+      else if (now - begun > 120000) reject(new Error("the page is still busy after two minutes"));
+      else requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }), undefined);
+}
+
+/** Waits until a field or a list has this value. */
+export async function has(page: Page, selector: string, value: string): Promise<void> {
+  await page.waitForFunction(([of, wanted]) => document.querySelector<HTMLInputElement>(of!)?.value === wanted, [selector, value]);
+}
+
+/** Waits until a field has a number that is as near to this one. */
+export async function hasNumber(page: Page, selector: string, value: number, within: number): Promise<void> {
+  await page.waitForFunction(([of, wanted, nearly]) => {
+    const input = document.querySelector<HTMLInputElement>(of as string);
+    return input && Math.abs(Number(input.value) - (wanted as number)) < (nearly as number);
+  }, [selector, value, within] as const);
 }
 
 export async function saved(page: Page, name: string): Promise<string> {
