@@ -238,6 +238,34 @@ Figures classical(int n, double skewness) {
   return figures;
 }
 
+/// Four strips across the rolling direction that touch in separate patches, with waves on them: n x n elements, of
+/// which two fifths are in contact, steps of so many elements, both forces given. All of it from nothing.
+Figures four_patches(int n, int step_elements) {
+  ContactStep step;
+  step.grid = {.mx = n, .my = n, .x0 = -4e-3, .y0 = -6e-3, .dx = 8e-3 / n, .dy = 12e-3 / n};
+  step.bodies = steel;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double x = step.grid.x(i), y = step.grid.y(j);
+      step.gap.push_back(x * x + 0.1 * y * y + 8e-6 * std::cos(2200 * y) + 4e-7 * std::sin(9000 * y + 5000 * x));
+    }
+  step.load = {NormalLoad::Given::force, 20e3};
+  step.friction = {FrictionLaw::coulomb(friction)};
+  step.force_x = -0.5 * friction, step.force_y = 0.3 * friction;
+  step.motion.creepage.spin = 0.3;
+  step.motion.step = step_elements * step.grid.dx;
+  step.motion.tolerance = 1e-7;
+  Figures figures;
+  measure(
+      figures, [] { return ContactSequence(); },
+      [&](ContactSequence& sequence) {
+        const ContactStepSolution s = sequence.solve(step);
+        figures.take(static_cast<std::size_t>(s.contact_elements), s.report.newton_steps, s.report.products,
+                     s.report.status == Status::ok);
+      });
+  return figures;
+}
+
 /// A first shift, by 0.6 of the sliding force.
 Figures shift(int n) {
   const ElementGrid grid = grid_of(n, 0);
@@ -400,10 +428,12 @@ const std::vector<Problem>& problems() {
       {"normal problem of a rough ball, all elements", {128, 256, 506, 1024, 2048, 4096}, rough_normal_problem},
       {"steady, gap of the ellipse, second order", {12, 20, 96}, [](int n) { return patch(n, 0); }},
       {"steady, egg, second order", {20, 96, 254}, [](int n) { return patch(n, egg); }},
+      {"steady, four patches, two forces, cold", {128, 254, 506}, [](int n) { return four_patches(n, 1); }},
+      {"steady, four patches, steps of two elements, cold", {128, 254, 506}, [](int n) { return four_patches(n, 2); }},
       {"shift, classical", growing, shift},
       {"onset of rolling, each of 57 steps, classical", {28, 56}, onset_of_rolling},
       {"layer that yields, each of 63 transient steps", {24, 48, 96}, yielding_transient},
-      {"layer that yields, each of 24 steady contacts", {24, 48, 96}, yielding_steady},
+      {"layer that yields, each of 24 steady contacts", {24, 48, 96, 192, 400}, yielding_steady},
       {"cylinder with falling friction, each of 51 transient steps", {82}, falling_transient},
       {"Spence's compression, each of as many steps as elements across", {35, 69}, compression},
       {"stresses inside at 3 depths, a row of points", {91}, [](int n) { return stresses_inside(n, 3, false); }},

@@ -1,6 +1,7 @@
 // Steady rolling from coarser grids: the solution is that without them, and Newton's steps do not grow with the grid,
 // whatever the shape of the contact.
 
+#include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
 #include "tangential_cases.hpp"
 
@@ -90,6 +91,54 @@ TEST(NestedGrids, NewtonStepsDoNotGrowWithForcesPrescribed) {
       EXPECT_NEAR(by_force.creepage.longitudinal, wanted.longitudinal, 1e-5 * std::abs(wanted.longitudinal));
       EXPECT_NEAR(by_force.creepage.lateral, wanted.lateral, 1e-5 * std::abs(wanted.lateral));
     }
+}
+
+/// A step of two elements: z = -1 is a wave of tractions that hardly slips, which the preconditioner knows.
+TEST(NestedGrids, StepsOfTwoElementsTakeAtMostTwiceTheProducts) {
+  long of_one = 0, of_two = 0;
+  for (const double ratio : {0.3, 1.0, 5.0}) {
+    const Problem p = two_patches(64, ratio);
+    TangentialInput input = input_for(ratio, 0.3, 0.2, 0.1);
+    for (const int step : {1, 2}) {
+      input.step = step * p.grid.dx;
+      const ContactSolution s = solve(p, input);
+      EXPECT_EQ(s.report.status, Status::ok);
+      (step == 1 ? of_one : of_two) += s.report.products;
+    }
+  }
+  EXPECT_LE(double(of_two), 2 * double(of_one));
+}
+
+/// From a layer that is elastic nearly everywhere to one that yields nearly everywhere, on elements of n across.
+TEST(NestedGrids, NewtonStepsDoNotGrowOnALayerThatYields) {
+  for (const bool rows_differ : {false, true}) {
+    std::array<int, 2> steps = {};
+    for (const int n : {24, 97}) {
+      const EllipticContact c = steel_contact(0.7);
+      const HertzContact hertz = hertz_from_ellipse(c.a, c.b, {c.shear_modulus, c.poisson_ratio, 0}, c.normal_force);
+      ContactStep step;
+      step.grid = ElementGrid::across_ellipse(c.a, c.b, n, 2);
+      step.bodies = CombinedMaterial{c.shear_modulus, c.poisson_ratio, 0};
+      step.bodies.layer = {.flexibility = 2.5e-14, .yield_stress = 0.03 * hertz.peak_pressure, .hardening = 5e12};
+      for (int j = 0; j < step.grid.my; ++j) {
+        for (int i = 0; i < step.grid.mx; ++i) {
+          const double x = step.grid.x(i), y = step.grid.y(j);
+          step.gap.push_back(hertz.gap.x * x * x + hertz.gap.y * y * y);
+        }
+        if (j == 0 || rows_differ) step.friction.push_back(FrictionLaw::coulomb(0.3 + 0.02 * step.grid.y(j) / c.b));
+      }
+      step.load = {NormalLoad::Given::force, c.normal_force};
+      for (const double size : {0.1, 0.3, 1.0, 3.0}) {
+        step.motion.creepage = scaled_creepage(c, size, -0.3 * size, 0.1);
+        step.motion.tolerance = 1e-8;
+        const ContactStepSolution s = ContactSequence().solve(step);
+        EXPECT_EQ(s.report.status, Status::ok);
+        EXPECT_GT(s.plastic_elements, 0) << size;
+        steps[n > 24] += s.report.newton_steps;
+      }
+    }
+    EXPECT_LE(steps[1], 1.5 * steps[0]);
+  }
 }
 
 TEST(NestedGrids, ExtraSlipIsPartOfTheStart) {

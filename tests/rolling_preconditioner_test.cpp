@@ -138,6 +138,36 @@ TEST(RollingPreconditioner, TheOtherDirectionIsTheMirrorImage) {
   }
 }
 
+/// 1/(1 - z^n) in place of 1/(1 - z): differences over the step are those over an element of the map for a step of one.
+/// Two patches in the same rows.
+TEST(RollingPreconditioner, ForLongerStepsSumsFromStepToStep) {
+  const ElementGrid grid{.mx = 17, .my = 6, .x0 = 0, .y0 = 0, .dx = 1e-3, .dy = 2e-3};
+  const std::size_t count = grid.count();
+  Field bound(count), px(count), py(count), of_one_x(count), of_one_y(count), qx(count), qy(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    bound[k] = k % 17 != 8 && k % 17 > k / 17;
+    if (bound[k] > 0) px[k] = some_traction(k), py[k] = some_traction(k + 1000);
+  }
+  for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
+    const int side = direction == RollingDirection::forward ? 1 : -1;
+    const auto ahead = [&](const Field& q, int row, int column, int step) {
+      const int there = column + side * step, cell = row * grid.mx + there;
+      return there >= 0 && there < grid.mx && bound[cell] > 0 ? q[cell] : 0.0;
+    };
+    RollingPreconditioner<double>(grid, bound, direction).precondition(px, py, of_one_x, of_one_y);
+    for (const int columns : {2, 3}) {
+      RollingPreconditioner<double>(grid, bound, direction, columns).precondition(px, py, qx, qy);
+      for (int j = 0; j < grid.my; ++j)
+        for (int i = 0; i < grid.mx; ++i) {
+          const std::size_t k = static_cast<std::size_t>(j) * grid.mx + i;
+          if (!(bound[k] > 0)) continue;
+          EXPECT_NEAR(qx[k] - ahead(qx, j, i, columns), of_one_x[k] - ahead(of_one_x, j, i, 1), 1e-12);
+          EXPECT_NEAR(qy[k] - ahead(qy, j, i, columns), of_one_y[k] - ahead(of_one_y, j, i, 1), 1e-12);
+        }
+    }
+  }
+}
+
 TEST(RollingPreconditioner, SinglePrecisionIsNearDouble) {
   const FittedContact contact = fit_ellipse(6e-3, 4e-3, 30, 20);
   const std::size_t n = contact.elements.size();
@@ -229,7 +259,7 @@ TEST(RollingOperator, IsTheMapWithItsPreconditioner) {
   for (const RollingDirection direction : {RollingDirection::forward, RollingDirection::backward}) {
     const double step = direction == RollingDirection::forward ? grid.dx : -grid.dx;
     TangentialOperator plain = TangentialOperator::difference(steel, grid, step);
-    RollingOperator rolling(plain, grid, bound, direction);
+    RollingOperator rolling(plain, grid, bound, direction, 1);
     plain.apply(px, py, sx, sy);
     rolling.apply(px, py, rolling_x, rolling_y);
     EXPECT_EQ(rolling_x, sx);

@@ -129,9 +129,9 @@ private:
 
 template <class Real>
 typename Gmres<Real>::Result Gmres<Real>::solve(const Product& matrix, std::span<const Real> b, std::span<Real> x,
-                                                double tolerance, int most) {
-  return b.size() < many_unknowns ? solve_in(basis_, matrix, b, x, tolerance, most)
-                                  : solve_in(narrow_, matrix, b, x, tolerance, most);
+                                                double tolerance, int most, Precision basis) {
+  return b.size() < many_unknowns && basis == Precision::full ? solve_in(basis_, matrix, b, x, tolerance, most)
+                                                              : solve_in(narrow_, matrix, b, x, tolerance, most);
 }
 
 template <class Real>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/precision.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -29,8 +31,11 @@ public:
   };
 
   /// Starts from x = 0 and stops when |b - A x| <= tolerance |b| or after `most` products. Cost: products, and for k of
-  /// them 2 k^2 operations with vectors. With many_unknowns |b - A x| is known, and reached, to about 1e-7 |b| only.
-  Result solve(const Product& matrix, std::span<const Real> b, std::span<Real> x, double tolerance, int most);
+  /// them 2 k^2 operations with vectors. With a basis in
+  /// single precision |b - A x| is known, and reached, to about 1e-7 |b| only.
+  /// `basis`: in which precision its vectors are kept, single in any case with many_unknowns.
+  Result solve(const Product& matrix, std::span<const Real> b, std::span<Real> x, double tolerance, int most,
+               Precision basis = Precision::full);
 
 private:
   template <class Stored>

@@ -1,6 +1,7 @@
 #include "microslip/exact/classical/slip_friction.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/exact/halfspace/coarser_elements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -329,6 +330,21 @@ bool SlipFriction::carry(std::span<const double> size_change, std::span<const do
       particle.deformation = (s.pressure * mu + s.friction * dp) / layer_.hardening;
   });
   return true;
+}
+
+std::unique_ptr<SlipDependentBound> SlipFriction::on_coarser(double longer) const {
+  if (falls() || layer_.hardening < 0) return nullptr;
+  const ElementGrid coarse = coarser_grid(grid_);
+  std::vector<FrictionLaw> laws = {laws_[0]};
+  if (laws_.size() > 1) {
+    laws.clear();
+    for (int j = 0; j < coarse.my; ++j) laws.push_back(laws_[2 * static_cast<std::size_t>(j)]);
+  }
+  Passage passage = passage_;
+  passage.time *= longer;
+  passage.before = mean_on_coarser(grid_, passage_.before);
+  passage.deformation_before = mean_on_coarser(grid_, passage_.deformation_before);
+  return std::make_unique<SlipFriction>(coarse, laws, memory_, layer_, std::move(passage));
 }
 
 } // namespace microslip

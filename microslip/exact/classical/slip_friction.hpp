@@ -86,6 +86,7 @@ public:
                  std::span<double> own) override;
   bool carry(std::span<const double> size_change, std::span<const double> pressure_change,
              std::span<double> bound_change) const override;
+  std::unique_ptr<SlipDependentBound> on_coarser(double longer) const override;
 
 private:
   /// State of a particle as it enters an element.

@@ -62,6 +62,11 @@ int columns_of(double step, const ElementGrid& grid) {
   return std::abs(whole) < grid.mx && std::abs(columns - whole) < rounding ? static_cast<int>(whole) : 0;
 }
 
+/// A step in elements, rounded, from one on.
+int nearest_columns(double step, const ElementGrid& grid) {
+  return static_cast<int>(std::lround(std::clamp(std::abs(step) / grid.dx, 1.0, static_cast<double>(grid.mx))));
+}
+
 TractionsView view_of(const VectorField* tractions) {
   if (!tractions) return {};
   return {tractions->x, tractions->y};
@@ -84,6 +89,13 @@ public:
     for (const auto s : {sx, sy})
       for (double& value : s) value /= length_;
   }
+  void apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                     std::span<double> sy) override {
+    displacement_.apply_roughly(px, py, sx, sy);
+    for (const auto s : {sx, sy})
+      for (double& value : s) value /= length_;
+  }
+  bool has_rough_product() const override { return displacement_.has_rough_product(); }
   bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                     std::span<double> qy) override {
     return displacement_.precondition(px, py, qx, qy);
@@ -188,14 +200,21 @@ void TangentialProblem::find_displacements(const VectorField& tractions, Vec2 of
 TangentialProblem::CoarseStart TangentialProblem::start_from_coarser(std::span<const double> bound,
                                                                      const TangentialInput& input, double step) {
   const ElementGrid coarse = coarser_grid(grid_);
-  if (!coarser_) coarser_ = std::make_unique<TangentialProblem>(bodies_, coarse);
   const double ratio = coarse.dx / grid_.dx;
-  const Field extra_x = mean_on_coarser(grid_, input.extra_x), extra_y = mean_on_coarser(grid_, input.extra_y);
+  std::unique_ptr<SlipDependentBound> slip_dependent;
+  if (input.slip_dependent) {
+    slip_dependent = input.slip_dependent->on_coarser(input.motion == ContactMotion::shift ? 1 : ratio);
+    if (!slip_dependent) return {};
+  }
+  if (!coarser_) coarser_ = std::make_unique<TangentialProblem>(bodies_, coarse);
+  const Field extra_x = mean_on_coarser(grid_, input.extra_x), extra_y = mean_on_coarser(grid_, input.extra_y),
+              pressure = mean_on_coarser(grid_, input.pressure);
   TangentialInput on_coarse = input;
   on_coarse.previous = nullptr;
   on_coarse.step = ratio * std::abs(step);
   on_coarse.spin_offset = input.spin_offset / ratio;
   on_coarse.extra_x = extra_x, on_coarse.extra_y = extra_y;
+  on_coarse.slip_dependent = slip_dependent.get(), on_coarse.pressure = pressure;
   if (input.leading_edge) on_coarse.leading_edge = LeadingEdge{.where_possible = true};
   on_coarse.tolerance = std::max(tolerance_of_coarser, input.tolerance);
   CoarseStart start;
@@ -279,7 +298,7 @@ ContactSolution TangentialProblem::solve(std::span<const double> bound, const Ta
   } else if (!steady && input.previous && !input.previous->x.empty()) {
     // A step changes what was there before, so that is where to begin.
     start = {.px = input.previous->x, .py = input.previous->y};
-  } else if (!input.slip_dependent && std::max(grid_.mx, grid_.my) > largest_coarsest) {
+  } else if (std::max(grid_.mx, grid_.my) > largest_coarsest) {
     coarse = start_from_coarser(bound, input, step);
     start = {.px = coarse.tractions.x, .py = coarse.tractions.y, .constants = coarse.constants};
     options.progress = part(input.progress, share_of_coarser, 1);
@@ -293,7 +312,8 @@ ContactSolution TangentialProblem::solve(std::span<const double> bound, const Ta
   if (steady && input.leading_edge)
     slip = &corrected.emplace(*slip, displacement(input.progress), step, std::move(entering));
   std::optional<RollingOperator> preconditioned;
-  if (steady && input.heading == 0) slip = &preconditioned.emplace(*slip, grid_, bound, input.direction);
+  if (steady && input.heading == 0)
+    slip = &preconditioned.emplace(*slip, grid_, bound, input.direction, nearest_columns(step, grid_));
   FrictionSolution s = newton_.solve({*slip,
                                       bound,
                                       cx,

@@ -14,6 +14,13 @@ void CentredOperator::apply(std::span<const double> px, std::span<const double> 
   centred_.move(sy);
 }
 
+void CentredOperator::apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                                    std::span<double> sy) {
+  uncentred_.apply_roughly(px, py, sx, sy);
+  centred_.move(sx);
+  centred_.move(sy);
+}
+
 bool CentredOperator::precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                                    std::span<double> qy) {
   undone_x_.assign(px.begin(), px.end());

@@ -16,6 +16,9 @@ public:
 
   void apply(std::span<const double> px, std::span<const double> py, std::span<double> sx,
              std::span<double> sy) override;
+  void apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                     std::span<double> sy) override;
+  bool has_rough_product() const override { return uncentred_.has_rough_product(); }
   bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                     std::span<double> qy) override;
   double diagonal() const override { return uncentred_.diagonal(); }

@@ -36,7 +36,7 @@ void fit_row(const ElementGrid& grid, int row, double trailing, double leading, 
              const LeadingFit& fit = in_steady_rolling, double behind = -infinity) {
   const double h = grid.dx, origin = grid.x0 - h / 2;
   const auto cell = [&](int column) {
-    return static_cast<std::size_t>(row) * grid.mx + std::clamp(column, 0, grid.mx - 1);
+    return static_cast<std::uint32_t>(row * grid.mx + std::clamp(column, 0, grid.mx - 1));
   };
   const int last = static_cast<int>(std::floor((leading - origin) / h - fit.nearest));
   const double left = origin + last * h, width = h * fit.width((leading - left) / h);

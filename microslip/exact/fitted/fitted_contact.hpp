@@ -4,6 +4,7 @@
 #include "microslip/contact/motion.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace microslip {
 /// is fitted to the edge (edge_element.hpp), and the only one of a row shorter than an element.
 struct FittedElement {
   int row = 0;
-  std::size_t cell = 0;       ///< of the grid: where results on the grid have it
+  std::uint32_t cell = 0;     ///< of the grid: where results on the grid have it
   double left = 0, right = 0; ///< [m]
   double point = 0;           ///< where its displacement is taken: its centre; in steps, that of the grid's element [m]
   double end = 0;             ///< its slip is that of the path from `point` to here [m]

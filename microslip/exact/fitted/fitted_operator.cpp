@@ -2,6 +2,7 @@
 
 #include "microslip/exact/fitted/fitted_tables.hpp"
 #include "microslip/exact/fitted/grid_kernel.hpp"
+#include "microslip/numerics/precision.hpp"
 
 #include <tuple>
 #include <utility>
@@ -21,14 +22,34 @@ template RollingPreconditioner<float> rolling_preconditioner(const FittedContact
 
 FittedOperator::FittedOperator(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
                                const TransformPlans& plans)
-    : preconditioner_(rolling_preconditioner<double>(contact, plans)) {
+    : plans_(plans) {
+  make_preconditioner(contact, plans);
   make_product(material, contact, progress, plans);
 }
 
 void FittedOperator::renew(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
                            const TransformPlans& plans) {
-  preconditioner_ = rolling_preconditioner<double>(contact, plans);
+  make_preconditioner(contact, plans);
   make_product(material, contact, progress, plans);
+}
+
+void FittedOperator::make_preconditioner(const FittedContact& contact, const TransformPlans& plans) {
+  elements_ = contact.elements.size();
+  preconditioner_.reset(), rough_preconditioner_.reset();
+  if (is_large())
+    rough_preconditioner_.emplace(rolling_preconditioner<float>(contact, plans));
+  else
+    preconditioner_.emplace(rolling_preconditioner<double>(contact, plans));
+}
+
+void FittedOperator::apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                                   std::span<double> sy) {
+  if (!rough_) rough_.emplace(*product_, shear_modulus_, plans_);
+  auto& [x, y, slip_x, slip_y] = rough_fields_;
+  for (auto* field : {&x, &y, &slip_x, &slip_y}) field->resize(elements_);
+  convert(px, 1, x), convert(py, 1, y);
+  rough_->apply(x, y, slip_x, slip_y);
+  convert(slip_x, 1 / shear_modulus_, sx), convert(slip_y, 1 / shear_modulus_, sy);
 }
 
 /// Makes the product, in the memory of the one before.
@@ -42,7 +63,7 @@ void FittedOperator::make_product(const CombinedMaterial& material, const Fitted
   transform = kernel.transform(plans, std::move(transform));
   memory = fitted_tables(material.poisson_ratio, used, kernel, progress, std::move(memory));
   product_.emplace(std::move(memory), std::move(*transform), 1 / material.shear_modulus);
-  elements_ = contact.elements.size();
+  rough_.reset();
   diagonal_ = kernel.diagonal();
   dx_ = contact.grid.dx, shear_modulus_ = material.shear_modulus;
 }

@@ -8,6 +8,7 @@
 #include "microslip/numerics/transform_plans.hpp"
 #include "microslip/progress.hpp"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -40,13 +41,17 @@ public:
              std::span<double> sy) override {
     product_->apply(px, py, sx, sy);
   }
+  void apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> sx,
+                     std::span<double> sy) override;
+  bool has_rough_product() const override { return is_large(); }
   bool precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,
                     std::span<double> qy) override {
-    preconditioner_.precondition(px, py, qx, qy);
+    preconditioner_ ? preconditioner_->precondition(px, py, qx, qy)
+                    : rough_preconditioner_->precondition(px, py, qx, qy);
     return true;
   }
   double diagonal() const override { return diagonal_ / shear_modulus_; }
-  long products() const override { return product_->products(); }
+  long products() const override { return product_->products() + (rough_ ? rough_->products() : 0); }
   const FittedProduct<double>& product() const { return *product_; }
 
   /// The displacement difference u at the elements' centres [m] for the tractions of the last apply.
@@ -54,13 +59,19 @@ public:
   std::vector<double> uy() const { return in_metres(product_->uy()); }
 
 private:
+  bool is_large() const { return 2 * elements_ >= rough_unknowns; }
+  void make_preconditioner(const FittedContact& contact, const TransformPlans& plans);
   void make_product(const CombinedMaterial& material, const FittedContact& contact, const Progress& progress,
                     const TransformPlans& plans);
   std::vector<double> in_metres(std::span<const double> displacement) const;
 
   std::size_t elements_ = 0;
   std::optional<FittedProduct<double>> product_; ///< there is one
-  RollingPreconditioner<double> preconditioner_;
+  std::optional<RollingPreconditioner<double>> preconditioner_;
+  std::optional<RollingPreconditioner<float>> rough_preconditioner_; ///< instead of it on many elements
+  std::optional<FittedProduct<float>> rough_;                        ///< G times the product, once it is asked for
+  std::array<std::vector<float>, 4> rough_fields_;                   ///< px, py, sx, sy for it
+  TransformPlans plans_;
   double diagonal_ = 0;               ///< [1/G]
   double dx_ = 0, shear_modulus_ = 0; ///< units of length and pressure
 };

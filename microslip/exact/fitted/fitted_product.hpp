@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ public:
 
   /// An element of the grid: its index in the transforms' field.
   struct GridElement {
-    std::size_t element, cell;
+    std::uint32_t element, cell;
   };
   /// A fitted element as `weight` times the grid's.
   struct Moments {

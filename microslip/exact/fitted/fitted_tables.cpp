@@ -90,7 +90,7 @@ FittedContact without_spare_elements(const FittedContact& contact) {
   out.grid.y0 = grid.y(first_row);
   for (FittedElement& e : out.elements) {
     e.row -= first_row;
-    e.cell = static_cast<std::size_t>(e.row) * out.grid.mx + (e.cell % grid.mx - first);
+    e.cell = static_cast<std::uint32_t>(e.row * out.grid.mx + static_cast<int>(e.cell % grid.mx) - first);
   }
   return out;
 }
@@ -110,7 +110,9 @@ FittedProduct<double>::Tables fitted_tables(double poisson_ratio, const FittedCo
     const FittedElement& e = elements[k];
     tables.end_point.push_back(k + 1); // the next centre; else below
     tables.slip_distance.push_back((e.end - e.point) / grid.dx);
-    if (!e.fitted) tables.grid_elements.push_back({k, cell(e.row, static_cast<int>(e.cell % grid.mx))});
+    if (!e.fitted)
+      tables.grid_elements.push_back(
+          {static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(cell(e.row, static_cast<int>(e.cell % grid.mx)))});
   }
   for (const LeadingElement& e : leading) {
     tables.end_point[e.element] = e.points[1].point;

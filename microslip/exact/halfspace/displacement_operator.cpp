@@ -1,6 +1,7 @@
 #include "microslip/exact/halfspace/displacement_operator.hpp"
 
 #include "microslip/exact/halfspace/offset_kernel.hpp"
+#include "microslip/numerics/precision.hpp"
 
 #include <vector>
 
@@ -27,6 +28,15 @@ DisplacementOperator::DisplacementOperator(const DisplacementQuadrant& quadrant,
 void DisplacementOperator::apply(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                                  std::span<double> uy) {
   displacement_.apply(px, py, 1, ux, uy);
+}
+
+void DisplacementOperator::apply_roughly(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                                         std::span<double> uy) {
+  if (!rough_) rough_.emplace(displacement_, 1 / diagonal_);
+  px_.resize(px.size()), py_.resize(py.size());
+  convert(px, 1, px_), convert(py, 1, py_);
+  rough_->apply(px_, py_, 1, px_, py_);
+  convert(px_, diagonal_, ux), convert(py_, diagonal_, uy);
 }
 
 bool DisplacementOperator::precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx,

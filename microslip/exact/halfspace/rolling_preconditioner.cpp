@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -27,11 +29,12 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
   static constexpr int lanes = block_lanes<Real>;
   static constexpr std::ptrdiff_t column_size = 2 * line_size<Real>; ///< of a block's waves, for x and for y
 
-  /// Entry of an element in contact: its numbers, and its index in the columns.
+  /// Entry of an element in contact: its number, its index in the columns, and that of the element a step ahead, if
+  /// that is in contact.
   struct ColumnEntry {
-    std::size_t element, index;
-    bool leads;
+    std::uint32_t element, index, ahead;
   };
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   /// size times (1 - zero z)/(1 - pole z), and the same with 1/z, for a block's waves.
   struct Filters {
     std::array<Real, lanes> size, zero, pole, one;
@@ -61,9 +64,7 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
     }
   }
 
-  void add(std::size_t element, std::size_t cell, bool leads) {
-    entries.push_back({element, cell % mx * my + cell / mx, leads});
-  }
+  std::uint32_t index_of(std::size_t cell) const { return static_cast<std::uint32_t>(cell % mx * my + cell / mx); }
 
   /// First what looks behind, then what looks ahead.
   void filter_both_ways(Real* block, const Filters& of) const {
@@ -74,10 +75,12 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
     filter(of.size.data(), of.zero.data(), of.pole.data(), last, -step, mx);
   }
 
-  void apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy) {
+  /// Leaves M^-1 p of the elements in the columns.
+  template <class Number> void map(std::span<const Number> px, std::span<const Number> py) {
     std::fill(x.begin(), x.end(), Real(0));
     std::fill(y.begin(), y.end(), Real(0));
-    for (const ColumnEntry& e : entries) x[e.index] = px[e.element], y[e.index] = py[e.element];
+    for (const ColumnEntry& e : entries)
+      x[e.index] = static_cast<Real>(px[e.element]), y[e.index] = static_cast<Real>(py[e.element]);
     const int threads = waves.threads();
     const RowPairs<Real> columns = {x.data(), y.data(), static_cast<std::size_t>(my)};
     distribute(waves.batches(), threads, [&](int b, int thread) {
@@ -85,13 +88,9 @@ template <class Real> struct RollingPreconditioner<Real>::WaveFilter {
     });
     distribute(waves.count(), threads, [&](int b, int) { filter_both_ways(waves.block(b), filters[b]); });
     distribute(waves.batches(), threads, [&](int b, int thread) { waves.backward(b, columns, my, thread); });
-    Real ahead_x = 0, ahead_y = 0;
     for (std::size_t k = entries.size(); k-- > 0;) { // each row from its leading element on
       const ColumnEntry& e = entries[k];
-      ahead_x = (e.leads ? Real(0) : ahead_x) + x[e.index];
-      ahead_y = (e.leads ? Real(0) : ahead_y) + y[e.index];
-      qx[e.element] = ahead_x - px[e.element];
-      qy[e.element] = ahead_y - py[e.element];
+      if (e.ahead != none) x[e.index] += x[e.ahead], y[e.index] += y[e.ahead];
     }
   }
 };
@@ -101,19 +100,26 @@ RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, Roll
                                                    std::span<const RollingElement> elements,
                                                    const TransformPlans& plans)
     : filter_(std::make_unique<WaveFilter>(grid, direction, plans)) {
-  for (const RollingElement& e : elements) filter_->add(e.element, e.cell, e.leads);
+  filter_->entries.reserve(elements.size());
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const RollingElement& e = elements[k];
+    filter_->entries.push_back({static_cast<std::uint32_t>(e.element), filter_->index_of(e.cell),
+                                e.leads ? WaveFilter::none : filter_->index_of(elements[k + 1].cell)});
+  }
 }
 
 template <class Real>
 RollingPreconditioner<Real>::RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound,
-                                                   RollingDirection direction, const TransformPlans& plans)
+                                                   RollingDirection direction, int columns, const TransformPlans& plans)
     : filter_(std::make_unique<WaveFilter>(grid, direction, plans)) {
-  const int ahead = filter_->forward ? 1 : -1, trailing = filter_->forward ? 0 : grid.mx - 1;
+  const int ahead = filter_->forward ? 1 : -1, trailing = filter_->forward ? 0 : grid.mx - 1, step = ahead * columns;
   for (int j = 0; j < grid.my; ++j)
     for (int i = trailing; i >= 0 && i < grid.mx; i += ahead) {
       const std::size_t cell = static_cast<std::size_t>(j) * grid.mx + i;
-      const bool at_end = i + ahead < 0 || i + ahead == grid.mx;
-      if (bound[cell] > 0) filter_->add(cell, cell, at_end || !(bound[cell + ahead] > 0));
+      if (!(bound[cell] > 0)) continue;
+      const bool goes_on = i + step >= 0 && i + step < grid.mx && bound[cell + step] > 0;
+      filter_->entries.push_back({static_cast<std::uint32_t>(cell), filter_->index_of(cell),
+                                  goes_on ? filter_->index_of(cell + step) : WaveFilter::none});
     }
 }
 
@@ -125,14 +131,21 @@ template <class Real> RollingPreconditioner<Real>::~RollingPreconditioner() = de
 template <class Real>
 void RollingPreconditioner<Real>::apply(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx,
                                         std::span<Real> qy) {
-  filter_->apply(px, py, qx, qy);
+  filter_->map(px, py);
+  for (const auto& e : filter_->entries) {
+    qx[e.element] = filter_->x[e.index] - px[e.element];
+    qy[e.element] = filter_->y[e.index] - py[e.element];
+  }
 }
 
 template <class Real>
-void RollingPreconditioner<Real>::precondition(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx,
-                                               std::span<Real> qy) {
-  filter_->apply(px, py, qx, qy);
-  for (const auto& e : filter_->entries) qx[e.element] += px[e.element], qy[e.element] += py[e.element];
+void RollingPreconditioner<Real>::precondition(std::span<const double> px, std::span<const double> py,
+                                               std::span<double> qx, std::span<double> qy) {
+  filter_->map(px, py);
+  for (const auto& e : filter_->entries) { // what `apply` has, and p on top
+    qx[e.element] = (filter_->x[e.index] - px[e.element]) + px[e.element];
+    qy[e.element] = (filter_->y[e.index] - py[e.element]) + py[e.element];
+  }
 }
 
 template class RollingPreconditioner<double>;

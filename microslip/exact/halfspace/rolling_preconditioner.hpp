@@ -30,15 +30,16 @@ public:
   /// Preconditions elements row by row, each from the trailing to the leading edge, at most one in each of the grid's.
   RollingPreconditioner(const ElementGrid& grid, RollingDirection direction, std::span<const RollingElement> elements,
                         const TransformPlans& plans = {});
-  /// Preconditioner of the elements that have a traction bound; numbers of the others are neither read nor written.
+  /// Preconditioner of the elements that have a traction bound, for steps of so many columns, with 1 - z^columns in
+  /// place of 1 - z; numbers of other elements are neither read nor written.
   RollingPreconditioner(const ElementGrid& grid, std::span<const double> bound, RollingDirection direction,
-                        const TransformPlans& plans = {});
+                        int columns = 1, const TransformPlans& plans = {});
   RollingPreconditioner(RollingPreconditioner&&) noexcept;
   RollingPreconditioner& operator=(RollingPreconditioner&&) noexcept;
   ~RollingPreconditioner();
 
-  /// q = M^-1 p, as `apply`.
-  void precondition(std::span<const Real> px, std::span<const Real> py, std::span<Real> qx, std::span<Real> qy);
+  /// q = M^-1 p, as `apply`; of numbers in double, whatever the precision within.
+  void precondition(std::span<const double> px, std::span<const double> py, std::span<double> qx, std::span<double> qy);
 
   /// q = (M^-1 - 1) p. One number for each element; |ky| is that of the periodic columns of the grid, with zeros where
   /// no elements are, also ahead of the leading edge before the sum.

@@ -10,13 +10,15 @@ namespace microslip {
 using Field = std::vector<double>;
 
 FrictionEquations::FrictionEquations(const FrictionProblem& problem)
-    : problem_(problem), rho_(1 / problem.slip_operator.scale()), wide_px_(problem.bound.size()), wide_py_(wide_px_),
-      wide_sx_(wide_px_), wide_sy_(wide_px_) {
+    : problem_(problem), rho_(1 / problem.slip_operator.scale()) {
   for (std::size_t k = 0; k < problem.bound.size(); ++k)
     if (problem.bound[k] > 0) elements_.push_back(k);
   if (problem.force_x) forces_.push_back(0);
   if (problem.force_y) forces_.push_back(1);
   n_ = elements_.size();
+  for (Field* field : {&wide_sx_, &wide_sy_}) field->resize(problem.bound.size());
+  if (!is_whole())
+    for (Field* field : {&wide_px_, &wide_py_}) field->resize(problem.bound.size());
   // With this unit a unit of the unknown constant weighs as much as a unit of all tractions together.
   unit_.fill(1 / (rho_ * std::sqrt(double(std::max<std::size_t>(n_, 1)))));
   g_.resize(n_);
@@ -64,12 +66,14 @@ void FrictionEquations::start(const FrictionStart& from, std::span<double> unkno
   if (!from.constants) choose_constants(unknowns, slip);
 }
 
-void FrictionEquations::respond(std::span<const double> unknowns, std::span<double> slip_change) {
-  spread(unknowns);
-  problem_.slip_operator.apply(wide_px_, wide_py_, wide_sx_, wide_sy_);
-  for (std::size_t k = 0; k < n_; ++k) {
-    slip_change[k] = wide_sx_[elements_[k]];
-    slip_change[n_ + k] = wide_sy_[elements_[k]];
+void FrictionEquations::respond(std::span<const double> unknowns, std::span<double> slip_change, Apply apply) {
+  const std::span<double> sx = slip_change.first(n_), sy = slip_change.subspan(n_, n_);
+  const auto [px, py] = spread(unknowns);
+  if (is_whole()) {
+    (problem_.slip_operator.*apply)(px, py, sx, sy);
+  } else {
+    (problem_.slip_operator.*apply)(px, py, wide_sx_, wide_sy_);
+    for (std::size_t k = 0; k < n_; ++k) sx[k] = wide_sx_[elements_[k]], sy[k] = wide_sy_[elements_[k]];
   }
   for (std::size_t f = 0; f < forces_.size(); ++f)
     for (std::size_t k = 0; k < n_; ++k) slip_change[forces_[f] * n_ + k] += share(k) * unit_[f] * unknowns[2 * n_ + f];
@@ -157,12 +161,14 @@ FrictionSolution FrictionEquations::solution(std::span<const double> unknowns, s
   return s;
 }
 
-/// Tractions of the elements in contact as fields of all elements.
-void FrictionEquations::spread(std::span<const double> tractions) {
+/// Tractions of the elements in contact as fields of all elements, copied only where others are among these.
+TractionsView FrictionEquations::spread(std::span<const double> tractions) {
+  if (is_whole()) return {tractions.first(n_), tractions.subspan(n_, n_)};
   for (std::size_t k = 0; k < n_; ++k) {
     wide_px_[elements_[k]] = tractions[k];
     wide_py_[elements_[k]] = tractions[n_ + k];
   }
+  return {wide_px_, wide_py_};
 }
 
 void FrictionEquations::add_constants(std::span<double> slip) const {
@@ -195,8 +201,8 @@ void FrictionEquations::precondition_tractions(std::span<double> unknowns) {
 
 /// change_ = (M^-1/(rho scale) - 1) change_, so that M is near rho D; false if there is no preconditioner.
 bool FrictionEquations::apply_preconditioner() {
-  spread(change_);
-  if (!problem_.slip_operator.precondition(wide_px_, wide_py_, wide_sx_, wide_sy_)) return false;
+  const auto [px, py] = spread(change_);
+  if (!problem_.slip_operator.precondition(px, py, wide_sx_, wide_sy_)) return false;
   const double share = 1 / (rho_ * problem_.slip_operator.scale());
   for (std::size_t k = 0; k < n_; ++k) {
     change_[k] = share * wide_sx_[elements_[k]] - change_[k];

@@ -33,7 +33,14 @@ public:
   /// Unknowns and slip to begin with. The derivatives of `from`, if it has them, hold until the next start.
   void start(const FrictionStart& from, std::span<double> unknowns, std::span<double> slip);
   /// The change D dp + constants of the slip for a change of the unknowns. One product.
-  void respond(std::span<const double> unknowns, std::span<double> slip_change);
+  void respond(std::span<const double> unknowns, std::span<double> slip_change) {
+    respond(unknowns, slip_change, &SlipOperator::apply);
+  }
+  /// Whether products in single precision pay, which costs another one in double for each Newton step.
+  bool is_rough() const { return size() >= rough_unknowns && problem_.slip_operator.has_rough_product(); }
+  void respond_roughly(std::span<const double> unknowns, std::span<double> slip_change) {
+    respond(unknowns, slip_change, &SlipOperator::apply_roughly);
+  }
   /// F; returns its norm.
   double evaluate(std::span<const double> unknowns, std::span<const double> slip, std::span<double> f);
   /// Fixes adhesion, slip and directions for the derivative at this point, and estimates the tractions' derivatives
@@ -53,11 +60,15 @@ public:
   FrictionSolution solution(std::span<const double> unknowns, std::span<const double> slip);
 
 private:
+  using Apply = void (SlipOperator::*)(std::span<const double>, std::span<const double>, std::span<double>,
+                                       std::span<double>);
+
+  void respond(std::span<const double> unknowns, std::span<double> slip_change, Apply apply);
   double evaluate(double rho, std::span<const double> unknowns, std::span<const double> slip,
                   std::span<double> f) const;
   void find_sizes(std::span<const double> unknowns, std::span<const double> slip);
   void find_bounds(std::span<const double> unknowns, std::span<const double> slip);
-  void spread(std::span<const double> tractions);
+  TractionsView spread(std::span<const double> tractions);
   void add_constants(std::span<double> slip) const;
   void choose_constants(std::span<double> unknowns, std::span<double> slip) const;
   void precondition_tractions(std::span<double> unknowns);
@@ -68,6 +79,7 @@ private:
   void estimate_derivatives();
   bool find_force_slopes();
 
+  bool is_whole() const { return n_ == problem_.bound.size(); } ///< whether all elements are in contact
   double share(std::size_t k) const {
     return problem_.constant_share.empty() ? 1 : problem_.constant_share[elements_[k]];
   }
@@ -88,7 +100,7 @@ private:
   std::vector<double> change_;                                ///< of the tractions
   std::vector<double> size_change_;                           ///< of |z|, for a slip-dependent bound
   std::vector<double> wide_size_, wide_bound_, wide_own_;     ///< |z|, q, dq/d|z| of all elements, for the same
-  std::vector<double> wide_px_, wide_py_, wide_sx_, wide_sy_; ///< of all elements
+  std::vector<double> wide_px_, wide_py_, wide_sx_, wide_sy_; ///< of all elements; px, py only where some carry nothing
 };
 
 } // namespace microslip

@@ -29,10 +29,11 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   if (auto sliding = full_sliding(problem)) return std::move(*sliding);
   const long products_before = problem.slip_operator.products();
   FrictionEquations equations(problem);
-  Field x(equations.size()), slip(equations.responses()), f(equations.size());
+  Field x(equations.size()), slip(equations.responses());
   double goal = options.tolerance * equations.scale();
   if (options.before) {
     equations.start({.px = options.before->px, .py = options.before->py}, x, slip);
+    Field f(equations.size());
     const double change = equations.evaluate(x, slip, f);
     goal = std::min(goal, std::max(options.tolerance * change, least_goal * equations.scale()));
   }

@@ -40,8 +40,8 @@ public:
 
 private:
   std::size_t n_;
-  std::vector<Real> nx_, ny_;                               ///< n
-  std::vector<Real> alpha_, root_alpha_, beta_, root_beta_; ///< beta is 1 in adhesion and 0 in slip with a fixed bound
+  std::vector<Real> nx_, ny_;      ///< n
+  std::vector<Real> alpha_, beta_; ///< beta is 1 in adhesion and 0 in slip with a fixed bound
 };
 
 } // namespace microslip

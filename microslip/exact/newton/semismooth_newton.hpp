@@ -31,7 +31,8 @@ struct NewtonState {
 };
 
 /// The equations F'(x) v = right of a linearised problem F(x) = 0, solved by GMRES. `Problem` has a type Real,
-/// size(), precondition(v), respond(v, response) and derivative(v, response, damping, out), as in FrictionEquations.
+/// size(), precondition(v), respond(v, response) and derivative(v, response, damping, out), as in FrictionEquations;
+/// and it may have is_rough() and respond_roughly(v, response), a response in single precision for the products.
 template <class Problem> class LinearisedProblem {
 public:
   using Real = typename Problem::Real;
@@ -41,12 +42,13 @@ public:
       : problem_(problem), gmres_(gmres), change_(problem.size()), responses_(responses) {}
 
   /// v and, unless `response_of_v` is empty, its response, which costs no product more: it is summed of those that the
-  /// products had; only with many_unknowns, where these take too much memory, it costs one. `before_product` is called
-  /// before each of them. Returns |F' v - right|.
+  /// products had; only with many_unknowns, where these take too much memory, or where these are rough, it costs one.
+  /// `before_product` is called before each of them. Returns |F' v - right|.
   template <class BeforeProduct>
   double solve(std::span<const Real> right, double damping, double tolerance, int most, std::span<Real> v,
                std::span<Real> response_of_v, const BeforeProduct& before_product) {
-    const bool sums = !response_of_v.empty() && right.size() < many_unknowns;
+    const bool rough = !response_of_v.empty() && is_rough();
+    const bool sums = !response_of_v.empty() && !rough && right.size() < many_unknowns;
     std::size_t count = 0;
     const auto product = [&](std::span<const Real> in, std::span<Real> out) {
       before_product();
@@ -55,10 +57,10 @@ public:
       response.resize(responses_);
       std::copy(in.begin(), in.end(), change_.begin());
       problem_.precondition(change_);
-      problem_.respond(change_, response);
+      respond(change_, response, rough);
       problem_.derivative(change_, response, damping, out);
     };
-    const auto result = gmres_.solve(product, right, v, tolerance, most);
+    const auto result = gmres_.solve(product, right, v, tolerance, most, rough ? Precision::single : Precision::full);
     problem_.precondition(v);
     if (sums) combine(result.weights, responses_of_products_, response_of_v);
     if (!sums && !response_of_v.empty()) {
@@ -69,6 +71,20 @@ public:
   }
 
 private:
+  static constexpr bool may_be_rough = requires(const Problem& problem) { problem.is_rough(); };
+
+  bool is_rough() const {
+    if constexpr (may_be_rough)
+      return problem_.is_rough();
+    else
+      return false;
+  }
+  void respond(std::span<const Real> v, std::span<Real> response, [[maybe_unused]] bool rough) {
+    if constexpr (may_be_rough)
+      if (rough) return problem_.respond_roughly(v, response);
+    problem_.respond(v, response);
+  }
+
   Problem& problem_;
   Gmres<Real>& gmres_;
   Field change_;
@@ -92,8 +108,8 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   constexpr double roughest = 0.3; // of the linear equations' residual
   constexpr int most_halvings = 12;
   const std::size_t n = problem.size();
-  Field f(n), right(n), step(n), response_change(response.size()), trial(n), trial_response(response.size()),
-      trial_f(n), best_x, best_response;
+  Field f(n), step(n), response_change(response.size()), trial(n), trial_response(response.size()), trial_f(n), best_x,
+      best_response;
   LinearisedProblem<Problem> linearised(problem, gmres, response.size());
   double& norm = state.norm = problem.evaluate(x, response, f);
   double best_norm = norm, misfit = roughest;
@@ -107,14 +123,13 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
   for (; norm > limits.goal && may_go_on(); ++state.steps) {
     if (limits.budget) limits.budget->take_step();
     problem.linearise(x, response);
-    std::transform(f.begin(), f.end(), right.begin(), [](double value) { return -value; });
+    for (double& value : f) value = -value; // the right side, which f is not needed beside
     const double damping = most_damping * problem.mean_alpha() * std::min(1.0, norm / problem.scale());
     const double least = std::min(0.8 * limits.goal / norm, roughest);
     const double accuracy = std::clamp(misfit, least, roughest);
     double linear_norm = 0;
     try {
-      linear_norm =
-          linearised.solve(right, damping, accuracy, most_gmres_products, step, response_change, before_product);
+      linear_norm = linearised.solve(f, damping, accuracy, most_gmres_products, step, response_change, before_product);
     } catch (const LinearSolveStopped&) {
       state.stopped = true;
       break;

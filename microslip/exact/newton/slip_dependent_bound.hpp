@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 namespace microslip {
@@ -27,6 +28,10 @@ public:
   /// changes if `pressure_change` is empty. Returns false, and leaves bound_change as it was, if nothing does.
   virtual bool carry(std::span<const double> size_change, std::span<const double> pressure_change,
                      std::span<double> bound_change) const = 0;
+
+  /// The same law on elements twice as long and wide, whose particles take `longer` times as long for a step; nothing
+  /// where a solution need not be the only one, so that one there may be another.
+  virtual std::unique_ptr<SlipDependentBound> on_coarser(double longer) const = 0;
 
 protected:
   SlipDependentBound() = default;
