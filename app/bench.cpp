@@ -11,7 +11,7 @@
 #include "microslip/version.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -23,17 +23,18 @@
 namespace microslip::app {
 namespace {
 
-/// Median over at least five runs and half a second, after one to warm up.
+/// Processor time, which other work on the machine changes less than elapsed time: the median over at least five runs
+/// and half a second, after one to warm up.
 double seconds_a_contact(const Work& work) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::duration<double> long_enough(0.5);
+  constexpr double long_enough = 0.5;
+  const auto now = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   work();
   std::vector<double> times;
-  const auto begin = Clock::now();
-  while (times.size() < 5 || Clock::now() - begin < long_enough) {
-    const auto start = Clock::now();
+  const double begin = now();
+  while (times.size() < 5 || now() - begin < long_enough) {
+    const double start = now();
     const auto count = static_cast<double>(work());
-    times.push_back(std::chrono::duration<double>(Clock::now() - start).count() / count);
+    times.push_back((now() - start) / count);
     InterruptGuard::throw_if_interrupted();
   }
   std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
@@ -48,7 +49,7 @@ const BenchRow* row_of(const std::vector<BenchRow>& rows, std::string_view name)
 void print_rows(const std::vector<BenchRow>& rows) {
   const auto build = build_info();
   fmt::print("microslip {}, commit {}, {}, {}\n{}\n\n{:<42}{:>10}  {}\n", build.version, build.commit, build.compiler,
-             build.build_type, machine(), "one core, median", "a contact", "ratio");
+             build.build_type, machine(), "processor time, median", "a contact", "ratio");
   for (const BenchRow& row : rows) {
     std::string ratio;
     if (const BenchRow* over = row_of(rows, row.over)) {
@@ -109,8 +110,8 @@ void bench(const BenchArguments& arguments) {
 }
 
 constexpr const char* footer =
-    R"(Each line is the median of runs for half a second on one core, and its ratio to another line: times depend on
-the machine and on what else it does, ratios hardly. docs/performance.md has more.
+    R"(Each line is the median processor time of runs for half a second, and its ratio to another line: times depend
+on the machine and on what else it does, ratios less. docs/performance.md has more.
 
 With the word vehicle: a wheelset, a bogie and a car over an irregular track, in times of real time, where
 microslip was built with Simbody; docs/vehicle.md describes them.
