@@ -165,7 +165,8 @@ TEST(FittedOperator, TwoPatchesInTheSameRows) {
       for (k = first; k < one.elements.size() && one.elements[k].row == row; ++k) {
         FittedElement e = one.elements[k];
         const double moved = second ? apart * one.grid.dx : 0;
-        e.cell = static_cast<std::size_t>(row) * two.grid.mx + e.cell % one.grid.mx + (second ? apart : 0);
+        const int shift = second ? apart : 0, column = static_cast<int>(e.cell) % one.grid.mx;
+        e.cell = static_cast<std::uint32_t>(row * two.grid.mx + column + shift);
         e.left += moved, e.right += moved, e.point += moved, e.end += moved;
         two.elements.push_back(e);
         two.load_share.push_back(one.load_share[k]);

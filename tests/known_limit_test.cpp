@@ -2,7 +2,7 @@
 
 #include "validation/report.hpp"
 
-#include "tests/paths.hpp"
+#include "paths.hpp"
 
 #include <filesystem>
 #include <fstream>

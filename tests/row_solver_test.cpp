@@ -64,14 +64,17 @@ std::vector<ContactDerivatives> differentiate_batch(RowSolver solver, const std:
   return derivatives;
 }
 
-/// Forces in single precision are those in double to 1e-5 of mu Fn, whatever the units and the size of the slip.
+/// Forces in single precision are those in double to 1e-5 of mu Fn, whatever the units, the size of the slip and the
+/// instruction set.
 TEST(RowSolver, SinglePrecision) {
   for (const auto scheme : all_schemes)
     for (const auto& [mx, my] : {std::pair{10, 10}, {3, 17}, {40, 5}}) {
-      SimplifiedOptions options{.mx = mx, .my = my};
-      RowSolver full(scheme, options);
-      options.precision = Precision::single;
-      RowSolver single(scheme, options);
+      RowSolver full(scheme, {.mx = mx, .my = my});
+      std::vector<RowSolver> singles;
+      for (const auto set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+        if (is_available(set))
+          singles.push_back(
+              RowSolver(scheme, {.mx = mx, .my = my, .instruction_set = set, .precision = Precision::single}));
       for (const double force_unit : {1.0, 1e-12, 1e12})
         for (const double slip : {1.0, 1e9, 1e20, 0.0}) {
           std::vector<EllipticContact> contacts = every_nth_case(7);
@@ -79,13 +82,16 @@ TEST(RowSolver, SinglePrecision) {
             c.normal_force *= force_unit, c.shear_modulus *= force_unit;
             c.creepage = {slip * c.creepage.longitudinal, slip * c.creepage.lateral, slip * c.creepage.spin};
           }
-          const auto wanted = solve_batch(full, contacts), found = solve_batch(single, contacts);
-          for (std::size_t k = 0; k < contacts.size(); ++k) {
-            SCOPED_TRACE(describe(contacts[k]));
-            const double force = friction_force(contacts[k]), area = wanted[k].slip_area + wanted[k].adhesion_area;
-            ASSERT_EQ(found[k].status, Status::ok);
-            expect_forces(found[k], wanted[k], 1e-5 * force, 1e-5 * friction_moment(contacts[k]));
-            ASSERT_NEAR(found[k].slip_area, wanted[k].slip_area, area / mx); // cells that are about to slip
+          const auto wanted = solve_batch(full, contacts);
+          for (RowSolver& single : singles) {
+            const auto found = solve_batch(single, contacts);
+            for (std::size_t k = 0; k < contacts.size(); ++k) {
+              SCOPED_TRACE(describe(single) + ": " + describe(contacts[k]));
+              const double force = friction_force(contacts[k]), area = wanted[k].slip_area + wanted[k].adhesion_area;
+              ASSERT_EQ(found[k].status, Status::ok);
+              expect_forces(found[k], wanted[k], 1e-5 * force, 1e-5 * friction_moment(contacts[k]));
+              ASSERT_NEAR(found[k].slip_area, wanted[k].slip_area, area / mx); // cells that are about to slip
+            }
           }
         }
     }

@@ -81,11 +81,12 @@ template <class Real, int count> struct LaneBits {
     return bits ? yes : no;
   }
   MICROSLIP_INLINE static bool any(const Type& bits) {
+    // By four bytes of every lane, for that of a float is no larger.
 #ifdef __AVX__
-    if constexpr (sizeof bits == 32) return __builtin_ia32_movmskpd256(LaneVector<double, 4>(bits)) != 0;
+    if constexpr (sizeof bits == 32) return __builtin_ia32_movmskps256(LaneVector<float, 8>(bits)) != 0;
 #endif
 #ifdef __SSE2__
-    if constexpr (sizeof bits == 16) return __builtin_ia32_movmskpd(LaneVector<double, 2>(bits)) != 0;
+    if constexpr (sizeof bits == 16) return __builtin_ia32_movmskps(LaneVector<float, 4>(bits)) != 0;
 #endif
     bool is_any = false;
     for (int i = 0; i < count; ++i) is_any |= bits[i] != 0;
