@@ -11,7 +11,7 @@ import time
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREEN, GREY, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, GREEN, INK3, RED, SETTINGS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 contact = microslip.read_case("examples/hertzian_contact.toml").contact
@@ -74,7 +74,7 @@ for name, row in methods.items():
 
 # %%
 figure, axes = plt.subplots(num="Error of the force over the time for one contact", figsize=(7, 4.4))
-for (name, row), colour, style in zip(methods.items(), (VERMILION, GREEN, GREY, BLUE), ("s-", "^-", "v-", "o-")):
+for (name, row), colour, style in zip(methods.items(), (RED, GREEN, INK3, ALONG), ("s-", "^-", "v-", "o-")):
     errors, times = np.array([values for _, values in row]).T
     axes.loglog(times, errors, style, color=colour, label=name)
     for (n, _), x, y in zip(row, times, errors):

@@ -8,7 +8,7 @@
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, INK3, RED, SETTINGS, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 steel = microslip.Material.from_young(210e9, 0.3)
@@ -45,7 +45,7 @@ print(f"Hertz on steel: {1e-6 * hertz.peak_pressure:.0f} MPa, semi-axis {1e6 * h
 # %%
 depth = np.linspace(0.1e-6, 60e-6, 120)
 figure, axes = plt.subplots(num="Von Mises' stress below the middle of the contact, of steel and with coatings", figsize=(6.4, 4))
-for thickness, colour in ((0, GREY), (3e-6, BLUE), (10e-6, VERMILION)):
+for thickness, colour in ((0, INK3), (3e-6, ALONG), (10e-6, RED)):
     bodies = coated(thickness) if thickness else microslip.LayeredBodies(microslip.LayeredBody(steel), microslip.LayeredBody(steel))
     found = solver.solve(like.replace(bodies=bodies))
     stress = found.interior_states(bodies, 0.0, 0.0, depth).von_mises[:, 0, 0]
@@ -68,7 +68,7 @@ plt.show()
 # %%
 frictions = np.linspace(0.0, 0.5, 6)
 figure, axes = plt.subplots(num="Largest shear stress of the bond over the friction", figsize=(6.4, 4))
-for thickness, colour in ((1e-6, ORANGE), (3e-6, BLUE), (10e-6, VERMILION)):
+for thickness, colour in ((1e-6, SLIDES), (3e-6, ALONG), (10e-6, RED)):
     shear = []
     for mu in frictions:
         one = like.replace(bodies=coated(thickness), friction=mu, creepage_longitudinal=0.05)

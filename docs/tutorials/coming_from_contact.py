@@ -12,7 +12,7 @@ import math
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, SLIDES, STICKS
+from microslip.picture_style import ALONG, INK, INK3, SETTINGS, SLIDES, STICKS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 with open("examples/sphere_on_plane.inp") as file:

@@ -11,7 +11,7 @@ import copy
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREEN, GREY, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, GREEN, INK3, RED, SETTINGS, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 contact = copy.copy(microslip.read_case("examples/hertzian_contact.toml").contact)  # to be changed below
@@ -34,10 +34,10 @@ slope = coefficients.c11 * contact.shear_modulus * contact.a * contact.b  # N
 figure, (along, across) = plt.subplots(
     1, 2, num="Forces over the longitudinal creepage for three spins",
     figsize=(9.5, 3.8))
-for row, colour in enumerate((BLUE, ORANGE, GREEN)):
+for row, colour in enumerate((ALONG, SLIDES, GREEN)):
     along.plot(1e3 * xi, -curves.fx[row] / limit, color=colour, label=f"spin {spins[row]:g} /m")
     across.plot(1e3 * xi, -curves.fy[row] / limit, color=colour)
-along.plot(1e3 * xi, slope * xi / limit, ":", color=GREY, label="Kalker's linear theory")
+along.plot(1e3 * xi, slope * xi / limit, ":", color=INK3, label="Kalker's linear theory")
 along.set(xlabel="longitudinal creepage [$10^{-3}$]", ylabel="$-F_x$ / ($\\mu F_n$)", ylim=(0, 1.1))
 across.set(xlabel="longitudinal creepage [$10^{-3}$]", ylabel="$-F_y$ / ($\\mu F_n$)", ylim=(0, 1.1))
 along.legend(loc="lower right")
@@ -81,7 +81,7 @@ print(f"dFx/dxi by a difference: {change:.4g} N")
 contact.friction = microslip.FrictionLaw.polach(0.3, ratio=0.4, decay=0.6)  # mu_0, A, B [s/m]
 creepages = np.linspace(0, 0.1, 400)
 figure, axes = plt.subplots(num="Creep curves with friction that falls with the slip velocity", figsize=(6.5, 3.8))
-for speed, colour in ((5.0, BLUE), (15.0, ORANGE), (40.0, VERMILION)):
+for speed, colour in ((5.0, ALONG), (15.0, SLIDES), (40.0, RED)):
     contact.rolling_speed = speed
     falling = solver.solve_batch(contact, creepages, lateral=0, spin=0)
     axes.plot(100 * creepages, -falling.fx / limit, color=colour, label=f"{speed:g} m/s")

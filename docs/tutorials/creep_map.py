@@ -10,7 +10,7 @@ import copy
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLACK, SETTINGS, SIGNED
+from microslip.picture_style import INK, SETTINGS, SIGNED
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 contact = copy.copy(microslip.read_case("examples/hertzian_contact.toml").contact)
@@ -39,7 +39,7 @@ limit = 0.3 * contact.normal_force
 figure, axes = plt.subplots(1, 2, num="Longitudinal and lateral force over both creepages, spin .2 /m", figsize=(10, 4.2))
 for ax, force, name in zip(axes, (forces.fx, forces.fy), ("F_x", "F_y")):
     drawn = ax.contourf(1e3 * longitudinal, 1e3 * lateral, force.T / limit, levels=np.linspace(-1, 1, 21), cmap=SIGNED)
-    ax.contour(1e3 * longitudinal, 1e3 * lateral, force.T / limit, levels=[0], colors=BLACK, linewidths=0.8)
+    ax.contour(1e3 * longitudinal, 1e3 * lateral, force.T / limit, levels=[0], colors=INK, linewidths=0.8)
     ax.set(xlabel="longitudinal creepage [$10^{-3}$]", ylabel="lateral creepage [$10^{-3}$]", title=f"${name}/(\\mu F_n)$")
 figure.colorbar(drawn, ax=axes, ticks=np.linspace(-1, 1, 5))
 plt.show()

@@ -13,7 +13,7 @@ import microslip
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
-from microslip.picture_style import BLACK, BLUE, GREEN, GREY, ORANGE, SETTINGS, SIZES, VERMILION
+from microslip.picture_style import ALONG, GREEN, INK, INK3, RED, SETTINGS, SIZES, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 case = microslip.read_case("examples/hertzian_contact.toml")
@@ -51,7 +51,7 @@ transient = solver.solve(microslip.RollingProblem(contact, kind="transient", ste
 steady = microslip.Solver(theory="exact", grid=32, discretisation="classical").solve(contact)
 distance = length * np.arange(1, steps + 1) / contact.a
 figure, axes = plt.subplots(num="Forces while the contact rolls its first lengths", figsize=(6.5, 3.8))
-for name, colour in (("fx", BLUE), ("fy", ORANGE)):
+for name, colour in (("fx", ALONG), ("fy", SLIDES)):
     history = [-getattr(step.forces, name) / limit for step in transient.history]
     axes.plot(distance, history, ".-", color=colour, label=f"$-F_{name[1]}$")
     axes.axhline(-getattr(steady.forces, name) / limit, linestyle=":", color=colour, label=f"$-F_{name[1]}$, steady")

@@ -15,7 +15,7 @@ import time
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREEN, GREY, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, GREEN, INK3, RED, SETTINGS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
@@ -27,9 +27,9 @@ plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
 # %%
 contact = microslip.EllipticContact(6e-3, 6e-3, 82e9, 0.28, 82e3, 0.3, (0.001, 0, 0.6))
-rows = {"FASTSIM, 8 x 8": (microslip.Fastsim(8, 8), VERMILION, "s-"),
-        "FASTSIM2, 8 x 8": (microslip.Fastsim2(8, 8), BLUE, "o-"),
-        "FASTSIM2, 200 x 200": (microslip.Fastsim2(200, 200), GREY, "-")}
+rows = {"FASTSIM, 8 x 8": (microslip.Fastsim(8, 8), RED, "s-"),
+        "FASTSIM2, 8 x 8": (microslip.Fastsim2(8, 8), ALONG, "o-"),
+        "FASTSIM2, 200 x 200": (microslip.Fastsim2(200, 200), INK3, "-")}
 figure, panels = plt.subplots(
     1, 2, num="Tractions of coarse grids along a row 0.75 mm beside the middle",
     figsize=(9.5, 3.8))
@@ -75,9 +75,9 @@ def forces(solver):
 
 reference, _ = forces(microslip.Fastsim2(320, 320))
 grids = np.array([5, 10, 20, 40, 80])
-methods = {"FASTSIM": (microslip.Fastsim, {}, VERMILION, "s-"),
+methods = {"FASTSIM": (microslip.Fastsim, {}, RED, "s-"),
            "FASTSIM, half first step": (microslip.Fastsim, {"half_first_step": True}, GREEN, "^-"),
-           "FASTSIM2": (microslip.Fastsim2, {}, BLUE, "o-")}
+           "FASTSIM2": (microslip.Fastsim2, {}, ALONG, "o-")}
 errors = {}
 print("rms error of the force  " + "".join(f"{n:>4} x {n:<3}" for n in grids))
 for name, (kind, options, _, _) in methods.items():
@@ -92,8 +92,8 @@ for name, (_, _, colour, style) in methods.items():
     axes.loglog(grids, errors[name], style, color=colour, label=name)
 for order, start in ((1, 0.06), (2, 0.006)):
     line = start * (grids[0] / grids) ** float(order)
-    axes.loglog(grids, line, ":", color=GREY)
-    axes.annotate(f"order {order}", (grids[-1], line[-1]), color=GREY, xytext=(4, 0), textcoords="offset points")
+    axes.loglog(grids, line, ":", color=INK3)
+    axes.annotate(f"order {order}", (grids[-1], line[-1]), color=INK3, xytext=(4, 0), textcoords="offset points")
 axes.set(xlabel="cells in each direction", ylabel="rms error / ($\\mu F_n$)", xlim=(4.5, 130))
 axes.set_xticks(grids, [str(n) for n in grids])
 axes.minorticks_off()

@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import microslip
 import numpy as np
 from matplotlib.patches import Patch
-from microslip.picture_style import BLACK, BLUE, SETTINGS, SLIDES, STICKS, VERMILION
+from microslip.picture_style import ALONG, INK, RED, SETTINGS, SLIDES, STICKS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
@@ -77,7 +77,7 @@ drawn.draw_areas(axes)
 drawn.draw_boundary(axes)
 drawn.draw_outline(axes)
 longest = np.hypot(drawn.px, drawn.py).max()
-axes.quiver(*drawn.arrows(drawn.px, drawn.py, longest), color=BLACK, width=0.004, pivot="middle", zorder=4, angles="xy",
+axes.quiver(*drawn.arrows(drawn.px, drawn.py, longest), color=INK, width=0.004, pivot="middle", zorder=4, angles="xy",
             scale_units="xy", scale=longest / drawn.arrow_length())
 axes.legend(handles=[Patch(color=STICKS, label="sticks"), Patch(color=SLIDES, label="slides")], loc="upper left",
             bbox_to_anchor=(1, 1))
@@ -97,10 +97,10 @@ plt.show()
 row = len(state) // 2
 figure, axes = plt.subplots(num="Tractions along the middle of the contact, under their bound", figsize=(6.5, 3.6))
 x = 1e3 * cells.x[row]
-axes.plot(x, 1e-6 * cells.bound[row], color=BLACK, label="bound, $\\mu p_n$")
+axes.plot(x, 1e-6 * cells.bound[row], color=INK, label="bound, $\\mu p_n$")
 size = 1e-6 * np.hypot(cells.px[row], cells.py[row])
-axes.plot(x, size, color=VERMILION, linewidth=2.5, label="size of the traction")
-axes.plot(x, -1e-6 * cells.px[row], "--", color=BLUE, label="$-p_x$")
+axes.plot(x, size, color=RED, linewidth=2.5, label="size of the traction")
+axes.plot(x, -1e-6 * cells.px[row], "--", color=ALONG, label="$-p_x$")
 axes.set(xlabel="x [mm], rolling to the right", ylabel="traction [MPa]")
 axes.legend()
 plt.show()

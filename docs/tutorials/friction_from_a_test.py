@@ -13,7 +13,7 @@ import tempfile
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import GREY, SERIES, SETTINGS
+from microslip.picture_style import INK3, SERIES, SETTINGS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 with open("examples/creep_curve.csv", newline="") as file:
@@ -73,7 +73,7 @@ forces = solver.solve_batch(case.problem, creepages, 0, 0).forces.fx
 figure, axes = plt.subplots(num="Measured points, and the fitted case at 10 m/s", figsize=(6.5, 4))
 for (name, (creepage, coefficient)), colour in zip(runs.items(), SERIES[3:]):
     axes.plot(creepage, coefficient, ".", color=colour, label=name)
-axes.plot(100 * creepages, -forces / case.contact.normal_force, color=GREY, label="fitted, 10 m/s")
+axes.plot(100 * creepages, -forces / case.contact.normal_force, color=INK3, label="fitted, 10 m/s")
 axes.set(xscale="log", xlabel="creepage [%]", ylabel="adhesion coefficient [-]", ylim=(0, None))
 axes.legend()
 plt.show()

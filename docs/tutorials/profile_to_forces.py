@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import microslip
 import microslip.plot
 import numpy as np
-from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, SIZES, VERMILION
+from microslip.picture_style import ALONG, INK3, RED, SETTINGS, SIZES, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 new = microslip.read_profile("examples/profiles/s1002.prw")
@@ -43,13 +43,13 @@ print(f"flange {1e3 * flange.flange_height:.2f} mm high, {1e3 * flange.flange_th
 
 # %%
 figure, (shape, change) = plt.subplots(2, 1, num="The measured wheel, and what it has lost beside the new one", figsize=(7, 5), sharex=True)
-shape.plot(1e3 * new.y, 1e3 * new.z, color=GREY, label="new")
-shape.plot(1e3 * worn.y, 1e3 * worn.z, color=VERMILION, label="measured")
+shape.plot(1e3 * new.y, 1e3 * new.z, color=INK3, label="new")
+shape.plot(1e3 * worn.y, 1e3 * worn.z, color=RED, label="measured")
 shape.set(ylabel="z [mm]")
 shape.legend()
 tread = new.y > -0.03
-change.plot(1e3 * new.y[tread], 1e6 * (worn.measured_z - new.z)[tread], ".", markersize=2, color=GREY, label="points of the file")
-change.plot(1e3 * new.y[tread], 1e6 * (worn.z - new.z)[tread], color=VERMILION, label="smoothed")
+change.plot(1e3 * new.y[tread], 1e6 * (worn.measured_z - new.z)[tread], ".", markersize=2, color=INK3, label="points of the file")
+change.plot(1e3 * new.y[tread], 1e6 * (worn.z - new.z)[tread], color=RED, label="smoothed")
 change.set(xlabel="y [mm], to the field side", ylabel="higher than new [µm]")
 change.legend()
 plt.show()
@@ -69,7 +69,7 @@ lateral = np.linspace(-7e-3, 7e-3, 141)
 
 figure, (above, below) = plt.subplots(2, 1, num="Rolling radius difference, and where the left wheel touches the rail",
                                       figsize=(7, 5.6), sharex=True)
-for (name, geometry), colour in zip(geometries.items(), (BLUE, VERMILION)):
+for (name, geometry), colour in zip(geometries.items(), (ALONG, RED)):
     touching = geometry.contact(lateral)
     above.plot(1e3 * lateral, 1e3 * touching.rolling_radius_difference, color=colour, label=name)
     below.plot(1e3 * lateral, 1e3 * touching.left_rail_y, ".", markersize=3, color=colour)
@@ -93,7 +93,7 @@ plt.show()
 # %%
 amplitudes = np.linspace(0.5e-3, 7e-3, 66)
 figure, axis = plt.subplots(num="Equivalent conicity over the amplitude (EN 15302)", figsize=(7, 3.8))
-for (name, geometry), colour in zip(geometries.items(), (BLUE, VERMILION)):
+for (name, geometry), colour in zip(geometries.items(), (ALONG, RED)):
     axis.plot(1e3 * amplitudes, geometry.equivalent_conicity(amplitudes), color=colour, label=name)
     print(f"{name}: {geometry.equivalent_conicity(3e-3):.3f} at 3 mm, {geometry.wavelength(3e-3):.1f} m long waves")
 axis.set(xlabel="amplitude [mm]", ylabel="equivalent conicity [-]", ylim=(0, None))
@@ -152,9 +152,9 @@ plt.show()
 positions = np.linspace(-6e-3, 6.4e-3, 125)
 many = microslip.WheelRail(**setup).solve_batch(lateral=positions, yaw=2e-3, vertical_force=80e3, forward_velocity=30.0)
 figure, axis = plt.subplots(num="Forces on the left wheel over its lateral position, yaw 2 mrad", figsize=(7, 3.8))
-axis.plot(1e3 * positions, 1e-3 * many.force_x, color=BLUE, label="longitudinal")
-axis.plot(1e3 * positions, 1e-3 * many.force_y, color=ORANGE, label="lateral, to the left")
-axis.axhline(0, color=GREY, linewidth=0.8)
+axis.plot(1e3 * positions, 1e-3 * many.force_x, color=ALONG, label="longitudinal")
+axis.plot(1e3 * positions, 1e-3 * many.force_y, color=SLIDES, label="lateral, to the left")
+axis.axhline(0, color=INK3, linewidth=0.8)
 axis.set(xlabel="wheelset to the left [mm]", ylabel="force on the wheel [kN]")
 axis.legend()
 plt.show()

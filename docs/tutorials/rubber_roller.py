@@ -9,7 +9,7 @@
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, RED, SETTINGS, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 steel = microslip.Material.from_young(210e9, 0.28)
@@ -63,7 +63,7 @@ print(f"creepage {100 * xi:.2f} %: the steel roller turns {100 * ((1 - xi / 2) /
 hardnesses, thicknesses = np.arange(35, 86, 10), (5e-3, 10e-3, 20e-3)
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8),
                                      num="Width of the nip, and how much faster the free roller turns, over hardness")
-for thickness, colour in zip(thicknesses, (BLUE, VERMILION, ORANGE)):
+for thickness, colour in zip(thicknesses, (ALONG, RED, SLIDES)):
     widths, faster = [], []
     for hardness in hardnesses:
         one = problem.replace(bodies=covered(hardness, thickness))
@@ -98,9 +98,9 @@ for v in speeds:
     resistance.append(nip.rolling_resistance)
     indentations.append(1e3 * nip.indentation)
 figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.8), num="Rolling resistance and indentation over the speed")
-left.semilogx(speeds, resistance, "o-", color=VERMILION)
+left.semilogx(speeds, resistance, "o-", color=RED)
 left.set(xlabel="speed [m/s]", ylabel="rolling resistance [N per m]")
-right.semilogx(speeds, indentations, "o-", color=BLUE)
+right.semilogx(speeds, indentations, "o-", color=ALONG)
 right.set(xlabel="speed [m/s]", ylabel="indentation [mm]")
 plt.show()
 

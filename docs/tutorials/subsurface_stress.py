@@ -9,7 +9,7 @@
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLACK, BLUE, GREY, SETTINGS, SIZES, VERMILION
+from microslip.picture_style import ALONG, INK, INK3, RED, SETTINGS, SIZES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 steel = microslip.Material.from_young(210e9, 0.28)
@@ -49,7 +49,7 @@ figure, panels = plt.subplots(
 for axes, field, title in zip(panels, (alone, braked), ("pressure alone", "full sliding, friction 0.5")):
     stress = 1e-6 * field.at(x, 0.0, depth[:, None]).von_mises
     drawn = axes.contourf(1e3 * x, -1e3 * depth, stress, levels=np.arange(0, 1051, 75), cmap=SIZES, extend="max")
-    axes.plot([-1e3 * hertz.a, 1e3 * hertz.a], [0, 0], color=BLACK, linewidth=4)
+    axes.plot([-1e3 * hertz.a, 1e3 * hertz.a], [0, 0], color=INK, linewidth=4)
     axes.set(xlabel="x [mm], rolling to the right", title=title, aspect="equal")
 panels[0].set_ylabel("z [mm]")
 figure.colorbar(drawn, ax=panels, label="[MPa]")
@@ -77,10 +77,10 @@ for mu, peak in list(zip(frictions, peaks))[::2]:
 figure, (left, right) = plt.subplots(
     1, 2, num="The largest stress in the rail over the coefficient of friction, in full sliding: how large, how deep",
     figsize=(9.5, 3.6))
-left.plot(frictions, [1e-6 * peak.value for peak in peaks], "o-", color=VERMILION)
+left.plot(frictions, [1e-6 * peak.value for peak in peaks], "o-", color=RED)
 left.set(xlabel="coefficient of friction", ylabel="largest von Mises' stress [MPa]", ylim=(0, None))
-right.plot(frictions, [1e3 * peak.depth for peak in peaks], "o-", color=BLUE)
-right.axhline(1e3 * top, linestyle=":", color=GREY)
+right.plot(frictions, [1e3 * peak.depth for peak in peaks], "o-", color=ALONG)
+right.axhline(1e3 * top, linestyle=":", color=INK3)
 right.set(xlabel="coefficient of friction", ylabel="its depth [mm]", ylim=(0, None))
 plt.show()
 

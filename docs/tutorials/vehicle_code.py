@@ -14,7 +14,7 @@ import time
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREY, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, INK3, RED, SETTINGS
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 
@@ -89,9 +89,9 @@ speeds = np.linspace(10, 90, 81)
 growth = [np.linalg.eigvals(rates(np.zeros(4), speed)[1]).real.max() for speed in speeds]
 critical = np.interp(0, growth, speeds)
 figure, axes = plt.subplots(num="Growth rate of small disturbances over the speed", figsize=(6.5, 3.4))
-axes.plot(speeds, growth, color=BLUE)
-axes.axhline(0, color=GREY, linewidth=1)
-axes.axvline(critical, color=GREY, linestyle="--", linewidth=1)
+axes.plot(speeds, growth, color=ALONG)
+axes.axhline(0, color=INK3, linewidth=1)
+axes.axvline(critical, color=INK3, linestyle="--", linewidth=1)
 axes.annotate(f"critical speed\n{critical:.1f} m/s", (critical, 4), xytext=(-6, 0), textcoords="offset points",
               ha="right")
 axes.set(xlabel="speed [m/s]", ylabel="growth rate [1/s]")
@@ -131,7 +131,7 @@ calls, inside, begin = 0, 0.0, time.perf_counter()
 figure, axes = plt.subplots(
     num="Lateral displacement after a disturbance of 3 mm, below and above the critical speed",
     figsize=(8, 3.4))
-for ratio, colour in ((0.8, BLUE), (1.1, VERMILION)):
+for ratio, colour in ((0.8, ALONG), (1.1, RED)):
     lateral = run(ratio * critical, 3e-3, 2.5)[:, 0]
     axes.plot(1e-3 * np.arange(len(lateral)), 1e3 * lateral, color=colour, label=f"{ratio:g} of the critical speed")
 passed = time.perf_counter() - begin

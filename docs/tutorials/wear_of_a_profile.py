@@ -11,7 +11,7 @@ import sys
 import matplotlib.pyplot as plt
 import microslip
 import numpy as np
-from microslip.picture_style import BLUE, GREY, ORANGE, SETTINGS, VERMILION
+from microslip.picture_style import ALONG, INK3, RED, SETTINGS, SLIDES
 
 plt.rcParams.update({**SETTINGS, "figure.constrained_layout.use": True})
 sys.path.append("examples/wear")
@@ -39,7 +39,7 @@ solution
 patch, fields = solution.patches[0], solution.fields[0]
 depth = microslip.wear_depth(fields, hardness=3e9, rolling_speed=patch.rolling_speed).sum(axis=1)
 figure, axis = plt.subplots(num="Depth that one passage takes off, across the wheel", figsize=(6.5, 3.4))
-axis.plot(1e3 * fields.fields.y[:, 0], 1e9 * depth, color=VERMILION)
+axis.plot(1e3 * fields.fields.y[:, 0], 1e9 * depth, color=RED)
 axis.set(xlabel="y in the patch [mm]", ylabel="depth [nm]")
 plt.show()
 print(f"a turn takes off {1e9 * depth.max():.2f} nm at most: {1e-3 * 50e-6 / depth.max() * 2 * np.pi * 0.46:.0f} km for 0.05 mm at that point")
@@ -55,8 +55,8 @@ of = wear.service()
 before, area = wear.wear_per_metre(new, of=of)
 s = 1e3 * wear.BIN * np.arange(len(before))
 figure, axis = plt.subplots(num="Depth per 1000 km along the new profile, and after smoothing", figsize=(7, 3.4))
-axis.plot(s, 1e3 * 1e6 * before, color=GREY, linewidth=0.8, label="as computed")
-axis.plot(s, 1e3 * 1e6 * wear.smoothed(before), color=BLUE, label="smoothed")
+axis.plot(s, 1e3 * 1e6 * before, color=INK3, linewidth=0.8, label="as computed")
+axis.plot(s, 1e3 * 1e6 * wear.smoothed(before), color=ALONG, label="smoothed")
 axis.set(xlabel="length along the profile [mm]", ylabel="depth [mm]")
 axis.legend()
 plt.show()
@@ -78,7 +78,7 @@ for _ in range(3):
     profile, total = wear.worn(profile, step * rate), total + step
     stations.append((total, profile))
 figure, axis = plt.subplots(num="What is worn off the profile, along z", figsize=(7, 3.4))
-for (distance, worn), colour in zip(stations[1:], (BLUE, ORANGE, VERMILION)):
+for (distance, worn), colour in zip(stations[1:], (ALONG, SLIDES, RED)):
     common = np.linspace(-0.035, 0.04, 400)
     old_z, new_z = (np.interp(common, p.y, p.z) for p in (new, worn))
     axis.plot(1e3 * common, 1e3 * np.abs(new_z - old_z), color=colour, label=f"{1e-3 * distance:.0f} km")
