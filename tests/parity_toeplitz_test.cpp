@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <span>
+#include <utility>
 
 namespace microslip {
 namespace {
@@ -111,6 +113,31 @@ TEST(ParityToeplitz, DoesNotDependOnTheNumberOfThreads) {
   const Field three = product.by_transforms(all_rows(129));
   omp_set_num_threads(threads);
   EXPECT_EQ(one, three);
+}
+
+/// A kernel of small numbers after products with large ones: nothing of them is left in its transform.
+TEST(ParityToeplitz, KernelsDoNotDependOnEarlierProducts) {
+  for (const auto& [mx, my] : {std::pair{7, 12}, {9, 10}, {17, 20}}) {
+    const std::vector<double> in(static_cast<std::size_t>(mx) * my, 1e6);
+    std::vector<double> out(in.size());
+    std::vector<int> rows(my);
+    std::iota(rows.begin(), rows.end(), 0);
+    const auto kernel = [](double size) {
+      return [size](int j, std::span<double> entries) {
+        for (std::size_t i = 0; i < entries.size(); ++i) entries[i] = size / (1.0 + double(i) + 2 * j);
+      };
+    };
+    for (const Parity parity : {Parity{false, false}, {true, false}, {false, true}, {true, true}}) {
+      ParityToeplitz fresh(mx, my), used(mx, my);
+      const std::span<const double> loads[] = {in};
+      used.load(loads);
+      const auto large = used.spectrum(parity, kernel(1));
+      const ParityToeplitz::Term term{0, &large, parity};
+      used.apply({&term, 1}, rows, out);
+      const auto wanted = fresh.spectrum(parity, kernel(1e-17)), found = used.spectrum(parity, kernel(1e-17));
+      EXPECT_EQ(found, wanted) << mx << " x " << my;
+    }
+  }
 }
 
 TEST(ParityToeplitz, RefusesGridsWithoutElements) {
