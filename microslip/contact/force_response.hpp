@@ -17,14 +17,14 @@ namespace microslip {
 ///
 /// Those by roughness, and work, are zero unless they were asked for.
 struct ForceResponse {
-  double wavenumber = 0;                          ///< k [1/m]: the wavelength along the track is 2 pi/k
-  std::complex<double> by_creepage[3][3] = {};    ///< per unit of xi, eta [-], phi [1/m]
-  std::complex<double> by_load[3] = {};           ///< per newton of the normal force
-  std::complex<double> by_roughness[3] = {};      ///< per metre of roughness
-  std::complex<double> load_by_roughness = 0;     ///< the normal force per metre of roughness [N/m]
-  std::complex<double> work_by_creepage[3] = {};  ///< [N], of spin [N m]
-  std::complex<double> work_by_load = 0;          ///< per newton of the normal force [-]
-  std::complex<double> work_by_roughness = 0;     ///< per metre of roughness [N/m]
+  double wavenumber = 0;                         ///< k [1/m]: the wavelength along the track is 2 pi/k
+  std::complex<double> by_creepage[3][3] = {};   ///< per unit of xi, eta [-], phi [1/m]
+  std::complex<double> by_load[3] = {};          ///< per newton of the normal force
+  std::complex<double> by_roughness[3] = {};     ///< per metre of roughness
+  std::complex<double> load_by_roughness = 0;    ///< the normal force per metre of roughness [N/m]
+  std::complex<double> work_by_creepage[3] = {}; ///< [N], of spin [N m]
+  std::complex<double> work_by_load = 0;         ///< per newton of the normal force [-]
+  std::complex<double> work_by_roughness = 0;    ///< per metre of roughness [N/m]
 };
 
 /// What responses are asked for.
@@ -41,8 +41,8 @@ void require_wavenumbers(std::span<const double> wavenumbers);
 struct FrequencyResponse {
   ContactSolution solution = {};
   std::vector<ForceResponse> at = {}; ///< in the order of the wavenumbers; none where the solution is not converged
-  double normal_stiffness = 0;   ///< dFn/d(delta) [N/m]
-  long products = 0;             ///< that the responses took
+  double normal_stiffness = 0;        ///< dFn/d(delta) [N/m]
+  long products = 0;                  ///< that the responses took
 };
 
 } // namespace microslip

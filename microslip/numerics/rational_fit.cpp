@@ -233,8 +233,8 @@ double largest_error(const RationalFit& fit, std::size_t function, std::span<con
 
 void check(std::span<const double> omega, const std::vector<std::vector<Complex>>& values, int order) {
   require_count("order", order, 1, 100);
-  if (omega.size() < static_cast<std::size_t>(order + 2) / 2 || !(omega.back() > 0))
-    throw Error("fit: " + std::to_string(order) + " poles need at least " + std::to_string((order + 2) / 2) +
+  if (omega.size() < static_cast<std::size_t>(order) + 1 || !(omega.back() > 0))
+    throw Error("fit: " + std::to_string(order) + " poles need at least " + std::to_string(order + 1) +
                 " frequencies up to one that is not 0");
   for (std::size_t k = 0; k < omega.size(); ++k) {
     require_finite("omega", omega[k], "-");

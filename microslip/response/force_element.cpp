@@ -55,8 +55,9 @@ double ForceElementFit::largest_error() const {
 ForceElementFit fit_force_element(const FrequencyResponse& response, double normal_force, int order) {
   constexpr double nothing = 1e-6; // of a response, over the force's largest by inputs of a like size
   if (response.at.empty()) throw Error("fit: there are no responses, as the steady state is not solved");
-  ForceElementFit fit{.steady = {response.solution.creepage, normal_force},
-                      .forces = {response.solution.totals.fx, response.solution.totals.fy, response.solution.totals.mz}};
+  ForceElementFit fit{
+      .steady = {response.solution.creepage, normal_force},
+      .forces = {response.solution.totals.fx, response.solution.totals.fy, response.solution.totals.mz}};
   std::vector<double> wavenumbers;
   for (const ForceResponse& r : response.at) wavenumbers.push_back(r.wavenumber);
   // Inputs of a like size: creepages of 1, the load by itself, spin by the contact's length.
@@ -232,8 +233,7 @@ ElementForces ForceElement::forces(const ElementInput& input) const {
   for (std::size_t n = 0; n < fit_.poles.size(); ++n) {
     const double pair = fit_.poles[n].imag() > 0 ? 2 : 1;
     for (std::size_t f = 0; f < functions; ++f)
-      out[f / element_inputs] +=
-          pair * (fit_.residues[n][f] * memory_[n * element_inputs + f % element_inputs]).real();
+      out[f / element_inputs] += pair * (fit_.residues[n][f] * memory_[n * element_inputs + f % element_inputs]).real();
   }
   return {out[0], out[1], out[2]};
 }

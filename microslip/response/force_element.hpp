@@ -27,12 +27,13 @@ inline constexpr std::size_t element_inputs = 4, element_outputs = 3; ///< xi, e
 /// h(s) = d + sum over n of r_n/(s - p_n), with common poles. One with a positive imaginary part stands for its
 /// conjugate, too.
 struct ForceElementFit {
-  ElementInput steady = {};                                       ///< about which it is linear
-  ElementForces forces = {};                                      ///< there
-  std::vector<std::complex<double>> poles = {};                   ///< p_n [1/m], of negative real part
-  std::vector<std::array<std::complex<double>, 12>> residues = {}; ///< r_n of each pole: inputs of fx, of fy, of mz [./m]
-  std::array<double, 12> constants = {};                     ///< d
-  std::array<double, 12> errors = {}; ///< largest difference from the responses, over the largest of them [-]
+  ElementInput steady = {};                     ///< about which it is linear
+  ElementForces forces = {};                    ///< there
+  std::vector<std::complex<double>> poles = {}; ///< p_n [1/m], of negative real part
+  std::vector<std::array<std::complex<double>, 12>> residues =
+      {};                                ///< r_n of each pole: inputs of fx, of fy, of mz [./m]
+  std::array<double, 12> constants = {}; ///< d
+  std::array<double, 12> errors = {};    ///< largest difference from the responses, over the largest of them [-]
 
   /// The rational function at a wavenumber, of a force by an input.
   std::complex<double> response(std::size_t force, std::size_t input, double wavenumber) const;

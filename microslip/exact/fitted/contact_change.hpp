@@ -20,8 +20,8 @@ struct NearbyContact {
 /// What changes where the pressures change, edges and leading elements with them, while the tractions of the elements
 /// stay: per unit of the change, for each element.
 struct ContactChange {
-  std::vector<double> bound;     ///< of g [Pa]
-  VectorField at_point, at_end;  ///< of the displacement at the element's point, and at the end of its slip [m]
+  std::vector<double> bound;      ///< of g [Pa]
+  VectorField at_point, at_end;   ///< of the displacement at the element's point, and at the end of its slip [m]
   std::vector<double> point, end; ///< of these places [m]
   std::vector<double> width;      ///< of the element, whose centre is its point [m]
 };

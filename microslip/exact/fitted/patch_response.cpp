@@ -27,8 +27,7 @@ int columns_in_contact(const ElementGrid& grid, const std::vector<double>& press
 } // namespace
 
 PatchResponse::PatchResponse(RollingPatch patch, const Progress& progress)
-    : patch_(std::move(patch)),
-      bound_(friction_bound(patch_.rolling->contact(), patch_.capacity, patch_.variation)),
+    : patch_(std::move(patch)), bound_(friction_bound(patch_.rolling->contact(), patch_.capacity, patch_.variation)),
       normal_problem_(patch_.material, patch_.grid, progress, patch_.plans) {
   const double least = *std::min_element(patch_.gap.begin(), patch_.gap.end());
   indentation_ = -least;
@@ -66,9 +65,8 @@ ContactChange PatchResponse::change(const Pressed& less, const Pressed& more, do
 void PatchResponse::press(const Progress& progress) {
   const NormalSolution& at = *patch_.normal;
   const auto with_load = [&](double factor) {
-    return pressed(normal_problem_.solve_from(at.pressure, patch_.gap,
-                                              {NormalLoad::Given::force, factor * at.normal_force}, normal_tolerance,
-                                              progress));
+    return pressed(normal_problem_.solve_from(
+        at.pressure, patch_.gap, {NormalLoad::Given::force, factor * at.normal_force}, normal_tolerance, progress));
   };
   const Pressed less = with_load(1 - share_), more = with_load(1 + share_);
   stiffness_ = 2 * share_ * at.normal_force / (more.approach - less.approach);
@@ -86,8 +84,7 @@ RollingResponse::Cause PatchResponse::cause_of(const ContactChange& even, const 
     for (std::size_t k = 0; k < contact.elements.size(); ++k) {
       const FittedElement& e = contact.elements[k];
       const double d = e.end - e.point;
-      const double spin =
-          patch_.solution->creepage.spin + patch_.variation.creepage_at(contact.grid.y(e.row)).spin;
+      const double spin = patch_.solution->creepage.spin + patch_.variation.creepage_at(contact.grid.y(e.row)).spin;
       const Complex before = std::polar(1.0, -wavenumber * d), end = before * change->end[k];
       const Complex stretch = (end - change->point[k]) / d, shift = (change->point[k] + end) / 2.0;
       out.cx[k] += factor * ((change->at_point.x[k] - before * change->at_end.x[k]) / d - path_slip_.x[k] * stretch);
@@ -164,8 +161,8 @@ void PatchResponse::find_by_roughness(double wavenumber, double tolerance, Force
   const Pressed behind = with_roughness(-amplitude, true), ahead = with_roughness(amplitude, true);
   const ContactChange even = change(lower, higher, amplitude, progress);
   const ContactChange odd = change(behind, ahead, amplitude, progress);
-  out.load_by_roughness = Complex(higher.normal_force - lower.normal_force, ahead.normal_force - behind.normal_force) /
-                          (2 * amplitude);
+  out.load_by_roughness =
+      Complex(higher.normal_force - lower.normal_force, ahead.normal_force - behind.normal_force) / (2 * amplitude);
   const Amplitudes found = respond_to(even, &odd, wavenumber, tolerance, progress);
   std::copy_n(found.force, 3, out.by_roughness);
   out.work_by_roughness = found.work;
@@ -173,7 +170,8 @@ void PatchResponse::find_by_roughness(double wavenumber, double tolerance, Force
 
 ForceResponse PatchResponse::at(double wavenumber, ResponseTo causes, double tolerance, const Progress& progress) {
   ForceResponse out{.wavenumber = wavenumber};
-  const auto by_creepage = patch_.rolling->respond_to_creepages(bound_, *patch_.solution, wavenumber, tolerance, progress);
+  const auto by_creepage =
+      patch_.rolling->respond_to_creepages(bound_, *patch_.solution, wavenumber, tolerance, progress);
   for (std::size_t i = 0; i < by_creepage.size(); ++i) {
     products_ += by_creepage[i].products;
     const Amplitudes found = amplitudes_of(by_creepage[i], wavenumber);

@@ -13,7 +13,7 @@ namespace microslip {
 struct RollingPatch {
   CombinedMaterial material{};
   ElementGrid grid{};
-  std::vector<double> gap;       ///< h - delta without load, delta being that of the normal solution [m]
+  std::vector<double> gap; ///< h - delta without load, delta being that of the normal solution [m]
   const NormalSolution* normal = nullptr;
   double capacity = 0; ///< mu Fn [N]
   RowVariation variation = {};
@@ -66,12 +66,12 @@ private:
   RollingPatch patch_;
   std::vector<double> bound_;
   NormalProblem normal_problem_;
-  double indentation_ = 0;   ///< by which the bodies would overlap [m]
-  double share_ = 0;         ///< of the load, by which it is changed
-  double half_length_ = 0;   ///< of the contact [m]
+  double indentation_ = 0; ///< by which the bodies would overlap [m]
+  double share_ = 0;       ///< of the load, by which it is changed
+  double half_length_ = 0; ///< of the contact [m]
   double stiffness_ = 0;
   ContactChange by_load_;
-  VectorField path_slip_;    ///< of the tractions, over the elements' paths [-]
+  VectorField path_slip_; ///< of the tractions, over the elements' paths [-]
   long products_ = 0;
 };
 
