@@ -48,6 +48,12 @@ Complex ForceElementFit::response(std::size_t force, std::size_t input, double w
   return sum;
 }
 
+int ForceElementFit::count() const {
+  int order = 0;
+  for (const Complex pole : poles) order += pole.imag() > 0 ? 2 : 1;
+  return order;
+}
+
 double ForceElementFit::largest_error() const {
   return *std::max_element(errors.begin(), errors.end());
 }
@@ -245,10 +251,15 @@ void ForceElement::reset(const ElementInput& input) {
 }
 
 std::vector<double> ForceElement::state() const {
-  std::vector<double> out;
-  for (const Complex z : memory_) out.push_back(z.real()), out.push_back(z.imag());
-  out.insert(out.end(), last_.begin(), last_.end());
+  std::vector<double> out(state_size());
+  copy_state(out);
   return out;
+}
+
+void ForceElement::copy_state(std::span<double> state) const {
+  for (std::size_t k = 0; k < memory_.size(); ++k)
+    state[2 * k] = memory_[k].real(), state[2 * k + 1] = memory_[k].imag();
+  std::copy(last_.begin(), last_.end(), state.end() - element_inputs);
 }
 
 void ForceElement::set_state(std::span<const double> state) {

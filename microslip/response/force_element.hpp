@@ -37,12 +37,14 @@ struct ForceElementFit {
 
   /// The rational function at a wavenumber, of a force by an input.
   std::complex<double> response(std::size_t force, std::size_t input, double wavenumber) const;
-  /// The largest of the errors of responses that count: those that are at least 1e-6 of their force's by the other
-  /// inputs, each over the steady state's size.
+  /// The order: a pair of poles counts twice.
+  int count() const;
+  /// The largest of the errors.
   double largest_error() const;
 };
 
-/// Fits responses at ascending wavenumbers, to `order` poles, of which pairs count twice. Throws Error for responses of
+/// Fits responses at ascending wavenumbers, to `order` poles, of which pairs count twice. What is below 1e-6 of a
+/// force's largest response, by inputs of a like size, counts as none. Throws Error for responses of
 /// an unsolved state, and as fit_rational.
 ForceElementFit fit_force_element(const FrequencyResponse& response, double normal_force, int order);
 
@@ -71,6 +73,8 @@ public:
 
   /// The memory: of each pole the numbers of each input, real and imaginary part; and the last inputs.
   std::vector<double> state() const;
+  /// The same into as many numbers; throws nothing.
+  void copy_state(std::span<double> state) const;
   /// Throws Error unless it has as many numbers.
   void set_state(std::span<const double> state);
   std::size_t state_size() const { return 2 * memory_.size() + element_inputs; }
