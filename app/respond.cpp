@@ -39,7 +39,7 @@ struct RespondArguments {
   fs::path case_file, folder, receptance;
   std::vector<std::string> wavelengths; ///< from, to
   int points = 40, poles = 0;
-  double wear_coefficient = 1e-13; ///< [m^3/J]
+  double wear_coefficient = 1e-13;     ///< [m^3/J]
   std::vector<std::string> band_width; ///< one, if given
   bool no_pictures = false, json = false;
 };
@@ -67,7 +67,8 @@ cases::ResponseQuestions questions_of(const RespondArguments& arguments) {
     throw Error(fmt::format("--poles: {} need as many wavelengths at least, --points {}", out.poles, out.poles));
   out.wear_coefficient = require_positive("--wear-coefficient", arguments.wear_coefficient, "m^3/J");
   if (!arguments.band_width.empty())
-    out.band_width = require_positive("--band-width", io::number_in_unit("--band-width", arguments.band_width[0], "m"), "m");
+    out.band_width =
+        require_positive("--band-width", io::number_in_unit("--band-width", arguments.band_width[0], "m"), "m");
   if (!arguments.receptance.empty())
     out.receptance = io::read_receptance(io::read_case_text(arguments.receptance), arguments.receptance.string());
   return out;

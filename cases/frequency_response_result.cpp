@@ -61,12 +61,13 @@ std::vector<Column> columns_of(const std::vector<ForceResponse>& at) {
   std::vector<Column> out;
   for (int j = 0; j < 5; ++j) {
     for (int i = 0; i < 3; ++i)
-      add_complex(out, std::string(forces[i].name) + "_by_" + causes[j].name, std::string(forces[i].unit) + causes[j].unit,
+      add_complex(out, std::string(forces[i].name) + "_by_" + causes[j].name,
+                  std::string(forces[i].unit) + causes[j].unit,
                   std::string("amplitude of ") + forces[i].text + " by that of " + causes[j].text, at,
                   [&](const ForceResponse& r) { return response(r, i, j); });
     add_complex(out, std::string("work_by_") + causes[j].name, j == 3 ? "-" : std::string("N") + causes[j].unit,
-                std::string("amplitude of the frictional work per metre of the surface by that of ") + causes[j].text, at,
-                [&](const ForceResponse& r) { return work(r, j); });
+                std::string("amplitude of the frictional work per metre of the surface by that of ") + causes[j].text,
+                at, [&](const ForceResponse& r) { return work(r, j); });
   }
   add_complex(out, "normal_force_by_roughness", "N/m", "amplitude of Fn by that of roughness at a given approach", at,
               [](const ForceResponse& r) { return r.load_by_roughness; });
@@ -79,8 +80,8 @@ std::vector<Column> columns_of(const ContactResponse& contact) {
   out.push_back({"contact_filter", "-",
                  "normal force that a roughness wave makes at a given approach, over that of an endless one",
                  contact.filter});
-  out.push_back({"remington_filter", "-", "Remington's filter with alpha = 1, for roughness that changes across the track",
-                 contact.remington});
+  out.push_back({"remington_filter", "-",
+                 "Remington's filter with alpha = 1, for roughness that changes across the track", contact.remington});
   out.push_back({"even_filter", "-", "the same with alpha = 0: the even mean over a disk", contact.even});
   if (contact.growth.empty()) return out;
   add_complex(out, "growth", "-", "growth of corrugation by a passage, over itself", contact.growth,
@@ -143,8 +144,7 @@ ContactResponse contact_of(FrequencyResponse response, const ResponseQuestions& 
                       .even = {},
                       .response = std::move(response),
                       .quasistatic = {}};
-  if (questions.poles > 0)
-    out.element = fit_of(out.response, normal_force_of(out.response.solution), questions.poles);
+  if (questions.poles > 0) out.element = fit_of(out.response, normal_force_of(out.response.solution), questions.poles);
   out.quasistatic = out.response.at.front();
   out.response.at.erase(out.response.at.begin());
   const auto [length, width] = size_of(out.response.solution);
@@ -168,9 +168,9 @@ void warn_of_short_waves(const ResponseQuestions& questions, FrequencyResponseRe
     if (shortest >= resolved) continue;
     const double longer = resolved / shortest;
     out.warnings.push_back((contact.name.empty() ? "" : contact.name + ": ") + "waves shorter than " +
-                           rounded_text(1e3 * resolved, 3) + " mm have fewer than " + rounded_text(elements_in_wave, 3) +
-                           " elements: responses to them are rough; " + rounded_text(longer, 3) +
-                           " times as many elements along the track resolve all");
+                           rounded_text(1e3 * resolved, 3) + " mm have fewer than " +
+                           rounded_text(elements_in_wave, 3) + " elements: responses to them are rough; " +
+                           rounded_text(longer, 3) + " times as many elements along the track resolve all");
   }
 }
 
@@ -179,8 +179,8 @@ void warn_of_short_waves(const ResponseQuestions& questions, FrequencyResponseRe
 FrequencyResponseResult find_frequency_response(const io::RollingCase& input, const ResponseQuestions& questions,
                                                 const Progress& progress) {
   FrequencyResponseResult out{.wavelengths = questions.wavelengths, .contacts = {}, .unsolved = {}, .warnings = {}};
-  FrequencyResponse response = Solver(method_of(input))
-                                   .respond(input.problem, wavenumbers_of(questions), progress, ResponseTo::roughness_too);
+  FrequencyResponse response =
+      Solver(method_of(input)).respond(input.problem, wavenumbers_of(questions), progress, ResponseTo::roughness_too);
   if (response.at.empty()) {
     out.unsolved = response.solution.report.reason;
     return out;
@@ -205,22 +205,25 @@ FrequencyResponseResult find_frequency_response(const io::WheelRailCase& input, 
   WheelRail solver = io::solver_of(input, method);
   WheelRailSolution solution;
   const io::LoadedWheelState& state = input.states.front();
-  auto responses =
-      solver.respond(state.state, state.vertical_force, wavenumbers_of(questions), solution, progress);
+  auto responses = solver.respond(state.state, state.vertical_force, wavenumbers_of(questions), solution, progress);
   for (std::size_t k = 0; k < responses.size(); ++k) {
     if (responses[k].at.empty()) {
       out.unsolved = responses[k].solution.report.reason;
       out.contacts.clear();
       return out;
     }
+    responses[k].solution.creepage = solution.patches[k].creepage; // its rows have theirs on top of none
     out.contacts.push_back(contact_of(std::move(responses[k]), questions, "patch" + std::to_string(k + 1),
                                       solution.patches[k].rolling_speed));
     if (solution.patches[k].conformity > 0)
-      out.warnings.push_back("patch" + std::to_string(k + 1) +
-                             ": what the rows' angles add to the displacements of this conformal patch does not oscillate");
+      out.warnings.push_back(
+          "patch" + std::to_string(k + 1) +
+          ": what the rows' angles add to the displacements of this conformal patch does not oscillate");
   }
-  if (responses.empty()) out.unsolved = std::string(to_string(solution.status));
-  else warn_of_short_waves(questions, out);
+  if (responses.empty())
+    out.unsolved = std::string(to_string(solution.status));
+  else
+    warn_of_short_waves(questions, out);
   return out;
 }
 

@@ -17,22 +17,22 @@ namespace microslip::cases {
 
 /// What `microslip respond` is asked for.
 struct ResponseQuestions {
-  std::vector<double> wavelengths;               ///< along the track [m]
-  std::optional<Receptance> receptance = {};     ///< of wheel and rail, for the growth of corrugation
-  double wear_coefficient = 1e-13;               ///< volume by frictional work [m^3/J]
-  std::optional<double> band_width = {};         ///< that wear is spread over [m]; none: the contact's width
-  int poles = 0;                                 ///< of a rational fit as a force element; none: no fit
+  std::vector<double> wavelengths;           ///< along the track [m]
+  std::optional<Receptance> receptance = {}; ///< of wheel and rail, for the growth of corrugation
+  double wear_coefficient = 1e-13;           ///< volume by frictional work [m^3/J]
+  std::optional<double> band_width = {};     ///< that wear is spread over [m]; none: the contact's width
+  int poles = 0;                             ///< of a rational fit as a force element; none: no fit
 };
 
 /// What it finds of a contact.
 struct ContactResponse {
-  std::string name;                     ///< "patch1"; empty where there is one contact alone
-  std::vector<double> frequencies;      ///< V/wavelength [Hz]
-  std::vector<double> filter;           ///< normal force by roughness, over that of endless waves: its size [-]
-  std::vector<double> remington, even;  ///< Remington's filter with alpha = 1 and 0, of half the contact's length [-]
-  FrequencyResponse response;           ///< at the wavelengths
-  ForceResponse quasistatic;            ///< of endless waves: the derivatives
-  double width = 0;                     ///< of the contact across the track [m]
+  std::string name;                    ///< "patch1"; empty where there is one contact alone
+  std::vector<double> frequencies;     ///< V/wavelength [Hz]
+  std::vector<double> filter;          ///< normal force by roughness, over that of endless waves: its size [-]
+  std::vector<double> remington, even; ///< Remington's filter with alpha = 1 and 0, of half the contact's length [-]
+  FrequencyResponse response;          ///< at the wavelengths
+  ForceResponse quasistatic;           ///< of endless waves: the derivatives
+  double width = 0;                    ///< of the contact across the track [m]
   std::vector<CorrugationGrowth> growth = {}; ///< with a receptance
   std::optional<ForceElementFit> element = {};
 };

@@ -35,7 +35,8 @@ constexpr std::size_t real_inputs = 5;
 
 ElementInput input_of(const Values& v) {
   return {{require_finite("creepage_longitudinal", v.real[creepage_longitudinal], "-"),
-           require_finite("creepage_lateral", v.real[creepage_lateral], "-"), require_finite("spin", v.real[spin], "1/m")},
+           require_finite("creepage_lateral", v.real[creepage_lateral], "-"),
+           require_finite("spin", v.real[spin], "1/m")},
           require_finite("normal_force", v.real[normal_force], "N")};
 }
 
@@ -103,8 +104,9 @@ ModelInfo model_info() {
   speed.min = 0;
   return {.name = "microslip force element with memory",
           .identifier = "microslip_force_element",
-          .description = "Creep forces of a contact that remember creepages and loads before, linear about a steady "
-                         "state: a rational fit of its responses over frequency, as microslip respond --poles writes it",
+          .description =
+              "Creep forces of a contact that remember creepages and loads before, linear about a steady "
+              "state: a rational fit of its responses over frequency, as microslip respond --poles writes it",
           .variables = {of_input("motion", "creepage_longitudinal", "creepage_longitudinal", 0),
                         of_input("motion", "creepage_lateral", "creepage_lateral", 0),
                         of_input("motion", "spin", "spin", 0),

@@ -95,7 +95,7 @@ private:
   Log log_;
   bool logging_;
   std::unique_ptr<Model> model_;
-  std::optional<Values> applied_; ///< of which the model has the parameters
+  std::optional<Values> applied_;                ///< of which the model has the parameters
   std::optional<std::vector<double>> kept_ = {}; ///< what the model has to remember once it has its parameters
   Interface interface_;
   std::vector<int> held_;                ///< whole numbers in continuous time

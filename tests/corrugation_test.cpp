@@ -27,7 +27,8 @@ Complex oscillator(double omega) {
 Receptance table_of_oscillator() {
   std::vector<double> frequencies;
   std::vector<Complex> values;
-  for (int k = 0; k <= 40000; ++k) frequencies.push_back(0.05 * k), values.push_back(oscillator(2 * pi * frequencies[k]));
+  for (int k = 0; k <= 40000; ++k)
+    frequencies.push_back(0.05 * k), values.push_back(oscillator(2 * pi * frequencies[k]));
   return {frequencies, values};
 }
 

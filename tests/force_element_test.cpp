@@ -55,7 +55,8 @@ TEST(RationalFit, RecoversThePolesOfAKnownFunction) {
 TEST(RationalFit, IsStableAndBetterWithMorePoles) {
   std::vector<double> omega;
   std::vector<std::vector<Complex>> values(1);
-  for (int k = 0; k < 80; ++k) omega.push_back(0.1 * k), values[0].push_back(std::polar(1.0, -0.1 * k) / Complex(1, 0.1 * k));
+  for (int k = 0; k < 80; ++k)
+    omega.push_back(0.1 * k), values[0].push_back(std::polar(1.0, -0.1 * k) / Complex(1, 0.1 * k));
   double before = 1;
   for (const int order : {2, 4, 8}) {
     const RationalFit fit = fit_rational(omega, values, order);

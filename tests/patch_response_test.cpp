@@ -45,8 +45,8 @@ RollingProblem skew_problem(double normal_force, int n) {
   constexpr double side = 16e-3;
   RollingProblem problem = rolling_problem(steel_contact(6e-3, 6e-3, 0.5, 0.3, 0.3));
   const double h = side / n;
-  problem.geometry = GapFormula{{.mx = n, .my = n, .x0 = -side / 2 + h / 2, .y0 = -side / 2 + h / 2, .dx = h, .dy = h},
-                                skew_gap};
+  problem.geometry =
+      GapFormula{{.mx = n, .my = n, .x0 = -side / 2 + h / 2, .y0 = -side / 2 + h / 2, .dx = h, .dy = h}, skew_gap};
   problem.load = {NormalLoad::Given::force, normal_force};
   return problem;
 }
@@ -90,8 +90,7 @@ TEST(PatchResponse, OfTheNormalForceToRoughnessIsTheContactFilter) {
 TEST(PatchResponse, IsTheDerivativeWhereNothingOscillates) {
   constexpr double force = 30e3, step = 0.01;
   constexpr int n = 36;
-  const FrequencyResponse r =
-      solver().respond(skew_problem(force, n), std::array{0.0}, {}, ResponseTo::roughness_too);
+  const FrequencyResponse r = solver().respond(skew_problem(force, n), std::array{0.0}, {}, ResponseTo::roughness_too);
   ASSERT_EQ(r.at.size(), 1u);
   const ContactSolution less = solver().solve(skew_problem((1 - step) * force, n)),
                         more = solver().solve(skew_problem((1 + step) * force, n));
@@ -123,8 +122,7 @@ TEST(PatchResponse, WorkIsThatOfForcesOnCreepagesWhereNothingOscillates) {
   };
   const double by_load = work(at.by_load[0], at.by_load[1], at.by_load[2]);
   EXPECT_NEAR(at.work_by_load.real(), by_load, 0.1 * std::abs(by_load));
-  const double by_xi =
-      work(at.by_creepage[0][0], at.by_creepage[1][0], at.by_creepage[2][0]) - r.solution.totals.fx;
+  const double by_xi = work(at.by_creepage[0][0], at.by_creepage[1][0], at.by_creepage[2][0]) - r.solution.totals.fx;
   EXPECT_NEAR(at.work_by_creepage[0].real(), by_xi, 0.1 * std::abs(by_xi));
 }
 

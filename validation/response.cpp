@@ -72,8 +72,8 @@ double error_of_limit() {
   return most;
 }
 
-/// Amplitude of Fx per unit of xi, which oscillates by 1e-3 of itself, in transient rolling: from +- the amplitude, over
-/// waves of so many elements after three passages.
+/// Amplitude of Fx per unit of xi, which oscillates by 1e-3 of itself, in transient rolling: from +- the amplitude,
+/// over waves of so many elements after three passages.
 Complex transient_amplitude(int elements, int steps) {
   const EllipticContact c = contact();
   const FittedContact fitted = fit_ellipse(c.a, c.b, elements, elements, ContactMotion::transient);
@@ -104,7 +104,8 @@ Complex transient_amplitude(int elements, int steps) {
 
 bool run_response(const StudyOptions& options, std::ostream& out) {
   Report report(out, options.figures);
-  report.line("a = 6 mm, b = 12 mm, steel, Fn = 82 kN, mu = 0.3, xi = 6e-4, eta = -7e-4, phi = 0.04 /m; 24 x 24 elements");
+  report.line(
+      "a = 6 mm, b = 12 mm, steel, Fn = 82 kN, mu = 0.3, xi = 6e-4, eta = -7e-4, phi = 0.04 /m; 24 x 24 elements");
   std::vector<double> wavenumbers;
   for (int k = 0; k < 40; ++k) wavenumbers.push_back(2 * std::numbers::pi / (10e-3 * std::pow(100.0, k / 39.0)));
   const double before = thread_time();

@@ -95,7 +95,8 @@ void bind_force_element(py::module_& module) {
   py::class_<ForceElement> element(
       module, "ForceElement",
       "Forces of a contact that remember the creepages and loads before: a rational fit of its responses over the\n"
-      "wavenumber with common stable poles, by vector fitting. Linear, about the steady state; copy.copy keeps a state.");
+      "wavenumber with common stable poles, by vector fitting. Linear, about the steady state; copy.copy keeps a "
+      "state.");
   element
       .def(py::init([](const FrequencyResponse& response, double normal_force, int poles) {
              return ForceElement(fit_force_element(response, normal_force, poles));
@@ -124,7 +125,8 @@ void bind_force_element(py::module_& module) {
             return out;
           },
           "wavenumber"_a,
-          "The fit's response of fx, fy [N], mz [N m] to xi, eta [-], phi [1/m], Fn [N] at a wavenumber [1/m], shape (3, 4).")
+          "The fit's response of fx, fy [N], mz [N m] to xi, eta [-], phi [1/m], Fn [N] at a wavenumber [1/m], shape "
+          "(3, 4).")
       .def(
           "step",
           [](ForceElement& self, double distance, double longitudinal, double lateral, double spin,
@@ -140,16 +142,14 @@ void bind_force_element(py::module_& module) {
       .def("__copy__", [](const ForceElement& self) { return self; })
       .def(
           "__deepcopy__", [](const ForceElement& self, const py::dict&) { return self; }, "memo"_a)
-      .def(py::pickle(
-          [](const ForceElement& self) { return py::make_tuple(text_of(self.fit()), self.state()); },
-          [](const py::tuple& kept) {
-            ForceElement self(force_element_from(kept[0].cast<std::string>()));
-            self.set_state(kept[1].cast<std::vector<double>>());
-            return self;
-          }))
-      .def("__repr__", [](const ForceElement& self) {
-        return "ForceElement(" + std::to_string(self.fit().count()) + " poles)";
-      });
+      .def(py::pickle([](const ForceElement& self) { return py::make_tuple(text_of(self.fit()), self.state()); },
+                      [](const py::tuple& kept) {
+                        ForceElement self(force_element_from(kept[0].cast<std::string>()));
+                        self.set_state(kept[1].cast<std::vector<double>>());
+                        return self;
+                      }))
+      .def("__repr__",
+           [](const ForceElement& self) { return "ForceElement(" + std::to_string(self.fit().count()) + " poles)"; });
 }
 
 void bind_results(py::module_& module) {
@@ -183,13 +183,15 @@ void bind_results(py::module_& module) {
                              "shape (n, 3, 3); at k = 0 the Jacobian of ExactDerivatives.")
       .def_property_readonly("by_load", &threes<&ForceResponse::by_load>,
                              "The same by that of the normal force [N], shape (n, 3).")
-      .def_property_readonly("by_roughness", &threes<&ForceResponse::by_roughness>,
-                             "The same by that of roughness [m] at a given approach, shape (n, 3); zero unless asked for.")
+      .def_property_readonly(
+          "by_roughness", &threes<&ForceResponse::by_roughness>,
+          "The same by that of roughness [m] at a given approach, shape (n, 3); zero unless asked for.")
       .def_property_readonly("load_by_roughness", &ones<&ForceResponse::load_by_roughness>,
                              "Complex amplitude of the normal force by that of roughness [N/m], shape (n).")
-      .def_property_readonly("work_by_creepage", &threes<&ForceResponse::work_by_creepage>,
-                             "Complex amplitudes of the frictional work per metre of the surface by those of creepages\n"
-                             "[N], [N] and spin [N m], shape (n, 3); with roughness.")
+      .def_property_readonly(
+          "work_by_creepage", &threes<&ForceResponse::work_by_creepage>,
+          "Complex amplitudes of the frictional work per metre of the surface by those of creepages\n"
+          "[N], [N] and spin [N m], shape (n, 3); with roughness.")
       .def_property_readonly("work_by_load", &ones<&ForceResponse::work_by_load>,
                              "The same by that of the normal force [-], shape (n).")
       .def_property_readonly("work_by_roughness", &ones<&ForceResponse::work_by_roughness>,
@@ -244,13 +246,12 @@ void bind_solver(py::module_& module) {
            "Steady rolling by the exact theory with creepages given and Coulomb friction: forces [N], [N m] and their\n"
            "derivatives with respect to xi [-], eta [-], phi [1/m] and the load, as ExactDerivatives, by the implicit\n"
            "function theorem, accurate to 1e-5 away from kinks.")
-      .def(
-          "respond", &respond, "problem"_a, "wavenumber"_a, py::kw_only(), "roughness"_a = false,
-          "Complex responses of the forces [N], [N m] to oscillations of creepages [-], spin [1/m] and normal force "
-          "[N]\n"
-          "about steady rolling at wavenumbers omega/V [1/m], as FrequencyResponse; with roughness also to that [m],\n"
-          "and those of frictional work. Elastically similar bodies with Coulomb friction, by the exact theory at\n"
-          "second order; else Error. Cost: 5 ms for each at 24 x 24, 15 ms with roughness.")
+      .def("respond", &respond, "problem"_a, "wavenumber"_a, py::kw_only(), "roughness"_a = false,
+           "Complex responses of the forces [N], [N m] to oscillations of creepages [-], spin [1/m] and normal force "
+           "[N]\n"
+           "about steady rolling at wavenumbers omega/V [1/m], as FrequencyResponse; with roughness also to that [m],\n"
+           "and those of frictional work. Elastically similar bodies with Coulomb friction, by the exact theory at\n"
+           "second order; else Error. Cost: 5 ms for each at 24 x 24, 15 ms with roughness.")
       .def("deformed_gap", &deformed_gap, "problem"_a,
            "Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,\n"
            "shape (my, mx) [m]; zero in contact.")
