@@ -8,9 +8,11 @@
 #include "app/pictures.hpp"
 #include "app/progress_bar.hpp"
 #include "app/quantity_table.hpp"
+#include "app/tables.hpp"
 #include "cases/frequency_response_result.hpp"
 #include "io/case_file.hpp"
 #include "io/output_file.hpp"
+#include "io/receptance_file.hpp"
 #include "io/result_file.hpp"
 #include "io/units.hpp"
 #include "io/wheel_rail_case.hpp"
@@ -30,13 +32,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_wavelengths = 10'000;
+constexpr int most_wavelengths = 10'000, most_poles = 100;
 constexpr double shortest = 1e-6, longest = 1e6; // [m]
 
 struct RespondArguments {
-  fs::path case_file, folder;
+  fs::path case_file, folder, receptance;
   std::vector<std::string> wavelengths; ///< from, to
-  int points = 40;
+  int points = 40, poles = 0;
+  double wear_coefficient = 1e-13;     ///< [m^3/J]
+  std::vector<std::string> band_width; ///< one, if given
   bool no_pictures = false, json = false;
 };
 
@@ -56,98 +60,147 @@ std::vector<double> wavelengths_of(const RespondArguments& arguments) {
   return out;
 }
 
-io::RollingCase read_case(const fs::path& path, const std::string& text) {
-  const std::string name = path.string();
-  if (io::is_wheelset_case(text, name) || io::is_wheel_rail_case(text, name))
-    throw Error(name +
-                ": responses are those of two bodies, [body1] and [body2]; of a wheel on a rail by the ellipse and "
-                "the load of one of its patches, which `microslip solve` prints");
-  return io::parse_case(text, name);
+cases::ResponseQuestions questions_of(const RespondArguments& arguments) {
+  cases::ResponseQuestions out{.wavelengths = wavelengths_of(arguments)};
+  out.poles = require_count("--poles", arguments.poles, 0, most_poles);
+  if (out.poles > 0 && arguments.points < out.poles)
+    throw Error(fmt::format("--poles: {} need as many wavelengths at least, --points {}", out.poles, out.poles));
+  out.wear_coefficient = require_positive("--wear-coefficient", arguments.wear_coefficient, "m^3/J");
+  if (!arguments.band_width.empty())
+    out.band_width =
+        require_positive("--band-width", io::number_in_unit("--band-width", arguments.band_width[0], "m"), "m");
+  if (!arguments.receptance.empty())
+    out.receptance = io::read_receptance(io::read_case_text(arguments.receptance), arguments.receptance.string());
+  return out;
 }
 
-cases::FrequencyResponseResult solve(const io::RollingCase& input, const std::vector<double>& wavelengths) {
+/// A case's result and its title.
+struct Found {
+  cases::FrequencyResponseResult result;
+  std::string title;
+};
+
+Found solve(const std::string& name, const std::string& text, const cases::ResponseQuestions& questions) {
+  if (io::is_wheelset_case(text, name))
+    throw Error(name + ": responses are those of two bodies or of one wheel, not of a wheelset");
   ProgressBar bar("responses");
-  auto result = cases::find_frequency_response(input, wavelengths, [&](double fraction) {
+  const Progress progress = [&](double fraction) {
     bar.update(fraction);
     InterruptGuard::throw_if_interrupted();
     return true;
-  });
+  };
+  const auto solved = [&](const auto& input) {
+    return Found{cases::find_frequency_response(input, questions, progress), input.title};
+  };
+  Found out = io::is_wheel_rail_case(text, name) ? solved(io::parse_wheel_rail_case(text, name))
+                                                 : solved(io::parse_case(text, name));
   InterruptGuard::throw_if_interrupted();
-  return result;
+  return out;
 }
 
-/// The size in parts of that of very long waves and the lag, "0.532, 47 deg".
+/// The size in parts of that of very long waves and the lag, "0.532, 47".
 std::string size_and_lag(std::complex<double> response, std::complex<double> quasistatic) {
   const std::complex<double> ratio = response / quasistatic;
   if (!std::isfinite(std::abs(ratio))) return "-";
   return fmt::format("{:.4f}, {:.1f}", std::abs(ratio), -std::arg(ratio) * 180 / std::numbers::pi + 0.0);
 }
 
+/// At most some 15 wavelengths.
+void print_contact(const std::vector<double>& wavelengths, const cases::ContactResponse& contact) {
+  std::vector<std::string> heads = {"frequency", "Fx by xi", "Fy by eta", "Fx by Fn", "filter", "Remington"};
+  if (!contact.growth.empty()) heads.emplace_back("growth");
+  QuantityTable table((contact.name.empty() ? "" : contact.name + ": ") +
+                          "responses of the forces, in parts of those of very long waves, and their lags [deg]",
+                      heads);
+  const ForceResponse& still = contact.quasistatic;
+  const std::size_t stride = (contact.response.at.size() + 14) / 15;
+  for (std::size_t k = 0; k < contact.response.at.size(); k += stride) {
+    const ForceResponse& r = contact.response.at[k];
+    std::vector<std::string> values = {fmt::format("{:.4g} Hz", contact.frequencies[k]),
+                                       size_and_lag(r.by_creepage[0][0], still.by_creepage[0][0]),
+                                       size_and_lag(r.by_creepage[1][1], still.by_creepage[1][1]),
+                                       size_and_lag(r.by_load[0], still.by_load[0]),
+                                       fmt::format("{:.4f}", contact.filter[k]),
+                                       fmt::format("{:.4f}", contact.remington[k])};
+    if (!contact.growth.empty()) values.push_back(fmt::format("{:.3e}", contact.growth[k].rate.real()));
+    table.add(fmt::format("{:.4g} mm", 1e3 * wavelengths[k]), values);
+  }
+  table.print();
+  if (contact.element)
+    fmt::print("\nRational fit: {} poles, largest error {:.2e} of a response's largest size\n",
+               contact.element->count(), contact.element->largest_error());
+}
+
 void print_text(const cases::FrequencyResponseResult& result) {
-  const ForceResponse& still = result.quasistatic;
-  fmt::print("Responses of the forces, in parts of those of very long waves, and their lags\n");
-  fmt::print("{:>12} {:>12} {:>16} {:>16} {:>16} {:>10}\n", "wavelength", "frequency", "Fx by xi", "Fy by eta",
-             "Fx by Fn", "filter");
-  fmt::print("{:>12} {:>12} {:>16} {:>16} {:>16} {:>10}\n", "[mm]", "[Hz]", "[-], [deg]", "[-], [deg]", "[-], [deg]",
-             "[-]");
-  const std::size_t stride = (result.response.at.size() + 14) / 15; // at most some 15 lines
-  for (std::size_t k = 0; k < result.response.at.size(); k += stride) {
-    const ForceResponse& r = result.response.at[k];
-    fmt::print("{:>12.4g} {:>12.4g} {:>16} {:>16} {:>16} {:>10.4f}\n", 1e3 * result.wavelengths[k],
-               result.frequencies[k], size_and_lag(r.by_creepage[0][0], still.by_creepage[0][0]),
-               size_and_lag(r.by_creepage[1][1], still.by_creepage[1][1]), size_and_lag(r.by_load[0], still.by_load[0]),
-               result.filter[k]);
+  for (const cases::ContactResponse& contact : result.contacts) {
+    if (&contact != &result.contacts.front()) fmt::print("\n");
+    print_contact(result.wavelengths, contact);
   }
 }
 
-std::vector<std::string> write_files(const RespondArguments& arguments, const io::RollingCase& input,
-                                     const std::string& text, const cases::FrequencyResponseResult& result) {
+/// The fits as texts, which force elements are made of.
+void write_elements(const fs::path& folder, const cases::FrequencyResponseResult& result,
+                    std::vector<std::string>& files) {
+  for (const cases::ContactResponse& contact : result.contacts) {
+    if (!contact.element) continue;
+    const fs::path path = folder / ((contact.name.empty() ? "" : contact.name + "_") + "force_element.txt");
+    io::OutputFile file(path);
+    file.write(text_of(*contact.element));
+    file.commit();
+    files.push_back(path.string());
+  }
+}
+
+std::vector<std::string> write_files(const RespondArguments& arguments, const std::string& text, const Found& found) {
   if (arguments.folder.empty()) return {};
   io::create_folder(arguments.folder);
   const fs::path path = arguments.folder / io::result_name;
   io::ResultFile file(path, {.kind = "frequency_response",
-                             .title = input.title,
+                             .title = found.title,
                              .command_line = command_line(),
                              .case_file = arguments.case_file.string(),
                              .case_text = text});
-  cases::write_frequency_response(file, result);
+  cases::write_frequency_response(file, found.result);
   file.commit();
   InterruptGuard::throw_if_interrupted();
   std::vector<std::string> files{path.string()};
+  write_elements(arguments.folder, found.result, files);
   if (arguments.no_pictures) return files;
   for (const auto& picture : draw_pictures(path, arguments.folder)) files.push_back(picture);
   return files;
 }
 
 int run(const RespondArguments& arguments) {
-  const std::vector<double> wavelengths = wavelengths_of(arguments);
+  const cases::ResponseQuestions questions = questions_of(arguments);
   if (!arguments.folder.empty()) io::require_writable_file_in(arguments.folder, io::result_name);
-  const std::string text = io::read_case_text(arguments.case_file);
-  const io::RollingCase input = read_case(arguments.case_file, text);
-  const auto result = solve(input, wavelengths);
-  if (result.response.at.empty())
-    throw Error(fmt::format("{}: the steady state is not solved: {}", arguments.case_file.string(),
-                            result.response.solution.report.reason));
-  if (!arguments.json) print_text(result);
-  const auto files = write_files(arguments, input, text, result);
+  const std::string text = io::read_case_text(arguments.case_file), name = arguments.case_file.string();
+  const Found found = solve(name, text, questions);
+  if (found.result.contacts.empty())
+    throw Error(fmt::format("{}: the steady state is not solved: {}", name, found.result.unsolved));
+  if (!arguments.json) print_text(found.result);
+  const auto files = write_files(arguments, text, found);
   if (arguments.json) {
     auto document = json_document("frequency_response");
-    document.update(cases::frequency_response_document(result));
+    document.update(cases::frequency_response_document(found.result));
     document["files"] = files;
     print_json(document);
   } else if (!files.empty()) {
     fmt::print("\nWritten\n");
-    for (const auto& file : files) fmt::print("  {}\n", file);
+    print_files(files);
   }
-  print_warnings("respond", result.warnings);
+  print_warnings("respond", found.result.warnings);
   return ExitCode::done;
 }
 
 constexpr const char* footer =
-    R"(The forces' complex amplitudes where creepages, spin or normal force oscillate a little about steady rolling,
-e^(i omega t) with omega = 2 pi V/wavelength, and the contact filter, the share of a roughness wave that the normal
-force feels at a given approach. By the exact theory, for Hertzian contacts of elastically similar bodies with
-Coulomb friction; adhesion and slip are those of the steady state. With --json all of it in SI units.
+    R"(The forces' complex amplitudes where creepages, spin, normal force or roughness oscillate a little about steady
+rolling, e^(i omega t) with omega = 2 pi V/wavelength, and the contact filter, the share of a roughness wave that the
+normal force feels at a given approach, with Remington's beside it. By the exact theory, for elastically similar bodies
+with Coulomb friction, or each patch of a wheel on a rail; adhesion and slip are those of the steady state.
+
+With a receptance, a table of frequency [Hz], receptance_real and receptance_imaginary [m/N], the growth of corrugation
+in a passage, over its height: > 0 where it grows. With --poles a rational fit of the responses, which is a force
+element with memory: -o writes it as force_element.txt. With --json all of it in SI units.
 
 Example:
   microslip respond examples/hertzian_contact.toml --wavelength 10mm 1m -o filter)";
@@ -156,18 +209,27 @@ Example:
 
 void add_respond_command(Command& program, int& exit_code) {
   Command command = program.add_subcommand(
-      "respond", "Responses of a contact's forces to creepages and load that oscillate, over the wavelength", footer);
+      "respond", "Responses of a contact's forces to what oscillates, over the wavelength", footer);
   RespondArguments& arguments = command.arguments(exit_code, run);
-  command.add_option("CASE.toml", arguments.case_file, "case of two bodies").required();
+  command.add_option("CASE.toml", arguments.case_file, "case of two bodies, or of a wheel on a rail").required();
   command
       .add_option("--wavelength FROM TO", arguments.wavelengths,
                   "wavelengths along the track [m], or with their unit as 10mm 1m; 1e-6 to 1e6")
       .required()
       .expected(2);
   command.add_option("--points COUNT", arguments.points, "wavelengths, in a geometric sequence, 1 to 10000");
+  command.add_option("--receptance TABLE.csv", arguments.receptance,
+                     "receptance of wheel and rail, by how far they part for each newton, for corrugation's growth");
+  command.add_option("--wear-coefficient NUMBER", arguments.wear_coefficient,
+                     "volume worn off by the frictional work [m^3/J]");
+  command
+      .add_option("--band-width WIDTH", arguments.band_width,
+                  "width that wear is spread over [m], or with its unit as 20mm; default: the contact's width")
+      .expected(1);
+  command.add_option("--poles COUNT", arguments.poles, "order of a rational fit, 1 to 100; default: no fit");
   command.add_option("-o,--output FOLDER", arguments.folder,
-                     "folder for result.h5 and pictures; default: none is written");
-  command.add_flag("--no-pictures", arguments.no_pictures, "write result.h5 only");
+                     "folder for result.h5, force elements and pictures; default: none is written");
+  command.add_flag("--no-pictures", arguments.no_pictures, "write no pictures");
   add_json_flag(command, arguments.json);
 }
 

@@ -4,7 +4,7 @@ set(public_headers
   microslip/*.hpp microslip/batch/*.hpp microslip/contact/*.hpp
   microslip/elasticity/hertz.hpp microslip/elasticity/interface_layer.hpp microslip/elasticity/layered_body.hpp
   microslip/elasticity/material.hpp microslip/elasticity/shore_hardness.hpp microslip/elasticity/stress.hpp microslip/elasticity/viscoelastic.hpp
-  microslip/damage/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp
+  microslip/damage/*.hpp microslip/response/*.hpp microslip/friction/*.hpp microslip/interior/*.hpp
   microslip/railway/derailment.hpp microslip/railway/geometry/conicity.hpp microslip/railway/profile/profile.hpp
   microslip/railway/profile/profile_dimensions.hpp microslip/railway/profile/profile_preparation.hpp
   microslip/railway/profile/profile_slices.hpp microslip/railway/profile/profile_smoothing.hpp

@@ -202,7 +202,8 @@ std::string description_with(const ModelInfo& info, const std::string& guid, Ver
                      escaped(info.description) + "\"\n  version=\"" + program +
                      (is_fmi2 ? "\" numberOfEventIndicators=\"0" : "") + "\" generationTool=\"microslip " + program +
                      "\" variableNamingConvention=\"" + (structured ? "structured" : "flat") + "\">\n";
-  text += model_exchange(info, version) + co_simulation(info, version) + unit_definitions(info, version);
+  if (!info.remembers) text += model_exchange(info, version);
+  text += co_simulation(info, version) + unit_definitions(info, version);
   text += "  <LogCategories>\n"
           "    <Category name=\"logStatusError\" description=\"Why a call failed\"/>\n"
           "    <Category name=\"logStatusWarning\" description=\"What is probably wrong with the parameters\"/>\n"
@@ -259,15 +260,19 @@ std::string row_of(const Variable& v) {
 } // namespace
 
 std::string documentation(const ModelInfo& info) {
-  std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(info.name) +
-                     "</title>\n<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
-                     "td,th{text-align:left;padding:.2em .6em;border-bottom:1px solid #ccc;vertical-align:top}</style>"
-                     "</head><body>\n<h1>" +
-                     escaped(info.name) + "</h1>\n<p>" + escaped(info.description) +
-                     "</p>\n<p>The unit has no states: outputs follow from inputs and parameters at once, and a step "
-                     "of any length gives the same. Parameters are set before initialization ends. Directional "
-                     "derivatives are exact. A call that fails says through the importer's logger which variable is "
-                     "wrong, with its range.</p>\n";
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(info.name) +
+      "</title>\n<style>body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
+      "td,th{text-align:left;padding:.2em .6em;border-bottom:1px solid #ccc;vertical-align:top}</style>"
+      "</head><body>\n<h1>" +
+      escaped(info.name) + "</h1>\n<p>" + escaped(info.description) + "</p>\n<p>" +
+      (info.remembers ? "The unit remembers its inputs: it goes on by the steps of co-simulation, in which "
+                        "they are constant. Derivatives are those at once. "
+                      : "The unit has no states: outputs follow from inputs and parameters at once, and a "
+                        "step of any length gives the same. ") +
+      "Parameters are set before initialization ends. Directional "
+      "derivatives are exact. A call that fails says through the importer's logger which variable is "
+      "wrong, with its range.</p>\n";
   constexpr std::pair<Causality, const char*> groups[] = {{Causality::parameter, "Parameters"},
                                                           {Causality::input, "Inputs"},
                                                           {Causality::output, "Outputs"},

@@ -81,8 +81,12 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     auto unit =
         std::make_unique<Unit>(info, type == fmi2CoSimulation ? Interface::co_simulation : Interface::model_exchange,
                                folder_of(resources), log_of(name, *functions), logging != fmi2False);
-    if (guid == microslip::fmi::guid(info, Version::fmi2)) return unit.release();
-    unit->fail("the guid is not that of modelDescription.xml");
+    if (info.remembers && type == fmi2ModelExchange)
+      unit->fail("the unit is for co-simulation");
+    else if (guid == microslip::fmi::guid(info, Version::fmi2))
+      return unit.release();
+    else
+      unit->fail("the guid is not that of modelDescription.xml");
   } catch (const std::exception&) { // no memory
   }
   return nullptr;
@@ -257,7 +261,7 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component instance, const fmi2ValueR
 fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real time, fmi2Real step, fmi2Boolean) {
   return in_stage(instance, __func__, {Stage::stepping}, [&](Unit& unit) {
     require(std::isfinite(time) && step >= 0 && std::isfinite(step), "the step is not a positive number");
-    unit.evaluate();
+    unit.advance(step);
     unit.time = time + step;
   });
 }

@@ -85,8 +85,12 @@ fmi3Instance instantiate(Interface interface, fmi3String name, fmi3String token,
     const ModelInfo info = model_info();
     const std::filesystem::path folder = resources ? reinterpret_cast<const char8_t*>(resources) : u8"";
     auto unit = std::make_unique<Unit>(info, interface, folder, log_of(environment, log), logging);
-    if (token == guid(info, Version::fmi3)) return unit.release();
-    unit->fail("the instantiation token is not that of modelDescription.xml");
+    if (info.remembers && interface == Interface::model_exchange)
+      unit->fail("the unit is for co-simulation");
+    else if (token == guid(info, Version::fmi3))
+      return unit.release();
+    else
+      unit->fail("the instantiation token is not that of modelDescription.xml");
   } catch (const std::exception&) { // no memory
   }
   return nullptr;
@@ -289,7 +293,7 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 step,
     require(std::isfinite(time) && step > 0 && std::isfinite(step), "the step is not a positive number");
     *event_needed = *terminate = *early_return = false; // a contact law does not end a simulation
     *last_time = unit.time;
-    unit.evaluate();
+    unit.advance(step);
     *last_time = unit.time = time + step;
   });
 }

@@ -38,9 +38,10 @@ struct Values {
 struct ModelInfo {
   std::string name, identifier, description;
   std::vector<Variable> variables;
+  bool remembers = false; ///< steps change what follows: a unit for co-simulation alone
 };
 
-/// Relation of the variables of a unit: a law without states, whose results follow from the inputs at once.
+/// Relation of the variables of a unit: results follow from the inputs at once, and from what it remembers.
 class Model {
 public:
   virtual ~Model() = default;
@@ -53,6 +54,12 @@ public:
   /// Derivatives of the real outputs (rows) by the real inputs (columns) of the same part, both in the order of the
   /// table, row by row, one part after another; they last until the next call. Throws and takes no memory as evaluate.
   virtual std::span<const double> differentiate(const Values& values) = 0;
+
+  /// Goes on by a step [s] of co-simulation, in which the inputs are these. Throws and takes no memory as evaluate.
+  virtual void advance(const Values&, double) {}
+  /// What it remembers, and back, with the same parameters.
+  virtual std::vector<double> memory() const { return {}; }
+  virtual void set_memory(std::span<const double>) {}
 };
 
 // Each unit defines these.

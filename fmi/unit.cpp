@@ -108,6 +108,8 @@ Model& Unit::model() {
     applied_ = values;
   }
   parameters_changed_ = false;
+  if (kept_) model_->set_memory(*kept_);
+  kept_.reset();
   return *model_;
 }
 
@@ -115,6 +117,14 @@ void Unit::evaluate() {
   if (evaluated_) return;
   model().evaluate(values);
   evaluated_ = true;
+}
+
+void Unit::advance(double step) {
+  evaluate();
+  if (!info_.remembers) return;
+  model().advance(values, step);
+  evaluated_ = false;
+  evaluate();
 }
 
 void Unit::start() {
@@ -153,6 +163,7 @@ void Unit::reset() {
   values = Values(info_.variables);
   model_ = make_model(resources_);
   applied_.reset();
+  kept_.reset();
   changed(Causality::parameter);
 }
 
@@ -161,6 +172,7 @@ void Unit::restore(const Saved& saved) {
   time = saved.time;
   values = saved.values;
   held_ = values.integer;
+  kept_ = saved.memory;
   changed(Causality::parameter);
 }
 

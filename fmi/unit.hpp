@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace microslip::fmi {
 
@@ -42,6 +43,7 @@ public:
     Stage stage;
     double time;
     Values values;
+    std::vector<double> memory; ///< of the model
   };
 
   Stage stage = Stage::instantiated;
@@ -62,6 +64,8 @@ public:
   void changed(Causality causality);
   /// Finds the results. Throws Error for a variable out of range.
   void evaluate();
+  /// Goes on by a step [s] of co-simulation and finds the results at its end. Throws likewise.
+  void advance(double step);
   /// Ends the initialization.
   void start();
   /// Results that are whole numbers are held in continuous time and follow at events, as the standard wants of discrete
@@ -75,7 +79,7 @@ public:
   /// Finds what derivative() gives. Throws as evaluate.
   void differentiate();
   void reset();
-  Saved save() const { return {stage, time, values}; }
+  Saved save() const { return {stage, time, values, kept_ ? *kept_ : model_->memory()}; }
   void restore(const Saved& saved);
 
 private:
@@ -91,7 +95,8 @@ private:
   Log log_;
   bool logging_;
   std::unique_ptr<Model> model_;
-  std::optional<Values> applied_; ///< of which the model has the parameters
+  std::optional<Values> applied_;                ///< of which the model has the parameters
+  std::optional<std::vector<double>> kept_ = {}; ///< what the model has to remember once it has its parameters
   Interface interface_;
   std::vector<int> held_;                ///< whole numbers in continuous time
   std::vector<std::size_t> place_;       ///< of a real output or input among those of its part

@@ -30,6 +30,7 @@ ALLOWED = {
                           "microslip/thermal", EXACT + "classical", EXACT + "fitted", EXACT + "halfspace",
                           EXACT + "normal", "microslip/table"],
     "microslip/damage": ["microslip/contact"],
+    "microslip/response": ["microslip/contact", "microslip/numerics"],
     "microslip/batch": ["microslip/contact", "microslip/simplified"],
     "microslip/table": ["microslip/contact", "microslip/numerics", "microslip/simplified"],
     "microslip/table/making": ["microslip/batch", "microslip/contact", "microslip/rolling", "microslip/simplified",

@@ -88,6 +88,7 @@ coefficient = 0.3
 """
 POINTS = "creepage_longitudinal [%],adhesion_coefficient\n0.1,0.1\n0.3,0.2\n0.6,0.28\n1,0.3\n2,0.3\n"
 FILES = {"contact.toml": BODIES, "exact.toml": EXACT, "covered.toml": COVERED, "starting.toml": STARTING, "wheel.toml": WHEEL, "points.csv": POINTS,
+         "receptance.csv": "frequency [Hz],receptance_real [m/N],receptance_imaginary [m/N]\n0,1e-8,0\n2000,1e-9,-1e-9\n",
          "rail.slcs": f"0 1000\n2\n0\n1 1\n-.1 '{SOURCE}/examples/profiles/60e1.prr'\n.3 '{SOURCE}/examples/profiles/60e1.prr'\n0\n"}
 
 #: In this order: some read what others write.
@@ -100,6 +101,7 @@ COMMANDS = [
     (f"profile {SOURCE}/examples/profiles -o profiles --no-pictures", "profiles"), ("profile rail.slcs", "sliced_profile"),
     ("conicity S1002 60E1", "conicity"), ("fit points.csv --case contact.toml --model coulomb", "creep_curve_fit"),
     ("respond exact.toml --wavelength 10mm 1m --points 2", "frequency_response"), ("convert exact/result.h5 -o exact.csv", "convert"),
+    ("respond wheel.toml --wavelength 20mm 1m --points 4 --poles 4", "frequency_response"), ("respond exact.toml --wavelength 20mm 1m --points 2 --receptance receptance.csv", "frequency_response"),
     ("table show", "table"),
     ("validate model-problem --no-pictures", "validate"), ("plot exact/result.h5 -o pictures", "plot"), ("report contact.toml -o contact.html", "report"),
 ]

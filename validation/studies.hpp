@@ -78,6 +78,9 @@ bool run_fastsim2_table2(const StudyOptions& options, std::ostream& out);
 /// approach their common limit, for all kinds.
 bool run_frictional_power(const StudyOptions& options, std::ostream& out);
 
+/// The study `response`: responses over frequency beside differences of the forces and transient rolling; their cost.
+bool run_response(const StudyOptions& options, std::ostream& out);
+
 /// The study `hertz`: load and peak pressure with the approach given, approach with the load given, against the closed
 /// form, and the order of convergence; the products that it takes.
 bool run_hertz(const StudyOptions& options, std::ostream& out);

@@ -44,6 +44,7 @@ constexpr std::array all_studies = {
     study("random-problems", run_random_problems),
     study("random-wheels", run_random_wheels),
     study("refinement", run_refinement),
+    study("response", run_response),
     study("second-order", run_second_order),
     study("solver-growth", run_solver_growth),
     study("spence", run_spence),

@@ -42,6 +42,7 @@ inline constexpr std::array study_texts = {
     StudyText{"random-wheels",
               "100,000 random wheels on new, worn and measured profiles: statuses, contradictions, times"},
     StudyText{"refinement", "the test of the refinement paper: its figures 1 to 8, and times beside its Table 1"},
+    StudyText{"response", "responses over frequency beside differences and transient rolling at five wavelengths"},
     StudyText{"second-order",
               "rolling at second order: Carter, the refinement paper's test, other rolling, the 112 cases"},
     StudyText{"solver-growth", "Table 1 of the refinement paper: how the cost of ConvexGS grows, beside Newton's"},

@@ -328,6 +328,38 @@ MICROSLIP_API microslip_code microslip_creep_table_differentiate(const microslip
                                                                  const microslip_contact* contacts,
                                                                  microslip_derivatives* derivatives);
 
+/* ------------------------------------------------------------------------------------------------ force element ----
+ */
+
+/* Forces of a contact that remember creepages and loads before: the rational fit of its responses over the wavelength,
+ * as `microslip respond --poles` writes it. Linear, for small changes about the steady state that it was fitted in. */
+typedef struct microslip_force_element microslip_force_element;
+
+/* Numbers of an input, xi, eta [-], phi [1/m], Fn [N], and of the forces, Fx, Fy [N], Mz [N m]. */
+#define MICROSLIP_ELEMENT_INPUTS 4
+#define MICROSLIP_ELEMENT_FORCES 3
+
+/* Makes an element, in its steady state, from the text of a fit, a file's contents. */
+MICROSLIP_API microslip_code microslip_force_element_create(const char* text, microslip_force_element** element,
+                                                            microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_force_element_destroy(microslip_force_element* element);
+/* Goes on by a distance rolled [m], at least 0, over which the inputs become `input`: exact where they are linear over
+ * it. Real-time safe: no allocation, no lock. MICROSLIP_INVALID_INPUT for numbers that are not finite or a distance
+ * below 0, which change nothing. */
+MICROSLIP_API microslip_code microslip_force_element_step(microslip_force_element* element, double distance,
+                                                          const double input[MICROSLIP_ELEMENT_INPUTS],
+                                                          double forces[MICROSLIP_ELEMENT_FORCES]);
+/* Back to where the inputs have always been `input`; NULL: those of the steady state. Real-time safe. */
+MICROSLIP_API microslip_code microslip_force_element_reset(microslip_force_element* element, const double* input);
+/* The memory, for integrators that go back: its count of numbers, which is 0 for NULL, a copy of it, and that copy put
+ * back. Real-time safe. `count` must be that count. */
+MICROSLIP_API size_t microslip_force_element_state_size(const microslip_force_element* element);
+MICROSLIP_API microslip_code microslip_force_element_get_state(const microslip_force_element* element, size_t count,
+                                                               double* state);
+MICROSLIP_API microslip_code microslip_force_element_set_state(microslip_force_element* element, size_t count,
+                                                               const double* state);
+
 /* ----------------------------------------------------------------------------------------------------- problems ----
  */
 

@@ -1,7 +1,9 @@
 #include "microslip/railway/wheel_rail.hpp"
 
+#include "microslip/contact/mirrored_solution.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/call_progress.hpp"
+#include "microslip/railway/exact/exact_contact.hpp"
 #include "microslip/railway/problem/wheel_status.hpp"
 #include "microslip/railway/wheel_assessment.hpp"
 #include "microslip/railway/wheel_rail_checks.hpp"
@@ -55,6 +57,26 @@ struct WheelRail::Workspace {
       out.status = Status::not_converged, out.residual = 1, out.reason = Unsolved::derivatives;
     }
     if (is_right()) mirror(out), mirror(derivatives);
+  }
+
+  std::vector<FrequencyResponse> respond(const WheelState<double>& state, std::optional<double> vertical_force,
+                                         std::span<const double> wavenumbers, WheelRailSolution& out) {
+    std::vector<FrequencyResponse> responses;
+    solve_left(left(state), vertical_force, out);
+    if (out.status == Status::ok) {
+      WheelState<double> in_height = left(state);
+      in_height.vertical = out.vertical;
+      responses = respond_exact(contact.rows(), in_height, bodies, method, wavenumbers, out, progress);
+      conclude(out, in_height.vertical, method.solved_tolerance());
+      assess(bodies, limits, method.surface(), out);
+    }
+    if (!is_right()) return responses;
+    mirror(out);
+    for (FrequencyResponse& of_patch : responses) {
+      mirror(of_patch.solution);
+      for (ForceResponse& response : of_patch.at) response = mirrored_across(response);
+    }
+    return responses;
   }
 
 private:
@@ -164,6 +186,16 @@ WheelRailSolution WheelRail::solve(const WheelState<double>& state, std::optiona
 
 void WheelRail::reset() {
   workspace_->contact.rows().height().reset();
+}
+
+std::vector<FrequencyResponse> WheelRail::respond(const WheelState<double>& state, std::optional<double> vertical_force,
+                                                  std::span<const double> wavenumbers, WheelRailSolution& solution,
+                                                  const Progress& progress) {
+  if (!workspace_->theory.by_elements) throw Error("responses: by the theory exact only");
+  if (workspace_->bodies.layered) throw Error("responses: not of bodies with layers");
+  require_wavenumbers(wavenumbers);
+  const CallProgress told(workspace_->progress, progress);
+  return workspace_->respond(state, vertical_force, wavenumbers, solution);
 }
 
 void WheelRail::differentiate(const WheelState<double>& state, std::optional<double> vertical_force,

@@ -296,6 +296,8 @@ FrequencyResponse EllipseSolver::respond(const RollingProblem& problem, std::spa
     const FittedContact& fitted = second_order_->contact();
     out.solution = fitted_solution(solution, fitted, contact, problem.motion.direction);
     if (out.solution.report.status != Status::ok) return out;
+    out.normal_stiffness =
+        1.5 * contact.normal_force / hertz_from_ellipse(a_, b_, material_, contact.normal_force).approach;
     const double side = side_of(problem.motion), each = 0.7 / static_cast<double>(wavenumbers.size());
     for (const double wavenumber : wavenumbers) {
       const double from = 0.3 + each * static_cast<double>(out.at.size());
@@ -311,9 +313,9 @@ FrequencyResponse EllipseSolver::respond(const RollingProblem& problem, std::spa
       out.products += r.by_size.products;
     }
   } catch (const Error& refusal) {
-    return {solution_without_result(Status::invalid_input, refusal.what()), {}};
+    return {.solution = solution_without_result(Status::invalid_input, refusal.what())};
   } catch (const Stopped&) {
-    return {solution_without_result(Status::not_converged, ended), {}};
+    return {.solution = solution_without_result(Status::not_converged, ended)};
   }
   return out;
 }

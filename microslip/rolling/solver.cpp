@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/fitted/patch_rolling.hpp"
+#include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "microslip/rolling/ellipse_solver.hpp"
 #include "microslip/rolling/layered_rolling.hpp"
@@ -12,6 +13,7 @@
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -89,8 +91,6 @@ bool is_of(const KeptPatch& kept, const GapValues& shape, const RollingProblem& 
          kept.direction == p.motion.direction;
 }
 
-constexpr double largest_wavenumber = 1e9; // [1/m]
-
 } // namespace
 
 struct Solver::Kept {
@@ -144,19 +144,65 @@ struct Solver::Kept {
     return fitted ? solve_patch(p, std::move(shape), progress) : solve_classical(p, std::move(shape), progress);
   }
 
-  ContactSolution solve_patch(const RollingProblem& p, GapValues shape, const Progress& progress) {
+  PatchRolling& press_patch(const RollingProblem& p, GapValues shape, const Progress& progress) {
     if (!patch || !is_of(*patch, shape, p)) {
-      PatchRolling rolling(p.bodies.material, shape.grid, shape.gap, p.load, p.motion.direction, part(progress, 0, 0.3),
-                           plans);
+      PatchRolling rolling(p.bodies.material, shape.grid, shape.gap, p.load, p.motion.direction, progress, plans);
       patch.emplace(KeptPatch{std::move(shape), p.bodies.material, p.load, p.motion.direction, std::move(rolling)});
     }
-    return patch->rolling.solve({.friction = p.friction.law.static_coefficient(),
-                                 .creepage = p.motion.creepage,
-                                 .force_x = p.motion.force_x,
-                                 .force_y = p.motion.force_y,
-                                 .rolling_speed = p.motion.rolling_speed,
-                                 .tolerance = method.tolerance,
-                                 .progress = part(progress, 0.3, 1)});
+    return patch->rolling;
+  }
+
+  PatchRollingMotion motion_of(const RollingProblem& p, Progress progress) const {
+    return {.friction = p.friction.law.static_coefficient(),
+            .creepage = p.motion.creepage,
+            .force_x = p.motion.force_x,
+            .force_y = p.motion.force_y,
+            .rolling_speed = p.motion.rolling_speed,
+            .tolerance = method.tolerance,
+            .progress = std::move(progress)};
+  }
+
+  ContactSolution solve_patch(const RollingProblem& p, GapValues shape, const Progress& progress) {
+    return press_patch(p, std::move(shape), part(progress, 0, 0.3)).solve(motion_of(p, part(progress, 0.3, 1)));
+  }
+
+  FrequencyResponse respond(const RollingProblem& p, std::span<const double> wavenumbers, ResponseTo causes,
+                            const Progress& progress) {
+    if (!is_hertzian(p))
+      return press_patch(p, gap_values(p, method), part(progress, 0, 0.1))
+          .respond(motion_of(p, part(progress, 0.1, 1)), wavenumbers, causes);
+    if (causes == ResponseTo::motion_and_load) return exact.respond(p, wavenumbers, progress);
+    FrequencyResponse out = exact.respond(p, wavenumbers, part(progress, 0, 0.4));
+    if (out.solution.report.status == Status::ok) add_roughness(p, wavenumbers, part(progress, 0.4, 1), out);
+    return out;
+  }
+
+  /// Adds what an ellipse, whose pressures do not stay Hertz's, has by elements that follow a pressure on a grid.
+  void add_roughness(const RollingProblem& p, std::span<const double> wavenumbers, const Progress& progress,
+                     FrequencyResponse& out) {
+    constexpr int margin = 5; // elements around the ellipse
+    const EllipticContact contact = elliptic_contact(p);
+    const CombinedMaterial material = {contact.shear_modulus, contact.poisson_ratio, 0};
+    const ElementGrid grid = ElementGrid::across_ellipse(contact.a, contact.b, method.mx, method.my, margin);
+    const HertzContact hertz = hertz_from_ellipse(contact.a, contact.b, material, contact.normal_force);
+    RollingProblem on_grid = p;
+    on_grid.geometry = GapValues{grid, hertzian_gap(hertz.gap, grid)};
+    on_grid.bodies.material = material;
+    on_grid.load = {NormalLoad::Given::force, contact.normal_force};
+    const FrequencyResponse rough = respond(on_grid, wavenumbers, ResponseTo::roughness_too, progress);
+    if (rough.at.size() != out.at.size()) {
+      out.solution.report = rough.solution.report;
+      out.at.clear();
+      return;
+    }
+    out.products += rough.products;
+    for (std::size_t k = 0; k < out.at.size(); ++k) {
+      ForceResponse &to = out.at[k], from = rough.at[k];
+      std::copy_n(from.by_roughness, 3, to.by_roughness);
+      std::copy_n(from.work_by_creepage, 3, to.work_by_creepage);
+      to.load_by_roughness = from.load_by_roughness;
+      to.work_by_load = from.work_by_load, to.work_by_roughness = from.work_by_roughness;
+    }
   }
 
   /// Of layers and of gaps on a grid.
@@ -227,18 +273,17 @@ ExactDerivatives Solver::differentiate(const RollingProblem& problem, const Prog
 }
 
 FrequencyResponse Solver::respond(const RollingProblem& problem, std::span<const double> wavenumbers,
-                                  const Progress& progress) {
+                                  const Progress& progress, ResponseTo causes) {
   const Method& method = kept_->method;
   require_compatible(problem, method);
   if (method.accuracy) throw Error("solution.accuracy: there are no responses of extrapolated forces");
   if (method.theory != Theory::exact) throw Error("responses: by solution.theory = \"exact\" only");
-  if (problem.layered || !is_hertzian(problem) || discretisation_of(problem, method) != Discretisation::second_order ||
+  if (problem.layered || discretisation_of(problem, method) != Discretisation::second_order ||
       problem.motion.kind != ContactMotion::steady)
     throw Error(
-        "responses: of steady rolling of a Hertzian contact with elastically similar bodies and Coulomb friction "
-        "at second order only");
-  for (const double wavenumber : wavenumbers) require_between("wavenumber", wavenumber, "1/m", 0, largest_wavenumber);
-  FrequencyResponse out = kept_->exact.respond(problem, wavenumbers, progress);
+        "responses: of steady rolling of elastically similar bodies with Coulomb friction at second order only");
+  require_wavenumbers(wavenumbers);
+  FrequencyResponse out = kept_->respond(problem, wavenumbers, causes, progress);
   conclude(out.solution, method.tolerance);
   return out;
 }

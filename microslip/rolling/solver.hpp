@@ -51,15 +51,16 @@ public:
   /// Status::invalid_input, else they throw Error, and so do other methods and a gap on a grid at second order.
   ExactDerivatives differentiate(const RollingProblem& problem, const Progress& progress = {});
 
-  /// Complex responses of the forces to oscillations of creepages, spin and normal force about steady rolling, at
-  /// wavenumbers k = omega/V >= 0 [1/m]: the equations of `differentiate` with D/Dt = i omega - V d/dx. For an ellipse,
-  /// elastically similar bodies and Coulomb friction, by the exact theory at second order, with creepages or forces
-  /// given; the steady state's adhesion and slip are kept. At k = 0 they are the derivatives. Waves need some eight
-  /// elements: 24 elements across resolve waves of half the contact's length to 1 % (tests). Throws Error as
-  /// `differentiate`; false of `progress` ends with status not_converged. Cost: four linear solves for each wavenumber,
-  /// some 5 ms at 24 x 24.
+  /// Complex responses of the forces to oscillations of creepages, spin, normal force and, where it is asked for,
+  /// roughness, with those of frictional work, about steady rolling, at wavenumbers k = omega/V >= 0 [1/m]: the
+  /// equations of `differentiate` with D/Dt = i omega - V d/dx. For ellipses and gaps on a grid, of elastically similar
+  /// bodies with Coulomb friction, by the exact theory at second order, with creepages or forces given; the steady
+  /// state's adhesion and slip are kept. At k = 0 they are the derivatives. Waves need some eight elements: 24 elements
+  /// across resolve waves of half the contact's length to 1 % (tests). Throws Error as `differentiate`; false of
+  /// `progress` ends with status not_converged. Cost: four linear solves for each wavenumber, some 5 ms at 24 x 24;
+  /// with roughness some 15 ms.
   FrequencyResponse respond(const RollingProblem& problem, std::span<const double> wavenumbers,
-                            const Progress& progress = {});
+                            const Progress& progress = {}, ResponseTo causes = ResponseTo::motion_and_load);
 
   /// Deformed distance of the bodies h - delta + u_n [m] by the exact theory at the elements of the solution, zero in
   /// contact. Throws Error for what `solve` refuses and for the simplified theory, and Stopped if `progress` returns

@@ -148,10 +148,13 @@ inline constexpr auto fields<ExactDerivatives> = members<&ExactDerivatives::solu
                                                          &ExactDerivatives::by_load, &ExactDerivatives::products>;
 template <>
 inline constexpr auto fields<ForceResponse> =
-    members<&ForceResponse::wavenumber, &ForceResponse::by_creepage, &ForceResponse::by_load>;
+    members<&ForceResponse::wavenumber, &ForceResponse::by_creepage, &ForceResponse::by_load,
+            &ForceResponse::by_roughness, &ForceResponse::load_by_roughness, &ForceResponse::work_by_creepage,
+            &ForceResponse::work_by_load, &ForceResponse::work_by_roughness>;
 template <>
 inline constexpr auto fields<FrequencyResponse> =
-    members<&FrequencyResponse::solution, &FrequencyResponse::at, &FrequencyResponse::products>;
+    members<&FrequencyResponse::solution, &FrequencyResponse::at, &FrequencyResponse::normal_stiffness,
+            &FrequencyResponse::products>;
 template <>
 inline constexpr auto fields<AccurateContact> =
     members<&AccurateContact::finest, &AccurateContact::coarser, &AccurateContact::forces, &AccurateContact::creepage,

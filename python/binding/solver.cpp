@@ -7,9 +7,14 @@
 #include "binding/rolling_problem.hpp"
 #include "binding/value.hpp"
 #include "binding/words.hpp"
+#include "microslip/error.hpp"
+#include "microslip/response/force_element.hpp"
+#include "microslip/response/remington_filter.hpp"
 
 #include <algorithm>
 #include <complex>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <pybind11/complex.h>
@@ -62,16 +67,89 @@ py::array responses_by_creepage(const FrequencyResponse& self) {
     std::copy_n(&self.at[k].by_creepage[0][0], 9, out.mutable_data() + 9 * k);
   return out;
 }
-py::array responses_by_load(const FrequencyResponse& self) {
+/// Three numbers of each response, or one.
+template <std::complex<double> (ForceResponse::*member)[3]> py::array threes(const FrequencyResponse& self) {
   py::array_t<std::complex<double>> out({static_cast<py::ssize_t>(self.at.size()), py::ssize_t(3)});
-  for (std::size_t k = 0; k < self.at.size(); ++k) std::copy_n(self.at[k].by_load, 3, out.mutable_data() + 3 * k);
+  for (std::size_t k = 0; k < self.at.size(); ++k) std::copy_n(self.at[k].*member, 3, out.mutable_data() + 3 * k);
+  return out;
+}
+template <std::complex<double> ForceResponse::*member> py::array ones(const FrequencyResponse& self) {
+  py::array_t<std::complex<double>> out(static_cast<py::ssize_t>(self.at.size()));
+  for (std::size_t k = 0; k < self.at.size(); ++k) out.mutable_data()[k] = self.at[k].*member;
   return out;
 }
 
-FrequencyResponse respond(PythonSolver& self, const RollingProblem& given, const std::vector<double>& wavenumber) {
+FrequencyResponse respond(PythonSolver& self, const RollingProblem& given, const std::vector<double>& wavenumber,
+                          bool roughness) {
+  const ResponseTo causes = roughness ? ResponseTo::roughness_too : ResponseTo::motion_and_load;
   return self.run([&, problem = given](Solver& solver, const Progress& progress) {
-    return solver.respond(problem, wavenumber, progress);
+    return solver.respond(problem, wavenumber, progress, causes);
   });
+}
+
+py::tuple tuple_of(const ElementForces& forces) {
+  return py::make_tuple(forces.fx, forces.fy, forces.mz);
+}
+
+void bind_force_element(py::module_& module) {
+  py::class_<ForceElement> element(
+      module, "ForceElement",
+      "Forces of a contact that remember the creepages and loads before: a rational fit of its responses over the\n"
+      "wavenumber with common stable poles, by vector fitting. Linear, about the steady state; copy.copy keeps a "
+      "state.");
+  element
+      .def(py::init([](const FrequencyResponse& response, double normal_force, int poles) {
+             return ForceElement(fit_force_element(response, normal_force, poles));
+           }),
+           "response"_a, "normal_force"_a, "poles"_a = 12,
+           "Fits a FrequencyResponse at ascending wavenumbers, about a normal force [N], to so many poles, pairs\n"
+           "counting twice. Error for fewer than poles + 1 wavenumbers.")
+      .def_static(
+          "from_text", [](const std::string& text) { return ForceElement(force_element_from(text)); }, "text"_a,
+          "The element of a fit that `microslip respond --poles` has written, or text().")
+      .def(
+          "text", [](const ForceElement& self) { return text_of(self.fit()); }, "The fit as text, for a file.")
+      .def_property_readonly(
+          "poles", [](const ForceElement& self) { return self.fit().poles; },
+          "The poles [1/m]; those with a positive imaginary part stand for their conjugates, too.")
+      .def_property_readonly(
+          "error", [](const ForceElement& self) { return self.fit().largest_error(); },
+          "Largest error of the fit, over the largest size of the response [-].")
+      .def(
+          "response",
+          [](const ForceElement& self, double wavenumber) {
+            py::array_t<std::complex<double>> out({py::ssize_t(element_outputs), py::ssize_t(element_inputs)});
+            for (std::size_t i = 0; i < element_outputs; ++i)
+              for (std::size_t j = 0; j < element_inputs; ++j)
+                out.mutable_at(i, j) = self.fit().response(i, j, wavenumber);
+            return out;
+          },
+          "wavenumber"_a,
+          "The fit's response of fx, fy [N], mz [N m] to xi, eta [-], phi [1/m], Fn [N] at a wavenumber [1/m], shape "
+          "(3, 4).")
+      .def(
+          "step",
+          [](ForceElement& self, double distance, double longitudinal, double lateral, double spin,
+             double normal_force) {
+            require_between("distance", distance, "m", 0, std::numeric_limits<double>::max());
+            return tuple_of(self.step(distance, {{longitudinal, lateral, spin}, normal_force}));
+          },
+          "distance"_a, "longitudinal"_a, "lateral"_a, "spin"_a, "normal_force"_a,
+          "Goes on by a distance rolled [m], over which creepages [-], spin [1/m] and normal force [N] become these,\n"
+          "linearly. Returns (fx, fy, mz) [N], [N], [N m].")
+      .def(
+          "reset", [](ForceElement& self) { self.reset(); }, "Back to the steady state.")
+      .def("__copy__", [](const ForceElement& self) { return self; })
+      .def(
+          "__deepcopy__", [](const ForceElement& self, const py::dict&) { return self; }, "memo"_a)
+      .def(py::pickle([](const ForceElement& self) { return py::make_tuple(text_of(self.fit()), self.state()); },
+                      [](const py::tuple& kept) {
+                        ForceElement self(force_element_from(kept[0].cast<std::string>()));
+                        self.set_state(kept[1].cast<std::vector<double>>());
+                        return self;
+                      }))
+      .def("__repr__",
+           [](const ForceElement& self) { return "ForceElement(" + std::to_string(self.fit().count()) + " poles)"; });
 }
 
 void bind_results(py::module_& module) {
@@ -103,9 +181,25 @@ void bind_results(py::module_& module) {
                              "Complex amplitudes of fx [N], fy [N], mz [N m] by those of xi [-], eta [-], phi [1/m], "
                              "e^(i omega t),\n"
                              "shape (n, 3, 3); at k = 0 the Jacobian of ExactDerivatives.")
-      .def_property_readonly("by_load", &responses_by_load, "The same by that of the normal force [N], shape (n, 3).")
+      .def_property_readonly("by_load", &threes<&ForceResponse::by_load>,
+                             "The same by that of the normal force [N], shape (n, 3).")
+      .def_property_readonly(
+          "by_roughness", &threes<&ForceResponse::by_roughness>,
+          "The same by that of roughness [m] at a given approach, shape (n, 3); zero unless asked for.")
+      .def_property_readonly("load_by_roughness", &ones<&ForceResponse::load_by_roughness>,
+                             "Complex amplitude of the normal force by that of roughness [N/m], shape (n).")
+      .def_property_readonly(
+          "work_by_creepage", &threes<&ForceResponse::work_by_creepage>,
+          "Complex amplitudes of the frictional work per metre of the surface by those of creepages\n"
+          "[N], [N] and spin [N m], shape (n, 3); with roughness.")
+      .def_property_readonly("work_by_load", &ones<&ForceResponse::work_by_load>,
+                             "The same by that of the normal force [-], shape (n).")
+      .def_property_readonly("work_by_roughness", &ones<&ForceResponse::work_by_roughness>,
+                             "The same by that of roughness [N/m], shape (n).")
+      .def_readonly("normal_stiffness", &FrequencyResponse::normal_stiffness, "dFn by the approach [N/m].")
       .def_readonly("products", &FrequencyResponse::products, "Products that the responses took [-].");
-  add_value(response, {"solution", "wavenumber", "by_creepage", "by_load"});
+  add_value(response, {"solution", "wavenumber", "by_creepage", "by_load", "by_roughness", "load_by_roughness",
+                       "work_by_creepage", "work_by_load", "work_by_roughness", "normal_stiffness"});
 
   py::class_<AccurateContact> accurate(module, "AccurateContact", "Steady rolling on two nested grids and its limit.");
   add_members(accurate, Shown<&AccurateContact::forces>{"The limit, extrapolated; areas and status of the finer grid."},
@@ -123,6 +217,9 @@ void bind_results(py::module_& module) {
 
 void bind_solver(py::module_& module) {
   bind_results(module);
+  bind_force_element(module);
+  module.def("remington_filter", &remington_filter, "radius"_a, "alpha"_a, "wavenumber"_a,
+             "Remington's contact filter of roughness [-]: radius of the contact [m], alpha [-], wavenumber [1/m].");
   module.def(
       "contact_filter", &contact_filter, "a"_a, "b"_a, "wavenumber_x"_a, "wavenumber_y"_a = 0.0,
       "Normal force that a wave of roughness makes in a Hertzian contact at a given approach, over that of an endless\n"
@@ -149,13 +246,12 @@ void bind_solver(py::module_& module) {
            "Steady rolling by the exact theory with creepages given and Coulomb friction: forces [N], [N m] and their\n"
            "derivatives with respect to xi [-], eta [-], phi [1/m] and the load, as ExactDerivatives, by the implicit\n"
            "function theorem, accurate to 1e-5 away from kinks.")
-      .def(
-          "respond", &respond, "problem"_a, "wavenumber"_a,
-          "Complex responses of the forces [N], [N m] to oscillations of creepages [-], spin [1/m] and normal force "
-          "[N]\n"
-          "about steady rolling at wavenumbers omega/V [1/m], as FrequencyResponse. Hertzian contacts of elastically\n"
-          "similar bodies with Coulomb friction, by the exact theory at second order; else Error. Cost: 5 ms for each\n"
-          "at 24 x 24.")
+      .def("respond", &respond, "problem"_a, "wavenumber"_a, py::kw_only(), "roughness"_a = false,
+           "Complex responses of the forces [N], [N m] to oscillations of creepages [-], spin [1/m] and normal force "
+           "[N]\n"
+           "about steady rolling at wavenumbers omega/V [1/m], as FrequencyResponse; with roughness also to that [m],\n"
+           "and those of frictional work. Elastically similar bodies with Coulomb friction, by the exact theory at\n"
+           "second order; else Error. Cost: 5 ms for each at 24 x 24, 15 ms with roughness.")
       .def("deformed_gap", &deformed_gap, "problem"_a,
            "Deformed distance of the bodies h - delta + u_n by the exact theory at the elements of the solution,\n"
            "shape (my, mx) [m]; zero in contact.")

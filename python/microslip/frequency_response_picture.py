@@ -19,24 +19,32 @@ NOTHING = 1e-6  # of the largest response of a force: no response
 
 
 def frequency_response_pictures(result):
-    """The picture of a result file of kind frequency_response, by file name."""
-    return {"frequency_response.png": frequency_response_picture(result)}
+    """The pictures of a result file of kind frequency_response, by file name: of each patch of a wheel, or of the one contact."""
+    if "/contact_filter" in result:
+        return {"frequency_response.png": frequency_response_picture(result)}
+    pictures, patch = {}, 1
+    while f"/patch{patch}/contact_filter" in result:
+        pictures[f"frequency_response_patch{patch}.png"] = frequency_response_picture(result, f"/patch{patch}")
+        patch += 1
+    return pictures
 
 
-def frequency_response_picture(result):
+def frequency_response_picture(result, group=""):
     """Sizes in parts of those of endless waves, with the contact filter, and lags below."""
-    wavelength, frequency = 1e3 * result.array("/wavelength"), result.array("/frequency")
+    wavelength, frequency = 1e3 * result.array("/wavelength"), result.array(f"{group}/frequency")
     figure = new_figure(7.0, 6.6)
     put_title(figure, heading("Response to oscillations", result))
     size, lag = figure.subplots(2, 1, sharex=True, height_ratios=(1.3, 1))
     shown = {**CREEP_FORCES, **BY_LOAD}
     for name, (label, colour, dashes) in shown.items():
-        ratio = relative_response(result, name, shown)
+        ratio = relative_response(result, group, name, shown)
         if ratio is None:
             continue
         size.plot(wavelength, np.abs(ratio), dashes, color=colour, linewidth=1.8, label=label)
         lag.plot(wavelength, np.degrees(-np.unwrap(np.angle(ratio)[::-1])[::-1]), dashes, color=colour, linewidth=1.8)
-    size.plot(wavelength, np.abs(result.array("/contact_filter")), color=INK3, linewidth=1.2, label="contact filter of roughness")
+    size.plot(wavelength, np.abs(result.array(f"{group}/contact_filter")), color=INK3, linewidth=1.2, label="contact filter of roughness")
+    if f"{group}/remington_filter" in result:
+        size.plot(wavelength, result.array(f"{group}/remington_filter"), "--", color=INK3, linewidth=1.2, label=r"Remington's, $\alpha = 1$")
     for axes in (size, lag):
         open_axes(axes)
         axes.set_xscale("log")
@@ -50,14 +58,14 @@ def frequency_response_picture(result):
     return figure
 
 
-def relative_response(result, name, all_names):
+def relative_response(result, group, name, all_names):
     """The complex response over that of endless waves; none where it is nothing beside the force's others by the same cause."""
-    still = result.number(f"/quasistatic/{name}")
+    still = result.number(f"{group}/quasistatic/{name}")
     cause = name.split("_by_")[1]
-    largest = max(abs(result.number(f"/quasistatic/{other}")) for other in all_names if other.endswith(cause))
+    largest = max(abs(result.number(f"{group}/quasistatic/{other}")) for other in all_names if other.endswith(cause))
     if not abs(still) > NOTHING * largest:
         return None
-    real, imaginary = result.arrays([f"/{name}_real", f"/{name}_imaginary"])
+    real, imaginary = result.arrays([f"{group}/{name}_real", f"{group}/{name}_imaginary"])
     return (real + 1j * imaginary) / still
 
 

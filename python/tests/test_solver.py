@@ -202,6 +202,34 @@ class FrequencyResponseTest(unittest.TestCase):
         self.assertLess(abs(response.by_creepage[1, 0, 0]), 0.9 * abs(response.by_creepage[0, 0, 0]))
         self.assertEqual(pickle.loads(pickle.dumps(response)), response)
 
+    def test_roughness(self):
+        response = microslip.Solver(theory="exact").respond(contact(), [0.0, 300.0], roughness=True)
+        self.assertEqual((response.by_roughness.shape, response.load_by_roughness.shape), ((2, 3), (2,)))
+        self.assertAlmostEqual(response.load_by_roughness[0] / response.normal_stiffness, 1, delta=5e-3)
+        self.assertGreater(response.work_by_load[0].real, 0)
+        self.assertEqual(pickle.loads(pickle.dumps(response)), response)
+
+    def test_force_element(self):
+        wavenumber = np.append(0, np.geomspace(5, 1000, 30))
+        steady = contact()
+        response = microslip.Solver(theory="exact").respond(steady, wavenumber)
+        element = microslip.ForceElement(response, steady.normal_force, 10)
+        self.assertLess(element.error, 0.02)
+        np.testing.assert_allclose(element.response(wavenumber[5])[:, :3], response.by_creepage[5], atol=0.02 * abs(response.by_creepage).max())
+        xi, eta, phi = steady.creepage.longitudinal, steady.creepage.lateral, steady.creepage.spin
+        np.testing.assert_allclose(element.step(1e-3, xi, eta, phi, steady.normal_force)[0], response.solution.forces.fx)
+        kept = copy.copy(element)
+        once = element.step(1e-3, 1.1 * xi, eta, phi, steady.normal_force)
+        self.assertEqual(kept.step(1e-3, 1.1 * xi, eta, phi, steady.normal_force), once)
+        again = pickle.loads(pickle.dumps(element))
+        self.assertEqual(again.step(1e-3, xi, eta, phi, steady.normal_force), element.step(1e-3, xi, eta, phi, steady.normal_force))
+        self.assertEqual(microslip.ForceElement.from_text(element.text()).text(), element.text())
+        self.assertRaises(microslip.Error, microslip.ForceElement, response, steady.normal_force, 60)
+
+    def test_remington_filter(self):
+        self.assertAlmostEqual(microslip.remington_filter(6e-3, 1.0, 0.0), 1, places=12)
+        self.assertLess(microslip.remington_filter(6e-3, 1.0, 300.0), 1)
+
     def test_contact_filter(self):
         self.assertEqual(microslip.contact_filter(5e-3, 3e-3, 0.0), 1)
         self.assertAlmostEqual(microslip.contact_filter(5e-3, 3e-3, np.pi / 5e-3), 0, places=12)

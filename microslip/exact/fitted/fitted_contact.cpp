@@ -251,29 +251,98 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Shares of the load of a pressure's runs.
+class RunShares {
+public:
+  RunShares(const ElementGrid& grid, std::span<const double> pressure)
+      : grid_(grid), pressure_(pressure), mean_(pressure_curvature(grid, pressure)) {
+    for (std::size_t k = 0; k < mean_.size(); ++k) mean_[k] = pressure[k] + mean_[k] / 12;
+    for (const double p : pressure) total_ += p;
+  }
+
+  /// Writes the shares of a run's elements.
+  void find(const ContactRun& run, std::span<const FittedElement> elements, std::span<double> shares) const {
+    const RunProfile profile(grid_, mean_, run);
+    const double* begin = &pressure_[static_cast<std::size_t>(run.row) * grid_.mx];
+    double load = 0;
+    for (int i = run.first; i <= run.last; ++i) load += begin[i];
+    const double whole = profile.integral(-infinity, infinity);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      const FittedElement& e = elements[k];
+      const double part = profile.integral(e.trails ? -infinity : e.left, e.leads ? infinity : e.right) / whole;
+      shares[k] = part * load / (total_ * e.width() * grid_.dy);
+    }
+  }
+
+private:
+  const ElementGrid& grid_;
+  std::span<const double> pressure_;
+  std::vector<double> mean_; ///< pressures of the elements
+  double total_ = 0;
+};
+
+/// The run of a row that has most columns in common with another one; null if none has any.
+const ContactRun* same_run(std::span<const ContactRun> runs, const ContactRun& other) {
+  const ContactRun* found = nullptr;
+  int most = 0;
+  for (const ContactRun& run : runs) {
+    const int common = std::min(run.last, other.last) - std::max(run.first, other.first) + 1;
+    if (run.row == other.row && common > most) found = &run, most = common;
+  }
+  return found;
+}
+
+/// Moves the elements of a run with its edges.
+void move_edges(const ElementGrid& grid, const ContactRun& before, const ContactRun& after,
+                std::span<FittedElement> elements) {
+  FittedElement& leading = elements.back();
+  if (elements.size() == 1 && leading.left == before.low) { // shorter than an element
+    leading.left = after.low, leading.right = after.high;
+  } else {
+    const double distance = std::clamp((after.high - leading.left) / grid.dx, edge_distance(narrowest_leading_element),
+                                       edge_distance(widest_leading_element));
+    leading.right = leading.left + grid.dx * leading_element_width(distance);
+  }
+  leading.point = leading.centre(), leading.end = leading.right + grid.dx / 2;
+  if (elements.size() > 1) elements[elements.size() - 2].end = leading.point;
+}
+
+} // namespace
+
 FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure) {
   check_pressure(grid, pressure);
   FittedContact contact{grid, {}, {}};
-  double total = 0;
-  for (const double p : pressure) total += p;
-  std::vector<double> mean = pressure_curvature(grid, pressure);
-  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = pressure[k] + mean[k] / 12;
+  const RunShares shares(grid, pressure);
   for (const ContactRun& run : contact_runs(grid, pressure)) {
     const std::size_t first = contact.elements.size();
     const bool follows = first > 0 && contact.elements.back().row == run.row;
     fit_row(grid, run.row, run.low, run.high, contact.elements, in_steady_rolling,
             follows ? contact.elements.back().right : -infinity);
+    contact.load_share.resize(contact.elements.size());
+    shares.find(run, std::span(contact.elements).subspan(first), std::span(contact.load_share).subspan(first));
+  }
+  return contact;
+}
 
-    const RunProfile profile(grid, mean, run);
-    const auto begin = pressure.begin() + static_cast<std::ptrdiff_t>(run.row) * grid.mx;
-    double load = 0;
-    for (int i = run.first; i <= run.last; ++i) load += begin[i];
-    const double whole = profile.integral(-infinity, infinity);
-    for (std::size_t k = first; k < contact.elements.size(); ++k) {
-      const FittedElement& e = contact.elements[k];
-      const double part = profile.integral(e.trails ? -infinity : e.left, e.leads ? infinity : e.right) / whole;
-      contact.load_share.push_back(part * load / (total * e.width() * grid.dy));
+FittedContact refitted(FittedContact contact, std::span<const double> before, std::span<const double> pressure) {
+  check_pressure(contact.grid, pressure);
+  const RunShares shares(contact.grid, pressure);
+  const std::vector<ContactRun> runs = contact_runs(contact.grid, pressure);
+  std::size_t first = 0;
+  for (const ContactRun& run : contact_runs(contact.grid, before)) {
+    std::size_t end = first + 1;
+    while (end < contact.elements.size() && !contact.elements[end].trails) ++end;
+    const std::span elements = std::span(contact.elements).subspan(first, end - first);
+    const std::span share = std::span(contact.load_share).subspan(first, end - first);
+    if (const ContactRun* after = same_run(runs, run)) {
+      move_edges(contact.grid, run, *after, elements);
+      shares.find(*after, elements, share);
+    } else {
+      std::fill(share.begin(), share.end(), 0.0);
     }
+    first = end;
   }
   return contact;
 }

@@ -60,4 +60,9 @@ FittedContact fit_line(double a, int n, double length = 1);
 /// has three columns to spare ahead of the contact and one behind.
 FittedContact fit_contact(const ElementGrid& grid, std::span<const double> pressure);
 
+/// The elements of fit_contact(grid, `before`) for another pressure, so near that as many do: leading elements follow
+/// their edges, and the bound is the other pressure's. A run that is not there any more keeps its elements, with no
+/// bound.
+FittedContact refitted(FittedContact contact, std::span<const double> before, std::span<const double> pressure);
+
 } // namespace microslip

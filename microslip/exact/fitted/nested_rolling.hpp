@@ -37,6 +37,7 @@ public:
   }
   void rescale(FittedContact contact, double shear_modulus) { rolling_.rescale(std::move(contact), shear_modulus); }
   NestedRolling* coarser() { return coarser_.get(); }
+  SecondOrderRolling& finest() { return rolling_; }
 
   const FittedContact& contact() const { return rolling_.contact(); }
   /// g of the elements [Pa] for mu Fn = `capacity` [N], mu that of the contact.

@@ -4,6 +4,7 @@
 #include "microslip/error.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
 #include "microslip/exact/fitted/patch_estimate.hpp"
+#include "microslip/exact/fitted/patch_response.hpp"
 #include "microslip/exact/halfspace/coarser_elements.hpp"
 #include "microslip/exact/halfspace/memory_need.hpp"
 
@@ -128,7 +129,7 @@ void check(const PatchRollingMotion& motion) {
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, std::span<const double> gap,
                            const NormalLoad& load, RollingDirection direction, const Progress& progress,
                            const TransformPlans& plans)
-    : material_(material), direction_(direction) {
+    : material_(material), grid_(grid), plans_(plans), direction_(direction) {
   require_similar(material);
   require_memory(ContactProblem::tangential, grid);
   try {
@@ -143,7 +144,7 @@ PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& 
 
 PatchRolling::PatchRolling(const CombinedMaterial& material, const ElementGrid& grid, NormalSolution normal,
                            RollingDirection direction, const Progress& progress, const TransformPlans& plans)
-    : material_(material), direction_(direction), normal_(std::move(normal)) {
+    : material_(material), grid_(grid), plans_(plans), direction_(direction), normal_(std::move(normal)) {
   require_similar(material);
   require_memory(ContactProblem::tangential, grid);
   try {
@@ -163,20 +164,19 @@ void PatchRolling::fit(const ElementGrid& grid, const Progress& progress, const 
                     progress, plans);
 }
 
-ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
-  check(motion);
-  if (!rolling_) {
-    ContactSolution nothing;
-    nothing.creepage = motion.creepage;
-    nothing.report.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
-    conclude(nothing, motion.tolerance);
-    return nothing;
-  }
-  const double capacity = motion.friction * normal_.normal_force;
+/// A solution along +x: of the mirror image of a contact that rolls along -x.
+struct PatchRolling::Found {
+  double capacity = 0; ///< mu Fn [N]
+  RowVariation variation;
+  SecondOrderSolution solution;
+};
+
+PatchRolling::Found PatchRolling::find(const PatchRollingMotion& motion) {
   const double side = direction_ == RollingDirection::forward ? 1 : -1;
+  Found found{motion.friction * normal_.normal_force, turned(motion.variation, side), {}};
   SecondOrderInput input{
       .creepage = {side * motion.creepage.longitudinal, motion.creepage.lateral, side * motion.creepage.spin},
-      .variation = turned(motion.variation, side),
+      .variation = found.variation,
       .force_x = motion.force_x,
       .force_y = motion.force_y,
       .start = {},
@@ -185,22 +185,83 @@ ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
       .tolerance = motion.tolerance};
   if (input.force_x) *input.force_x *= side;
   if (motion.near_last) input.centred = centred_;
-  const std::vector<double> bound = rolling_->bound(capacity, input.variation);
   // With forces prescribed the start needs more than tractions.
   const bool start_known = motion.start.x.size() == contact()->grid.count() && !input.force_x && !input.force_y;
-  SecondOrderSolution found = rolling_->solve(
-      capacity, input,
-      start_known ? known_tractions(motion.start, side) : estimate_by_fastsim(material_, *contact(), capacity, input));
-  ContactSolution out = contact_solution(rolling_->contact(), found,
-                                         {.bound = bound,
+  found.solution = rolling_->solve(found.capacity, input,
+                                   start_known ? known_tractions(motion.start, side)
+                                               : estimate_by_fastsim(material_, *contact(), found.capacity, input));
+  return found;
+}
+
+ContactSolution PatchRolling::nothing(const PatchRollingMotion& motion) const {
+  ContactSolution nothing;
+  nothing.creepage = motion.creepage;
+  nothing.report.status = normal_.status == Status::ok ? Status::no_contact : normal_.status;
+  conclude(nothing, motion.tolerance);
+  return nothing;
+}
+
+ContactSolution PatchRolling::solution_of(const Found& found, const PatchRollingMotion& motion) const {
+  ContactSolution out = contact_solution(rolling_->contact(), found.solution,
+                                         {.bound = rolling_->bound(found.capacity, found.variation),
                                           .normal_force = normal_.normal_force,
                                           .approach = normal_.approach,
                                           .rolling_speed = motion.rolling_speed,
                                           .direction = direction_});
-  centred_ = std::move(found.centred);
   out.fields.gap = normal_.gap;
   if (normal_.status != Status::ok) out.report.status = normal_.status;
   conclude(out, motion.tolerance);
+  return out;
+}
+
+ContactSolution PatchRolling::solve(const PatchRollingMotion& motion) {
+  check(motion);
+  if (!rolling_) return nothing(motion);
+  Found found = find(motion);
+  ContactSolution out = solution_of(found, motion);
+  centred_ = std::move(found.solution.centred);
+  return out;
+}
+
+FrequencyResponse PatchRolling::respond(const PatchRollingMotion& motion, std::span<const double> wavenumbers,
+                                        ResponseTo causes) {
+  constexpr double linear_tolerance = 1e-6;
+  check(motion);
+  if (grid_.my == 1) throw Error("responses: not of line contacts");
+  if (!rolling_) return {.solution = nothing(motion)};
+  PatchRollingMotion steady = motion;
+  steady.progress = part(motion.progress, 0, 0.3);
+  const Found found = find(steady);
+  FrequencyResponse out{.solution = solution_of(found, motion)};
+  if (out.solution.report.status != Status::ok) return out;
+  const bool forward = direction_ == RollingDirection::forward;
+  std::vector<double> gap = normal_.gap;
+  for (std::size_t k = 0; k < gap.size(); ++k) gap[k] -= normal_.displacement[k];
+  NormalSolution normal = normal_;
+  if (!forward) normal.pressure = mirrored(grid_, normal_.pressure);
+  try {
+    PatchResponse response({.material = material_,
+                            .grid = forward ? grid_ : mirrored(grid_),
+                            .gap = forward ? gap : mirrored(grid_, gap),
+                            .normal = &normal,
+                            .capacity = found.capacity,
+                            .variation = found.variation,
+                            .rolling = &rolling_->finest(),
+                            .solution = &found.solution,
+                            .plans = plans_},
+                           essential_part(motion.progress, 0.3, 0.4));
+    out.normal_stiffness = response.normal_stiffness();
+    const double each = 0.6 / static_cast<double>(wavenumbers.size());
+    for (const double wavenumber : wavenumbers) {
+      const double from = 0.4 + each * static_cast<double>(out.at.size());
+      const ForceResponse along_x =
+          response.at(wavenumber, causes, linear_tolerance, essential_part(motion.progress, from, from + each));
+      out.at.push_back(forward ? along_x : mirrored_along(along_x));
+    }
+    out.products = response.products();
+  } catch (const Stopped& stopped) {
+    return {.solution = solution_without_result(Status::not_converged, stopped.what())};
+  }
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "microslip/contact/contact_solution.hpp"
+#include "microslip/contact/force_response.hpp"
 #include "microslip/contact/motion.hpp"
 #include "microslip/contact/normal_load.hpp"
 #include "microslip/contact/vector_field.hpp"
@@ -61,10 +62,20 @@ public:
   /// friction are statuses.
   ContactSolution solve(const PatchRollingMotion& motion);
 
+  /// The same and responses (PatchResponse) at wavenumbers [1/m], none unless it is solved; not of line contacts. A
+  /// call of its progress that returns false ends them with status not_converged.
+  FrequencyResponse respond(const PatchRollingMotion& motion, std::span<const double> wavenumbers, ResponseTo causes);
+
 private:
+  struct Found;
+  Found find(const PatchRollingMotion& motion);
+  ContactSolution nothing(const PatchRollingMotion& motion) const;
+  ContactSolution solution_of(const Found& found, const PatchRollingMotion& motion) const;
   void fit(const ElementGrid& grid, const Progress& progress, const TransformPlans& plans);
 
   CombinedMaterial material_;
+  ElementGrid grid_;
+  TransformPlans plans_;
   RollingDirection direction_;
   NormalSolution normal_;
   std::unique_ptr<NestedRolling> rolling_; ///< none without contact

@@ -89,12 +89,12 @@ private:
 struct RollingResponse::Solver {
   Solver(const FittedOperator& fitted_operator, const FittedContact& contact, const TransformPlans& plans)
       : equations(fitted_operator, contact, plans), linearised(equations, gmres, equations.size()),
-        change(equations.size()), slip(change), right(change), nx(equations.elements()), ny(nx) {}
+        change(equations.size()), slip(change), right(change), response(change), nx(equations.elements()), ny(nx) {}
 
   Equations equations;
   Gmres<double> gmres;
   LinearisedProblem<Equations> linearised;
-  Vector change, slip, right, nx, ny; ///< n: direction of the tractions in slip, 0 in adhesion
+  Vector change, slip, right, response, nx, ny; ///< n: direction of the tractions in slip, 0 in adhesion
 };
 
 RollingResponse::RollingResponse(const FittedOperator& fitted_operator, const FittedContact& contact,
@@ -106,7 +106,7 @@ RollingResponse::~RollingResponse() = default;
 
 void RollingResponse::linearise(std::span<const double> bound, const FrictionSolution& solution,
                                 std::span<const char> centred) {
-  auto& [equations, gmres, linearised, change, slip, right, nx, ny] = *solver_;
+  auto& [equations, gmres, linearised, change, slip, right, response, nx, ny] = *solver_;
   equations.linearise(bound, solution, centred);
   for (std::size_t k = 0; k < nx.size(); ++k) {
     const double px = solution.traction.x[k], py = solution.traction.y[k], size = std::hypot(px, py);
@@ -115,26 +115,29 @@ void RollingResponse::linearise(std::span<const double> bound, const FrictionSol
   }
 }
 
-RollingResponse::Change RollingResponse::solve(double wavenumber, const ComplexField& dcx, const ComplexField& dcy,
-                                               const ComplexField& dg, double tolerance, const Progress& progress) {
+RollingResponse::Change RollingResponse::solve(double wavenumber, const Cause& cause, double tolerance,
+                                               const Progress& progress) {
   constexpr int most = 1000;
-  auto& [equations, gmres, linearised, change, slip, right, nx, ny] = *solver_;
+  auto& [equations, gmres, linearised, change, slip, right, response, nx, ny] = *solver_;
   const std::size_t n = equations.elements();
   const long products_before = equations.products();
   equations.set_wavenumber(wavenumber);
   std::fill(change.begin(), change.end(), 0.0);
-  for (std::size_t k = 0; k < n; ++k) equations.put(slip, k, -dcx[k]), equations.put(slip, n + k, -dcy[k]);
+  for (std::size_t k = 0; k < n; ++k) equations.put(slip, k, -cause.cx[k]), equations.put(slip, n + k, -cause.cy[k]);
   equations.move(slip);
   equations.derivative(change, slip, 0, right);
-  for (std::size_t k = 0; k < dg.size(); ++k) {
-    equations.put(right, k, equations.at(right, k) + nx[k] * dg[k] / equations.rho());
-    equations.put(right, n + k, equations.at(right, n + k) + ny[k] * dg[k] / equations.rho());
+  for (std::size_t k = 0; k < cause.bound.size(); ++k) {
+    const Complex bound = cause.bound[k] / equations.rho();
+    equations.put(right, k, equations.at(right, k) + nx[k] * bound);
+    equations.put(right, n + k, equations.at(right, n + k) + ny[k] * bound);
   }
-  linearised.solve(right, 0, tolerance, most, change, {}, [&] { go_on(progress, 0); });
-  Change out{ComplexField(n), ComplexField(n), equations.products() - products_before};
+  linearised.solve(right, 0, tolerance, most, change, response, [&] { go_on(progress, 0); });
+  Change out{ComplexField(n), ComplexField(n), ComplexField(n), ComplexField(n),
+             equations.products() - products_before};
   for (std::size_t k = 0; k < n; ++k) {
-    out.px[k] = equations.rho() * equations.at(change, k);
-    out.py[k] = equations.rho() * equations.at(change, n + k);
+    out.px[k] = equations.rho() * equations.at(change, k), out.py[k] = equations.rho() * equations.at(change, n + k);
+    out.sx[k] = equations.at(response, k) - equations.at(slip, k);
+    out.sy[k] = equations.at(response, n + k) - equations.at(slip, n + k);
   }
   return out;
 }

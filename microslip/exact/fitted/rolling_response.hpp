@@ -43,17 +43,22 @@ public:
   /// centres. Holds where no element is just between adhesion and slip.
   void linearise(std::span<const double> bound, const FrictionSolution& solution, std::span<const char> centred);
 
+  /// Complex amplitudes of what makes the tractions oscillate.
+  struct Cause {
+    ComplexField cx, cy; ///< of the slip without tractions, means over the elements' paths [-]
+    ComplexField bound;  ///< of g [Pa]; empty: none
+
+    explicit Cause(std::size_t elements) : cx(elements), cy(elements) {}
+  };
   /// Complex amplitudes.
   struct Change {
     ComplexField px, py; ///< of the tractions [Pa]
+    ComplexField sx, sy; ///< of the slip, as the solution has it [-]
     long products = 0;   ///< with the operator, two for each complex one
   };
 
-  /// Tractions' amplitudes for those of the slip without tractions, dcx and dcy, means over the elements' paths, and of
-  /// the bounds, dg [Pa] (empty: none); to a relative residual of `tolerance`. Cost: some tens of complex products.
-  /// Throws Stopped.
-  Change solve(double wavenumber, const ComplexField& dcx, const ComplexField& dcy, const ComplexField& dg,
-               double tolerance, const Progress& progress = {});
+  /// To a relative residual of `tolerance`. Cost: some tens of complex products. Throws Stopped.
+  Change solve(double wavenumber, const Cause& cause, double tolerance, const Progress& progress = {});
 
 private:
   class Equations;

@@ -131,32 +131,58 @@ SecondOrderRolling::Derivatives SecondOrderRolling::differentiate(std::span<cons
   return out;
 }
 
+RollingResponse& SecondOrderRolling::linearised_response(std::span<const double> bound,
+                                                         const SecondOrderSolution& solution) {
+  if (!response_) response_.emplace(operator_, contact_, plans_);
+  response_->linearise(bound, solution.friction, solution.centred);
+  return *response_;
+}
+
+std::array<RollingResponse::Change, 3> SecondOrderRolling::respond_to_creepages(std::span<const double> bound,
+                                                                                const SecondOrderSolution& solution,
+                                                                                double wavenumber, double tolerance,
+                                                                                const Progress& progress) {
+  RollingResponse& response = linearised_response(bound, solution);
+  RollingResponse::Cause cause(contact_.elements.size());
+  std::array<RollingResponse::Change, 3> out;
+  const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const Creepage& c = units[i];
+    for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
+      const FittedElement& e = contact_.elements[k];
+      const double y = contact_.grid.y(e.row);
+      cause.cx[k] = mean_over_path(e, wavenumber, [&](double) { return c.longitudinal - c.spin * y; });
+      cause.cy[k] = mean_over_path(e, wavenumber, [&](double x) { return c.lateral + c.spin * x; });
+    }
+    const double third = static_cast<double>(i) / 3;
+    out[i] = response.solve(wavenumber, cause, tolerance, part(progress, third, third + 1.0 / 3));
+  }
+  return out;
+}
+
+RollingResponse::Change SecondOrderRolling::respond_to(const RollingResponse::Cause& cause,
+                                                       std::span<const double> bound,
+                                                       const SecondOrderSolution& solution, double wavenumber,
+                                                       double tolerance, const Progress& progress) {
+  return linearised_response(bound, solution).solve(wavenumber, cause, tolerance, progress);
+}
+
+VectorField SecondOrderRolling::slip_by(const VectorField& traction) {
+  VectorField slip(traction.x.size());
+  operator_.apply(traction.x, traction.y, slip.x, slip.y);
+  return slip;
+}
+
 SecondOrderRolling::Responses SecondOrderRolling::respond(std::span<const double> bound,
                                                           const SecondOrderSolution& solution, double wavenumber,
                                                           double tolerance, const Progress& progress) {
-  if (!response_) response_.emplace(operator_, contact_, plans_);
-  response_->linearise(bound, solution.friction, solution.centred);
-  ComplexField dcx(contact_.elements.size()), dcy(dcx);
-  Responses out;
-  const std::array units = {Creepage{1, 0, 0}, Creepage{0, 1, 0}, Creepage{0, 0, 1}};
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    for (std::size_t k = 0; k < contact_.elements.size(); ++k) {
-      const FittedElement& e = contact_.elements[k];
-      const Creepage& c = units[i];
-      const double y = contact_.grid.y(e.row);
-      dcx[k] = mean_over_path(e, wavenumber, [&](double) { return c.longitudinal - c.spin * y; });
-      dcy[k] = mean_over_path(e, wavenumber, [&](double x) { return c.lateral + c.spin * x; });
-    }
-    const double quarter = static_cast<double>(i) / 4;
-    out.by[i] = response_->solve(wavenumber, dcx, dcy, {}, tolerance, part(progress, quarter, quarter + 0.25));
-  }
-  const auto& [px, py] = solution.friction.traction;
-  Field sx(bound.size()), sy(sx);
-  operator_.apply(px, py, sx, sy);
-  find_slip_of_growth(contact_, {operator_.ux(), operator_.uy()}, {std::move(sx), std::move(sy)},
-                      solution.creepage.spin, wavenumber, dcx, dcy);
-  const ComplexField growth(bound.begin(), bound.end());
-  out.by_size = response_->solve(wavenumber, dcx, dcy, growth, tolerance, part(progress, 0.75, 1));
+  Responses out{respond_to_creepages(bound, solution, wavenumber, tolerance, part(progress, 0, 0.75)), {}};
+  VectorField slip = slip_by(solution.friction.traction);
+  RollingResponse::Cause growth(bound.size());
+  find_slip_of_growth(contact_, {operator_.ux(), operator_.uy()}, slip, solution.creepage.spin, wavenumber, growth.cx,
+                      growth.cy);
+  growth.bound.assign(bound.begin(), bound.end());
+  out.by_size = respond_to(growth, bound, solution, wavenumber, tolerance, part(progress, 0.75, 1));
   return out;
 }
 

@@ -84,8 +84,19 @@ public:
   /// Cost: four complex linear solves. Throws Stopped if `progress` returns false.
   Responses respond(std::span<const double> bound, const SecondOrderSolution& solution, double wavenumber,
                     double tolerance, const Progress& progress = {});
+  /// The first three of these alone.
+  std::array<RollingResponse::Change, 3> respond_to_creepages(std::span<const double> bound,
+                                                              const SecondOrderSolution& solution, double wavenumber,
+                                                              double tolerance, const Progress& progress = {});
+  /// The same of anything else.
+  RollingResponse::Change respond_to(const RollingResponse::Cause& cause, std::span<const double> bound,
+                                     const SecondOrderSolution& solution, double wavenumber, double tolerance,
+                                     const Progress& progress = {});
+  /// D p, the contribution of tractions to the slip.
+  VectorField slip_by(const VectorField& traction);
 
 private:
+  RollingResponse& linearised_response(std::span<const double> bound, const SecondOrderSolution& solution);
   void solve_twice(std::span<const double> bound, const SecondOrderInput& input, SecondOrderSolution& out);
 
   TransformPlans plans_;

@@ -146,12 +146,12 @@ Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelR
 }
 
 /// Solves with the patches that the fast theory has in its height. False if `others` may be found and these do not
-/// hold in the height that carries the vertical force, towards which the wheel has gone then.
+/// hold in the height that carries the vertical force, towards which the wheel has gone then. `loaded` becomes these
+/// patches.
 bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                         std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
-                        WheelRailSolution& out, const Progress& progress) {
+                        std::vector<ContactGroup>& loaded, WheelRailSolution& out, const Progress& progress) {
   constexpr int most_rounds = 12;
-  std::vector<ContactGroup> loaded;
   const std::optional<double> first = press_patches(coarse, bodies, method, vertical_force, extents, loaded, progress);
   if (loaded.empty()) {
     out.status = coarse.patches().empty() ? Status::no_contact : Status::not_converged;
@@ -210,7 +210,9 @@ void solve_from_coarse(RowContact& coarse, WheelState<double> state, const Wheel
                                : forecast(coarse, bodies, method, vertical_force, progress);
     if (out.status == Status::no_contact) break;
     out.fields.clear();
-    if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, out, progress))
+    std::vector<ContactGroup> loaded;
+    if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, loaded, out,
+                           progress))
       break;
     state.vertical = out.vertical;
     coarse.height().solve(state, {}, out);
@@ -308,6 +310,25 @@ void solve_exact(RowContact& coarse, const WheelState<double>& state, const Whee
   if (coarse_failed || (vertical_force && out.status != Status::ok && is_rolling))
     ExactHeight(coarse, state, bodies, method, *vertical_force, out, progress).find(height, least);
   out.iterations = iterations;
+}
+
+std::vector<FrequencyResponse> respond_exact(RowContact& coarse, const WheelState<double>& state,
+                                             const WheelRailBodies& bodies, const WheelRailMethod& method,
+                                             std::span<const double> wavenumbers, WheelRailSolution& out,
+                                             const Progress& progress) {
+  std::vector<FrequencyResponse> responses;
+  coarse.height().solve(state, {}, out);
+  if (out.status == Status::no_contact) return responses;
+  const Forecast found = forecast(coarse, bodies, method, {}, progress);
+  std::vector<ContactGroup> loaded;
+  out.fields.clear();
+  solve_with_patches(coarse, bodies, method, {}, found.extents, false, loaded, out, progress);
+  if (out.status != Status::ok) return responses;
+  const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
+  for (ContactGroup& one : loaded)
+    if (one.exact.normal_force() > 0)
+      responses.push_back(one.exact.respond(friction, wavenumbers, method.solved_tolerance()));
+  return responses;
 }
 
 } // namespace microslip

@@ -1,7 +1,12 @@
 #pragma once
 
+#include "microslip/contact/force_response.hpp"
 #include "microslip/progress.hpp"
 #include "microslip/railway/rows/row_contact.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace microslip {
 
@@ -12,5 +17,12 @@ namespace microslip {
 void solve_exact(RowContact& coarse, const WheelState<double>& state, const WheelRailBodies& bodies,
                  const WheelRailMethod& method, std::optional<double> vertical_force, WheelRailSolution& out,
                  const Progress& progress);
+
+/// Solves a state in its height and finds the responses of its patches (ExactPatch::respond), in their order, at
+/// wavenumbers [1/m]; none unless it is solved.
+std::vector<FrequencyResponse> respond_exact(RowContact& coarse, const WheelState<double>& state,
+                                             const WheelRailBodies& bodies, const WheelRailMethod& method,
+                                             std::span<const double> wavenumbers, WheelRailSolution& out,
+                                             const Progress& progress);
 
 } // namespace microslip

@@ -1,5 +1,6 @@
 #include "microslip/railway/exact/exact_patch.hpp"
 
+#include "microslip/error.hpp"
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/halfspace/layered_influence.hpp"
@@ -309,6 +310,31 @@ ContactSolution ExactPatch::roll_on_layers(const std::function<double(double ang
   return solve_steps(sequence_, std::move(step), 1, progress_);
 }
 
+/// Creepages and friction of the rows, linear between their middles. Lives as long as `friction`.
+PatchRollingMotion ExactPatch::motion_with(const std::function<double(double angle)>& friction,
+                                           double tolerance) const {
+  const auto between = [this](double y, const auto& values, auto number) {
+    const double position = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0),
+                 t = position - std::floor(position);
+    const auto j = static_cast<std::size_t>(position);
+    return t == 0 ? number(values[j]) : (1 - t) * number(values[j]) + t * number(values[j + 1]);
+  };
+  const double mu = friction(rows_[rows_.size() / 2].angle);
+  PatchRollingMotion motion{.friction = mu,
+                            .rolling_speed = motion_.speed > 0 ? motion_.speed : 1,
+                            .tolerance = tolerance,
+                            .progress = progress_};
+  motion.variation.creepage = [this, between](double y) {
+    return Creepage{between(y, creepage_, [](const Creepage& w) { return w.longitudinal; }),
+                    between(y, creepage_, [](const Creepage& w) { return w.lateral; }),
+                    between(y, creepage_, [](const Creepage& w) { return w.spin; })};
+  };
+  motion.variation.friction = [this, between, &friction, mu](double y) {
+    return friction(between(y, rows_, [](const PatchRow& row) { return row.angle; })) / mu;
+  };
+  return motion;
+}
+
 ContactSolution ExactPatch::roll(const std::function<double(double angle)>& friction, double same_elements,
                                  double tolerance) {
   if (layered_) return roll_on_layers(friction, tolerance);
@@ -322,36 +348,25 @@ ContactSolution ExactPatch::roll(const std::function<double(double angle)>& fric
     fitted_force_ = normal_force();
     fitted_known_ = known_;
   }
-
-  const auto row_at = [this](double y) {
-    const double j = std::clamp((y - grid_.y0) / grid_.dy, 0.0, grid_.my - 1.0);
-    return std::pair{static_cast<std::size_t>(j), j - std::floor(j)};
-  };
-  const auto between = [](const auto& values, std::size_t j, double t, auto part) {
-    return t == 0 ? part(values[j]) : (1 - t) * part(values[j]) + t * part(values[j + 1]);
-  };
-  const std::size_t middle = rows_.size() / 2;
-  const double mu = friction(rows_[middle].angle);
   for (std::vector<double>* field : {&tractions_.x, &tractions_.y})
     for (double& traction : *field) traction *= normal_force() / rolled_force_;
-  PatchRollingMotion motion{.friction = mu,
-                            .rolling_speed = motion_.speed > 0 ? motion_.speed : 1,
-                            .tolerance = tolerance,
-                            .near_last = same,
-                            .progress = progress_};
-  motion.variation.creepage = [&](double y) {
-    const auto [j, t] = row_at(y);
-    return Creepage{between(creepage_, j, t, [](const Creepage& w) { return w.longitudinal; }),
-                    between(creepage_, j, t, [](const Creepage& w) { return w.lateral; }),
-                    between(creepage_, j, t, [](const Creepage& w) { return w.spin; })};
-  };
-  motion.variation.friction = [&](double y) {
-    const auto [j, t] = row_at(y);
-    return friction(between(rows_, j, t, [](const PatchRow& row) { return row.angle; })) / mu;
-  };
+  PatchRollingMotion motion = motion_with(friction, tolerance);
+  motion.near_last = same;
   ContactSolution out = roll_plane(std::move(motion));
   rolled_force_ = normal_force();
   return out;
+}
+
+FrequencyResponse ExactPatch::respond(const std::function<double(double angle)>& friction,
+                                      std::span<const double> wavenumbers, double tolerance) {
+  constexpr double normal_tolerance = 1e-8;
+  if (layered_) throw Error("responses: not of bodies with layers");
+  press_with(normal_force(), normal_tolerance);
+  roll(friction, 0, tolerance);
+  PatchRollingMotion motion = motion_with(friction, tolerance);
+  if (correction_) motion.variation.displacement = [this](double x, double y) { return added_at(x, y); };
+  motion.start = tractions_;
+  return rolling_->respond(motion, wavenumbers, ResponseTo::roughness_too);
 }
 
 } // namespace microslip

@@ -86,6 +86,11 @@ public:
   /// classically on the patch's own elements.
   ContactSolution roll(const std::function<double(double angle)>& friction, double same_elements, double tolerance);
 
+  /// Responses (PatchResponse) with the normal force that there is, at wavenumbers [1/m]. What the rows' angles add to
+  /// the displacements stays as it is. Throws Error with layered bodies.
+  FrequencyResponse respond(const std::function<double(double angle)>& friction, std::span<const double> wavenumbers,
+                            double tolerance);
+
 private:
   Vec3<double> place(std::size_t element) const;
   using Fields = InclinationCorrection::Fields;
@@ -96,6 +101,7 @@ private:
   Fields added_displacements();
   void keep_tractions(const ContactSolution& solution);
   Vec2 added_at(double x, double y) const;
+  PatchRollingMotion motion_with(const std::function<double(double angle)>& friction, double tolerance) const;
   ContactSolution roll_plane(PatchRollingMotion motion);
   ContactSolution roll_on_layers(const std::function<double(double angle)>& friction, double tolerance);
   void find_loads();
