@@ -193,9 +193,11 @@ export function drawStress(canvas: HTMLCanvasElement, { x, z, values, isSigned, 
   const wide = scale * (x.at(-1)! - x[0]! + step), deep = scale * (Math.abs(z.at(-1)!) + step / 2), ofScale = 130, hasRoom = box.width - wide > ofScale + 40;
   const left = box.left + (box.width - wide - (hasRoom ? ofScale + 40 : 0)) / 2, middle = left + wide / 2;
   if (hasRoom) drawScale(context, { left: left + wide + 30, top: box.top + 4, width: ofScale - 24 }, { shown: isSigned ? "px" : "pressure", largest, unit: "MPa", factor: 1e-6 });
+  context.save();
   context.imageSmoothingEnabled = true;
   context.imageSmoothingQuality = "high";
   context.drawImage(raster, left, box.top, wide, deep);
+  context.restore();
   const at = (px: number, depth: number): Point => [left + (px - x[0]! + step / 2) * scale, box.top - depth * scale];
   line(context, [at(-a, 0), at(a, 0)], "--ink", 4);
   const inMpa = ticks(0, largest / 1e6, 6).filter((level) => level > 0 && 1e6 * level < 0.97 * largest);
