@@ -1,5 +1,6 @@
 // Bundles the page into static files that open without a server: node build.mjs TO CORE
-//   TO    folder for index.html, page.js, rail_head.js, page.css, the core's scripts with their WebAssembly zipped, its table
+//   TO    folder for index.html, page.js, rail_head.js, page.css, the core's scripts with their WebAssembly zipped, its table,
+//         licences.txt
 //   CORE  folder with explorer_core.js, explorer_core_plain.js, hertz_table.js
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, rm, writeFile } from "node:fs/promises";
@@ -7,9 +8,10 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { licencesOf } from "./licences.mjs";
 import { builtInProfiles, profileTexts } from "./profiles.mjs";
 
-const [to, core] = process.argv.slice(2);
+const [to, core] = process.argv.slice(2).map((folder) => path.resolve(folder));
 if (!to || !core) throw new Error("usage: node build.mjs TO CORE");
 const here = path.dirname(fileURLToPath(import.meta.url));
 
@@ -33,12 +35,13 @@ async function firstAnswers() {
 }
 
 await mkdir(to, { recursive: true });
-const bundled = { outdir: to, bundle: true, minify: true, format: "iife", target: "es2022" };
-await build({
+const bundled = { outdir: to, bundle: true, minify: true, format: "iife", target: "es2022", metafile: true, absWorkingDir: here };
+const page = await build({
   ...bundled, entryPoints: { page: path.join(here, "src/main.ts") },
   define: { ...builtInProfiles, FIRST_ANSWERS: JSON.stringify(await firstAnswers()) },
 });
-await build({ ...bundled, entryPoints: { rail_head: path.join(here, "src/rail_head.ts") }, globalName: "microslipRailHead" });
+const head = await build({ ...bundled, entryPoints: { rail_head: path.join(here, "src/rail_head.ts") }, globalName: "microslipRailHead" });
+await writeFile(path.join(to, "licences.txt"), await licencesOf([page.metafile, head.metafile], here, path.join(here, "../../LICENSE")));
 await copyFile(path.join(here, "src/index.html"), path.join(to, "index.html"));
 for (const script of ["explorer_core.js", "explorer_core_plain.js"]) await packCore(script);
 await copyFile(path.join(core, "hertz_table.js"), path.join(to, "hertz_table.js"));

@@ -78,6 +78,42 @@ class VtkSurfacesTest(unittest.TestCase):
             centres = surfaces[f"fields.{number}"][0].mean(axis=1)
             self.assertLess(np.linalg.norm(centres - place, axis=1).min(), 1e-3)
 
+    def check_against(self, result, group, surface):
+        """A surface has the group's elements, each with its area and numbers."""
+        corners, values = surface
+        fields = {name: result.array(f"/{group}/{name}", dimensions=2).ravel() for name in ("x", "y", "px", "py", "state", "area")}
+        self.assertEqual(len(corners), fields["x"].size)
+        self.assertGreater(np.count_nonzero(fields["state"]), 20)
+        for name, wanted in fields.items():
+            heading = name if name == "state" else f"{name} [{result.unit(f'/{group}/{name}')}]"
+            np.testing.assert_array_equal(values[heading], wanted, f"{group}/{name}")
+        np.testing.assert_allclose(areas_of(corners), fields["area"], rtol=1e-6)
+
+    def test_wheelset_has_the_patches_of_both_wheels_on_their_rails(self):
+        text = (EXAMPLES / "wheelset_in_curve.toml").read_text().replace('"profiles/', f'"{EXAMPLES}/profiles/')
+        (self.folder / "set.toml").write_text(text.split("[sweep]")[0] + '[solution]\ntheory = "exact"\nshape = "flat"\ngrid = 8\n')
+        path, surfaces = self.surfaces("set.toml")
+        with ResultFile(path) as result:
+            for side, sign in (("left", 1), ("right", -1)):
+                of_side = {name: surface for name, surface in surfaces.items() if name.startswith(side)}
+                self.assertEqual(len(of_side), result.array(f"/{side}/patches/place_y").size)
+                for name, surface in of_side.items():
+                    self.check_against(result, name.replace(".", "/"), surface)
+                    self.assertGreater(sign * surface[0][..., 1].min(), 0.6)  # m, on the rail of this side
+                total = sum(values["traction on body 1 [Pa]"].T @ areas_of(corners) for corners, values in of_side.values())
+                force = [float(result.array(f"/{side}/wheel/force_{axis}")[0]) for axis in "xyz"]
+                np.testing.assert_allclose(total, force, rtol=1e-6, atol=1e-3)
+
+    def test_bodies_with_layers_have_the_fields_of_their_surfaces(self):
+        (self.folder / "coated.toml").write_text((EXAMPLES / "coated_roller.toml").read_text().replace("grid = [40, 40]", "grid = [12, 12]"))
+        path, surfaces = self.surfaces("coated.toml")
+        self.assertEqual(list(surfaces), ["exact.fields"])
+        with ResultFile(path) as result:
+            self.check_against(result, "exact/fields", surfaces["exact.fields"])
+            corners, values = surfaces["exact.fields"]
+            force = values["traction on body 1 [Pa]"].T @ areas_of(corners)
+            np.testing.assert_allclose(force, [result.number("/exact/fx"), result.number("/exact/fy"), 50], rtol=1e-6, atol=1e-9)
+
     def test_what_has_no_fields_and_other_names_are_refused(self):
         (self.folder / "case.toml").write_text(HERTZ + '[solution]\ntheory = "fastsim2"\n')
         self.run_program("solve", "case.toml", "-o", "a", "--no-pictures")
@@ -86,6 +122,10 @@ class VtkSurfacesTest(unittest.TestCase):
         self.assertIn("needs a name that ends with .csv, for tables, or .vtp", done.stderr)
         self.run_program("conicity", EXAMPLES / "profiles/s1002.prw", EXAMPLES / "profiles/60e1.prr", "-o", "c", "--no-pictures")
         done = self.run_program("convert", "c/result.h5", "-o", "b.vtp")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has no fields", done.stderr)
+        self.run_program("run", EXAMPLES / "sphere_on_plane.inp", "-o", "d")  # whose elements are those of many cases
+        done = self.run_program("convert", "d/sphere_on_plane.h5", "-o", "b.vtp")
         self.assertEqual(done.returncode, 2)
         self.assertIn("has no fields", done.stderr)
 

@@ -2,12 +2,12 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { dot } from "./canvas.ts";
+import { dot, label } from "./canvas.ts";
 import { token } from "./colours.ts";
 import { element } from "./elements.ts";
 
-/** `colour`: a variable of the style sheet. */
-export interface Curve { name: string; colour: string; values: (number | null)[]; dash?: number[]; points?: boolean }
+/** `colour`: a variable of the style sheet. `isNamed`: in the legend. */
+export interface Curve { name: string; colour: string; values: (number | null)[]; dash?: number[]; points?: boolean; isNamed?: boolean }
 /** A part of the x-axis with a colour of its own, behind the curves. */
 export interface Band { from: number; to: number; colour: string }
 /** Points that are no curve, at places of their own. */
@@ -35,6 +35,7 @@ export class Chart {
     new ResizeObserver(() => {
       if (this.#plot && this.root.clientWidth > 0) this.#plot.setSize({ width: this.root.clientWidth, height: this.height });
     }).observe(root);
+    new MutationObserver(() => { this.#recolour(); }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   get content(): ChartContent | undefined { return this.#content; }
@@ -50,6 +51,11 @@ export class Chart {
     this.#drawn = drawn;
   }
 
+  /** In the colours of another theme. */
+  #recolour(): void {
+    if (this.#content) this.draw(this.#content, this.#remark.textContent);
+  }
+
   /** No curves, and why there are none. */
   refuse(why: string): void {
     this.#plot?.destroy();
@@ -60,21 +66,22 @@ export class Chart {
 
   #make(content: ChartContent, data: uPlot.AlignedData): void {
     this.#plot?.destroy();
-    const faint = token("--line"), axis = { stroke: token("--ink2"), font: "11px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif", grid: { stroke: faint, width: 1 }, ticks: { stroke: faint, width: 1 } };
+    const faint = token("--line"), values = (_: uPlot, splits: number[]) => splits.map(label), named = content.curves.filter(({ isNamed }) => isNamed ?? true).length + (content.scatter?.length ?? 0);
+    const axis = { values, stroke: token("--ink2"), font: "11px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif", grid: { stroke: faint, width: 1 }, ticks: { stroke: faint, width: 1 } };
     this.#plot = new uPlot({
       width: Math.max(this.root.clientWidth, 200),
       height: this.height,
       scales: { x: { time: false } },
-      legend: { live: false },
+      legend: { live: false, show: named > 1, markers: { dash: (plot, i) => (plot.series[i]!.dash ? "dashed" : "solid") } },
       cursor: { show: false },
       series: [
         { label: content.xLabel },
-        ...content.curves.map(({ name, colour, dash, points }) => ({
-          label: name, stroke: token(colour), width: 2.2, ...(dash ? { dash } : {}), points: { show: points ?? false }, spanGaps: content.scatter !== undefined,
+        ...content.curves.map(({ name, colour, dash, points, isNamed }) => ({
+          label: name, stroke: token(colour), width: 2.2, ...(dash ? { dash } : {}), points: { show: points ?? false }, spanGaps: content.scatter !== undefined, ...(isNamed === false ? { class: "unnamed" } : {}),
         })),
         ...(content.scatter ?? []).map(({ name, colour }) => ({ label: name, stroke: token(colour), width: 0, paths: () => null, points: { show: true, size: 7, width: 1.4, fill: token("--panel") } })),
       ],
-      axes: [{ ...axis, label: content.xLabel, size: 44, labelSize: 18 }, { ...axis, label: content.yLabel, size: 60, labelSize: 18 }],
+      axes: [{ ...axis, label: content.xLabel, size: 30, labelSize: 18 }, { ...axis, label: content.yLabel, size: 46, labelSize: 18 }],
       hooks: { drawClear: [(plot) => { this.#fillBands(plot); }], draw: [(plot) => { this.#markPresent(plot); }] },
     }, data, (plot, show) => { this.root.prepend(plot.root); show(); });
     if (content.drag) this.#listen(this.#plot);

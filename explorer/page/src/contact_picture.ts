@@ -190,10 +190,14 @@ export function drawStress(canvas: HTMLCanvasElement, { x, z, values, isSigned, 
   values.forEach((value, k) => { image.data.set([...colourOf(isSigned ? (1 + value / largest) / 2 : value / largest), 255], 4 * k); });
   pixels.putImageData(image, 0, 0);
   const step = x[1]! - x[0]!, scale = Math.min(box.width / (x.at(-1)! - x[0]! + step), box.height / (Math.abs(z.at(-1)!) + step / 2));
-  const wide = scale * (x.at(-1)! - x[0]! + step), deep = scale * (Math.abs(z.at(-1)!) + step / 2), left = box.left + (box.width - wide) / 2;
+  const wide = scale * (x.at(-1)! - x[0]! + step), deep = scale * (Math.abs(z.at(-1)!) + step / 2), ofScale = 130, hasRoom = box.width - wide > ofScale + 40;
+  const left = box.left + (box.width - wide - (hasRoom ? ofScale + 40 : 0)) / 2, middle = left + wide / 2;
+  if (hasRoom) drawScale(context, { left: left + wide + 30, top: box.top + 4, width: ofScale - 24 }, { shown: isSigned ? "px" : "pressure", largest, unit: "MPa", factor: 1e-6 });
+  context.save();
   context.imageSmoothingEnabled = true;
   context.imageSmoothingQuality = "high";
   context.drawImage(raster, left, box.top, wide, deep);
+  context.restore();
   const at = (px: number, depth: number): Point => [left + (px - x[0]! + step / 2) * scale, box.top - depth * scale];
   line(context, [at(-a, 0), at(a, 0)], "--ink", 4);
   const inMpa = ticks(0, largest / 1e6, 6).filter((level) => level > 0 && 1e6 * level < 0.97 * largest);
@@ -203,11 +207,11 @@ export function drawStress(canvas: HTMLCanvasElement, { x, z, values, isSigned, 
   context.globalAlpha = 1;
   const top = values.reduce((best, value, k) => (Math.abs(value) > Math.abs(values[best]!) ? k : best), 0), [mx, mz] = [x[top % nx]!, z[Math.floor(top / nx)]!], mark = at(mx, mz);
   dot(context, mark, 4, "--ink", 1);
-  text(context, `${isSigned ? "largest" : "highest"}: ${digits(Math.round(values[top]! / 1e6))} MPa, ${(Math.abs(1e3 * mz)).toFixed(1)} mm deep`, [width / 2, 18], { bold: true, align: "center" });
-  line(context, [[mark[0], mark[1] - 5], [width / 2, 22]], "--ink3");
+  text(context, `${isSigned ? "largest" : "highest"}: ${digits(Math.round(values[top]! / 1e6))} MPa, ${(Math.abs(1e3 * mz)).toFixed(1)} mm deep`, [middle, 18], { bold: true, align: "center" });
+  line(context, [[mark[0], mark[1] - 5], [middle, 22]], "--ink3");
   for (const px of ticks(1e3 * x[0]!, 1e3 * x.at(-1)!, wide / 60)) text(context, label(px), [at(px / 1e3, 0)[0], box.top + deep + 14], { size: 11, align: "center", colour: "--ink2" });
   for (const depth of ticks(0, -1e3 * z.at(-1)!, deep / 45)) text(context, label(depth), [left - 6, at(0, -depth / 1e3)[1] + 4], { size: 11, align: "right", colour: "--ink2" });
-  text(context, `x [mm], rolls this way →; lines every ${label(inMpa.length > 1 ? inMpa[1]! - inMpa[0]! : largest / 1e6)} MPa`, [width / 2, box.top + deep + 30], { size: 11, align: "center", colour: "--ink2" });
+  text(context, `x [mm], rolls this way →; lines every ${label(inMpa.length > 1 ? inMpa[1]! - inMpa[0]! : largest / 1e6)} MPa`, [middle, box.top + deep + 30], { size: 11, align: "center", colour: "--ink2" });
   text(context, "depth [mm]", [left - 34, box.top + deep / 2], { size: 11, align: "center", colour: "--ink2", turned: true });
 }
 

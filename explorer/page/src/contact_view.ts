@@ -93,7 +93,7 @@ export class ContactView {
   readonly root = element("section", { class: "view", "aria-label": "Contact" });
   readonly #form = new Form("contact", this.root);
   readonly map = element("canvas", { class: "map", role: "img", tabindex: "0" });
-  readonly #stress = element("canvas", { class: "map small", role: "img" });
+  readonly #stress = element("canvas", { class: "map deep", role: "img" });
   readonly #theories = element("canvas", { class: "map small", role: "img", "aria-label": "Adhesion, slip and friction by the exact theory and by FASTSIM2, side by side" });
   readonly #lead = element("p");
   readonly #keys = new Keys();

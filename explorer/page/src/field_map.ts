@@ -194,7 +194,7 @@ function strip(colours: Rgb[]): HTMLCanvasElement {
 export function drawScale(context: CanvasRenderingContext2D, { left, top, width }: Pick<Box, "left" | "top" | "width">, { shown, largest, unit, factor }: Scale): number {
   const { sizes, sticks, slides, signed } = ramps(), isSigned = shown === "px" || shown === "py";
   const bars: [string, Rgb[]][] = isByState(shown) ? [["sticks", sticks], ["slides", slides]] : [["", isSigned ? signed : sizes]];
-  const wordsWidth = isByState(shown) ? 42 : 0, from = left + wordsWidth, length = width - wordsWidth;
+  const wordsWidth = isByState(shown) ? 46 : 0, from = left + wordsWidth, length = width - wordsWidth;
   bars.forEach(([name, colours], row) => {
     const y = top + 13 * row;
     if (name) text(context, name, [left, y + 9]);
@@ -241,7 +241,7 @@ export function drawAxes(context: CanvasRenderingContext2D, box: Box, { back, at
     text(context, label(y), [box.left - 6, py + 4], { size: 11, align: "right", colour: "--ink2" });
   }
   text(context, xLabel, [box.left + box.width / 2, low + 30], { size: 11, align: "center", colour: "--ink2" });
-  text(context, yLabel, [box.left - 36, box.top + box.height / 2], { size: 11, align: "center", colour: "--ink2", turned: true });
+  text(context, yLabel, [box.left - 44, box.top + box.height / 2], { size: 11, align: "center", colour: "--ink2", turned: true });
 }
 
 export function drawRolling(context: CanvasRenderingContext2D, [x, y]: Point, length = 54): void {
@@ -253,16 +253,16 @@ export function drawRolling(context: CanvasRenderingContext2D, [x, y]: Point, le
 export function drawMap(canvas: HTMLCanvasElement, { sheets, shown, isStretched = false, arrows: withArrows = false, largest: most, ...labels }: MapContent): void {
   const { context, width, height }: Drawing = fitToScreen(canvas);
   if (width === 0 || sheets.length === 0) return;
-  const scale = { ...scaleOf(sheets, shown), ...(most === undefined ? {} : { largest: most }) }, box: Box = { left: 52, top: 52, width: width - 66, height: height - 90 };
+  const scale = { ...scaleOf(sheets, shown), ...(most === undefined ? {} : { largest: most }) }, end = Math.min(width - 110, 348), isNarrow = end + 200 > width, head = isNarrow && withArrows ? 66 : 52;
+  const box: Box = { left: 58, top: head, width: width - 72, height: height - head - 38 };
   const place = placeIn({ left: box.left + 0.14 * box.width, top: box.top + 12, width: 0.72 * box.width, height: box.height - 24 }, sheets, isStretched);
   drawAxes(context, box, place, labels);
   drawPatch(context, sheets, place, { scale, ...(withArrows ? { spacing: 26, largestArrow: scale.largest } : {}) });
-  drawScale(context, { left: box.left, top: 6, width: Math.min(210, 0.45 * width) }, scale);
-  const [end] = [Math.min(width - 110, box.left + 290)];
+  drawScale(context, { left: isNarrow ? 8 : box.left, top: 6, width: Math.min(210, 0.5 * width) }, scale);
   drawRolling(context, [end, 14]);
   if (withArrows) {
-    const { largest } = scale, round = roundLength(largest);
-    arrows(context, [[[end + 98, 14], [end + 98 + (0.92 * 26 * round) / largest, 14]]], "--arrow", 1.35, 5.5);
-    if (end + 200 < width) text(context, `${digits(round / 1e6)} MPa`, [end + 130, 18], { size: 11, colour: "--ink2" });
+    const { largest } = scale, round = roundLength(largest), [x, y] = isNarrow ? [end, 46] : [end + 120, 14];
+    arrows(context, [[[x, y], [x + (0.92 * 26 * round) / largest, y]]], "--arrow", 1.35, 5.5);
+    text(context, `${digits(round / 1e6)} MPa`, [x + 32, y + 4], { size: 11, colour: "--ink2" });
   }
 }

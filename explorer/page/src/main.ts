@@ -52,7 +52,7 @@ class Page {
     const tabs = element("nav", { role: "tablist", "aria-label": "views" }, ...Object.values(this.#tabs));
     tabs.addEventListener("keydown", (event) => { this.#stepTabs(event); });
     root.replaceChildren(element("header", {}, element("h1", {}, "microslip", element("span", {}, " explorer")), tabs, this.#bar()),
-      this.#message, this.#comparing, ...Object.values(this.#views).map(({ root: view }) => view), this.#tour.root);
+      this.#message, this.#comparing, ...Object.values(this.#views).map(({ root: view }) => view), footOf(FIRST_ANSWERS.version), this.#tour.root);
     if (!hasVectors()) this.say("This browser has no vector instructions for WebAssembly: results are the same and take two to three times as long.");
     this.#listen(root);
   }
@@ -234,6 +234,10 @@ class Page {
     clearTimeout(this.#saving);
     this.#saving = window.setTimeout(() => { void this.#save(); }, 250);
   }
+}
+
+function footOf(version: string): HTMLElement {
+  return element("footer", {}, `microslip ${version}. All is computed in this browser, nothing leaves this machine. `, element("a", { href: "licences.txt" }, "Licences"));
 }
 
 function setTheme(): void {

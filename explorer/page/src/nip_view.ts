@@ -85,7 +85,7 @@ export class NipView {
   constructor(readonly core: Core, public state: NipState, readonly changed: () => void) {
     const along = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
     this.#along = new Chart(along, 280);
-    this.#curve = new Chart(curve);
+    this.#curve = new Chart(curve, 300);
     this.#above = card("wide", "The nip from above", "x and y have scales of their own; blue sticks, orange slides", element("div", { class: "choices" }, this.#shownChoice()), this.#map);
     this.root.append(
       titleOf("A rubber-covered roller: pressure and friction in the nip", this.#lead),
@@ -216,7 +216,7 @@ export class NipView {
     this.#above.hidden = this.#ofCylinders;
     this.#perMetre.hidden = !this.#ofCylinders;
     if (!this.#ofCylinders) this.#drawMap(rows, height);
-    this.#drawAlong(f, middle, width);
+    this.#drawAlong(f, middle, width, [from, to]);
     this.#showNumbers(found, size);
     this.#drawCurve(this.#curve.content);
   }
@@ -231,19 +231,23 @@ export class NipView {
     drawMap(this.#map, { sheets: sheetsOf(rows, height), shown, isStretched: true, arrows: shown === "friction" || shown === "adhesion and slip", xLabel: "x, along the nip's motion [mm]", yLabel: "y, across [mm]" });
   }
 
-  #drawAlong(f: Fields, middle: number, width: number): void {
-    const at = f.y.flatMap((y, k) => (y === middle ? [k] : [])).sort((one, other) => f.x[one]! - f.x[other]!);
-    const mega = (values: number[], sign = 1) => at.map((k) => (sign * values[k]!) / 1e6);
-    const bands = at.filter((k) => f.state[k] !== 0).map((k): Band => ({
-      from: (f.x[k]! - width / 2) * 1e3, to: (f.x[k]! + width / 2) * 1e3, colour: f.state[k] === 2 ? "--slide-soft" : "--stick-soft",
-    }));
+  /** Between the ends of the contact, at which all is zero. */
+  #drawAlong(f: Fields, middle: number, width: number, [from, to]: readonly [number, number]): void {
+    const at = f.y.flatMap((y, k) => (y === middle && f.state[k] !== 0 ? [k] : [])).sort((one, other) => f.x[one]! - f.x[other]!), last = at.length - 1;
+    const mega = (values: number[], sign = 1) => [0, ...at.map((k) => (sign * values[k]!) / 1e6), 0];
+    const bands: Band[] = [];
+    at.forEach((k, i) => {
+      const colour = f.state[k] === 2 ? "--slide-soft" : "--stick-soft", before = bands.at(-1), end = (i === last ? to : f.x[k]! + width / 2) * 1e3;
+      if (before?.colour === colour) before.to = end;
+      else bands.push({ from: before?.to ?? from * 1e3, to: end, colour });
+    });
     this.#along.draw({
-      x: at.map((k) => f.x[k]! * 1e3), xLabel: "x [mm], rolls this way →", yLabel: "MPa", bands,
+      x: [from, ...at.map((k) => f.x[k]!), to].map((place) => place * 1e3), xLabel: "x [mm], rolls this way →", yLabel: "MPa", bands,
       curves: [
         { name: "pressure", colour: colours.exact, values: mega(f.pressure) },
-        { name: "most that friction can bear, ±", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
-        { name: "and the other way", colour: colours.bound, values: mega(f.bound, -1), dash: [4, 4] },
-        { name: "friction px", colour: colours.fastsim2, values: mega(f.px) },
+        { name: "most that friction can bear, either way", colour: colours.bound, values: mega(f.bound), dash: [4, 4] },
+        { name: "most that friction can bear, against the rolling", colour: colours.bound, values: mega(f.bound, -1), dash: [4, 4], isNamed: false },
+        { name: "friction along", colour: "--accent1", values: mega(f.px) },
       ],
     });
   }

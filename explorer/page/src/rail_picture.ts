@@ -18,7 +18,7 @@ export interface Scene {
   side: WheelSide;
   rail: Outline; wheel: Outline; patches: Patch[];
   yaw: number; // [rad]
-  names: { wheel: string; radius: string; rail: string };
+  names: { wheel: string; radius: string; rail: string; lean: string };
   trouble: string; // what is wrong with where the wheel is, in words
   compared: { wheel: Outline; patches: Patch[] } | undefined;
   isComputing: boolean; // the patches
@@ -163,7 +163,7 @@ function drawSection(context: CanvasRenderingContext2D, scene: Scene, layout: La
   text(context, "Rail", [railX, railY], { size: 14, bold: true, align: "center" });
   if (!isNarrow) {
     [scene.names.wheel, scene.names.radius].forEach((words, i) => { text(context, words, [wheelX, section.top + 63 + 15 * i], { align: beginOf(toField) }); });
-    text(context, scene.names.rail, [railX, railY + 17], { align: "center" });
+    [scene.names.rail, scene.names.lean].forEach((words, i) => { text(context, words, [railX, railY + 17 + 15 * i], { align: "center" }); });
     const ofTread = middle + toField * 0.045, tread = scene.wheel.y.reduce((best, y, i) => (Math.abs(y - ofTread) < Math.abs(scene.wheel.y[best]! - ofTread) ? i : best), 0);
     const tip = scene.wheel.z.reduce((lowest, z, i) => (z < scene.wheel.z[lowest]! ? i : lowest), 0);
     const treadAt = at(scene.wheel.y[tread]!, scene.wheel.z[tread]!), flangeAt = at(scene.wheel.y[tip]!, scene.wheel.z[tip]!);
@@ -311,7 +311,7 @@ function drawLens(context: CanvasRenderingContext2D, scene: Scene, layout: Layou
     const pressure = scaleOf(sheets, "pressure");
     if (!isNarrow) {
       text(context, "Small picture: pressure", [x, y + 26]);
-      drawScale(context, { left: x + 138, top: y + 17, width: Math.max(60, lens.width - 170) }, { ...pressure, unit: "MPa" });
+      drawScale(context, { left: x + 152, top: y + 17, width: Math.max(60, lens.width - 184) }, { ...pressure, unit: "MPa" });
     } else text(context, `up to ${digits(Math.round(pressure.largest / 1e6))} MPa pressure`, [x, y + 46], { size: 11 });
   }
   context.save();

@@ -517,7 +517,7 @@ export class RailView {
     const { side: of } = this.state, compared = this.#frozen?.scene.side === of ? this.#frozen.scene : undefined;
     const scene: Scene = {
       side: of, rail: outlines.rail, wheel, patches: solved ? this.#patchesOf(solved) : [], yaw: values["wheel.yaw"]!, trouble: solved ? troubleOf(solved) : "", isComputing: !solved, isTold: this.#isTold, compared,
-      names: { wheel: nameOf(profiles.wheel), radius: `radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: `${nameOf(profiles.rail)}, ${lean}` },
+      names: { wheel: nameOf(profiles.wheel), radius: `radius ${digits(1e3 * values["wheelset.nominal_radius"]!)} mm`, rail: nameOf(profiles.rail), lean },
     };
     this.#layout = drawScene(this.section, scene);
     this.#scene = scene;

@@ -91,7 +91,7 @@ export class StartView {
     this.root.append(
       titleOf("Starting and braking: how friction builds up as a wheel begins to roll", this.#lead),
       controlsOf([presetButtons(), group("Contact"), group("Motion"), group("Bodies")]),
-      element("div", { class: "pictures" },
+      element("div", { class: "pictures thirds" },
         this.#keys.root,
         card("wide pinned", "", "", element("div", { class: "choices" }, this.#play, this.#slider), this.#spoken, this.#map, this.#form.message, this.#remarks, this.#time),
         card("", "Along y = 0", "Friction force per area, and the most that friction can bear", cut),
@@ -189,11 +189,12 @@ export class StartView {
     const sheets = sheetsOf({ x, y, width: x.map(() => width), pressure: bound, bound, px, py, sx, sy, state }, rowHeight(y), { a, b });
     drawMap(this.#map, { sheets, shown: "friction", arrows: true, largest: Math.max(...bound, 1e-30) });
     const at = y.flatMap((value, k) => (value === row && state[k] !== 0 ? [k] : [])).sort((one, other) => x[one]! - x[other]!);
+    const end = a * Math.sqrt(Math.max(1 - (row / b) ** 2, 0)), between = (values: number[]) => [0, ...values.map((value) => value / 1e6), 0]; // both are zero at the ends of the contact
     this.#cut.draw({
-      x: at.map((k) => x[k]! * 1e3), xLabel: "x [mm]", yLabel: "MPa",
+      x: [-end, ...at.map((k) => x[k]!), end].map((place) => place * 1e3), xLabel: "x [mm], rolls this way →", yLabel: "MPa",
       curves: [
-        { name: "bound", colour: colours.bound, values: at.map((k) => bound[k]! / 1e6), dash: [4, 4] },
-        { name: "|p|", colour: colours.exact, values: at.map((k) => Math.hypot(px[k]!, py[k]!) / 1e6) },
+        { name: "most that friction can bear", colour: colours.bound, values: between(at.map((k) => bound[k]!)), dash: [4, 4] },
+        { name: "friction", colour: colours.exact, values: between(at.map((k) => Math.hypot(px[k]!, py[k]!))) },
       ],
     });
     for (const chart of [this.#creepages, this.#forces]) if (chart.content) chart.draw({ ...chart.content, present: frame.distance * 1e3 });
@@ -222,7 +223,7 @@ export class StartView {
     const draw = (chart: Chart, of: Frame[], yLabel: string, [along, across]: [(frame: Frame) => number, (frame: Frame) => number]) => {
       chart.draw({
         x: of.map(({ distance }) => distance * 1e3), xLabel: "distance rolled [mm]", yLabel, present: frames[this.state.frame]!.distance * 1e3,
-        curves: [{ name: "longitudinal", colour: colours.exact, values: of.map(along) }, { name: "lateral", colour: colours.fastsim2, values: of.map(across) }],
+        curves: [{ name: "along", colour: "--accent1", values: of.map(along) }, { name: "across", colour: "--accent2", values: of.map(across) }],
       });
     };
     draw(this.#creepages, rolled, "creepage [%]", [(frame) => frame.creepage_longitudinal * 100, (frame) => frame.creepage_lateral * 100]);

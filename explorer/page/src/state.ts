@@ -60,7 +60,7 @@ export function keysOf(law: string): string[] {
 }
 /** Surfaces of wheels and rails for the exact theory. "true" is what the library takes where the case leaves it out. */
 export function shapes(): Record<string, string> {
-  return { true: "true (left out)", ...Object.fromEntries(input("rail", "solution.shape").words!.map((shape) => [shape, shape])) };
+  return { true: "as it is", ...Object.fromEntries(input("rail", "solution.shape").words!.map((shape) => [shape, shape])) };
 }
 
 /** Creepages beyond these are mistaken: of bodies that roll in the same direction their speeds differ by twice the mean at most. */

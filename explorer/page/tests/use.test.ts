@@ -56,6 +56,19 @@ test("what the page loads before a table or a picture in three dimensions has le
   await alone.close();
 });
 
+test("notices of all that the page has of others lie beside it, and it leads to them", async () => {
+  const notices = readFileSync(path.join(folder, "licences.txt"), "utf8");
+  const { dependencies } = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8")) as { dependencies: Record<string, string> };
+  for (const [name, version] of Object.entries(dependencies)) assert.ok(notices.includes(`\n${name} ${version}\n${"=".repeat(80)}\n\nThe MIT License`), name);
+  for (const holder of ["Leon Sorokin", "three.js authors", "Niels Lohmann", "Mark Gillard", "The Emscripten Authors", "Rich Felker"]) assert.match(notices, new RegExp(`Copyright.*${holder}`), holder);
+  assert.ok(notices.includes("Apache License"));
+  const { page, errors } = await opened("#");
+  await page.getByRole("link", { name: "Licences" }).click();
+  await page.getByText("What is in this page, and under which licences").waitFor();
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("a hidden page computes nothing, and what was asked meanwhile once it is seen again", async () => {
   const { page, errors } = await opened("", undefined, `${countRequests}
     window.hiddenNow = false;
@@ -430,6 +443,29 @@ test("colours of both themes: texts have a contrast of 4.5 on all that they stan
     for (const [text, grounds] of Object.entries(texts)) for (const ground of grounds) check(text, ground, 4.5);
     for (const mark of marks) check(mark, "--panel", 3);
   }
+});
+
+test("in another theme all pictures and charts have its colours at once", async () => {
+  const { page, errors } = await opened("#"), { page: dark, errors: others } = await opened("#", undefined, undefined, "dark");
+  const pictures = (of: Page) => of.locator("section:not([hidden]) canvas").evaluateAll((all) => (all as HTMLCanvasElement[]).filter(({ offsetParent }) => offsetParent).map((canvas) => canvas.toDataURL()));
+  const theme = page.getByRole("button", { name: "light or dark" });
+  for (const view of ["Wheel on rail", "Contact", "Start and stop", "Nip"]) {
+    for (const of of [page, dark]) await of.getByRole("tab", { name: view }).click();
+    await Promise.all([settled(page), settled(dark)]);
+    const inLight = await pictures(page);
+    await theme.click();
+    await settled(page);
+    const changed = await pictures(page), wanted = await pictures(dark);
+    assert.ok(changed.length > 1 && changed.length === wanted.length, view);
+    for (const [k, picture] of changed.entries()) {
+      assert.ok(picture === wanted[k], `${view}: picture ${k} is not as in a page that is dark from the start`);
+      assert.notEqual(picture, inLight[k], `${view}: picture ${k}`);
+    }
+    await theme.click();
+  }
+  assert.deepEqual([...errors, ...others], []);
+  await page.close();
+  await dark.close();
 });
 
 test("axe-core finds nothing in any view, wide and light, with its drawer, narrow and dark; each field is one stop of the keyboard", async () => {
