@@ -36,7 +36,7 @@ tr.section th { padding-top: .7rem; font-weight: 600; border: 0; }
 td.number { font-variant-numeric: tabular-nums; }
 td.number, td.met, td.not, th[scope=row] { white-space: nowrap; }
 .clauses { table-layout: fixed; } .clauses td:nth-child(3), .clauses td:nth-child(4) { white-space: nowrap; }
-.clauses th:nth-child(1) { width: 17%; } .clauses th:nth-child(3) { width: 18%; } .clauses th:nth-child(4), .clauses th:nth-child(5) { width: 12%; }
+.clauses th:nth-child(1) { width: 13%; } .clauses th:nth-child(3) { width: 17%; } .clauses th:nth-child(4) { width: 11%; } .clauses th:nth-child(5) { width: 14%; }
 .digest { font-family: monospace; font-size: .8rem; overflow-wrap: anywhere; }
 .met { color: #00613f; } .limit { color: #6b4d00; } .not { color: #a63d00; font-weight: 700; } .shown { color: #565f65; }
 .outcome { border: 2px solid; padding: .5rem .8rem; font-size: 1.1rem; font-weight: 600; }
