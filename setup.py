@@ -20,6 +20,15 @@ OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DMICROSLIP_BUILD_APP=ON", "-DMICROSLI
            "-DCMAKE_INSTALL_BINDIR=microslip/bin", f"-DPython3_EXECUTABLE={sys.executable}"]
 
 
+def pybind11_option():
+    """Where pip's pybind11 is, if pip has brought it for the build."""
+    try:
+        from pybind11 import get_cmake_dir
+    except ImportError:
+        return []
+    return [f"-Dpybind11_DIR={get_cmake_dir()}"]
+
+
 class CMakeBuild(build_ext):
     """Builds module and program and puts them where setuptools looks for the module."""
 
@@ -30,7 +39,7 @@ class CMakeBuild(build_ext):
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         jobs = str(os.cpu_count() or 1)  # without a number make starts all compilers at once
         targets = ["microslip_python", "microslip_app", "microslip_validate"]
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *OPTIONS], check=True)
+        subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, *OPTIONS, *pybind11_option()], check=True)
         subprocess.run(["cmake", "--build", build, "--target", *targets, "--parallel", jobs], check=True)
         for component in ("python", "program"):
             subprocess.run(["cmake", "--install", build, "--prefix", package.parent, "--component", component], check=True)

@@ -8,12 +8,15 @@
 #include "app/validation_report.hpp"
 #include "io/nearest_word.hpp"
 #include "io/output_file.hpp"
+#include "io/program_files.hpp"
 #include "microslip/contact/limits.hpp"
 #include "microslip/error.hpp"
 #include "validation/study.hpp"
+#include "validation/study_inputs.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -117,15 +120,28 @@ StudyRecord run_for_report(const Study& study, const ValidateArguments& argument
   return record;
 }
 
+/// This one, and the program that went on as it.
+std::vector<std::filesystem::path> programs() {
+  std::vector<std::filesystem::path> files = {io::program_file()};
+  std::filesystem::path front = files.front();
+  front.replace_filename("microslip" + front.extension().string());
+  if (front != files.front() && std::filesystem::exists(front)) files.push_back(front);
+  return files;
+}
+
 int report(const std::vector<const Study*>& studies, ValidateArguments arguments) {
   const std::filesystem::path folder = *arguments.report;
   if (folder.empty()) throw Error("--report: needs the name of a folder");
   io::create_folder(folder);
   io::require_writable_file(folder / validation_page);
   arguments.output = folder;
+  const ReportHead head{.purpose = arguments.purpose,
+                        .begin = std::time(nullptr),
+                        .inputs = validation::study_inputs(arguments.cases),
+                        .programs = programs()};
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
-  const std::vector<std::string> written = write_validation_report(folder, records);
+  const std::vector<std::string> written = write_validation_report(folder, head, records);
   InterruptGuard::throw_if_interrupted();
   for (const auto& file : written) fmt::print("written: {}\n", file);
   return std::ranges::all_of(records, &StudyRecord::as_stated) ? ExitCode::done : ExitCode::not_met;
@@ -152,6 +168,7 @@ bool run_for_programs(const Study& study, const ValidateArguments& arguments, io
 int run_studies(const ValidateArguments& arguments) {
   require_count("--threads", arguments.threads, 1, most_threads);
   const std::vector<const Study*> studies = chosen(arguments.names);
+  if (!arguments.purpose.empty() && !arguments.report) throw Error("--purpose: is for --report");
   if (!arguments.cases.empty() && std::ranges::none_of(studies, [](const Study* s) { return s->name == "contact"; }))
     throw Error("--cases: is for the study contact");
   if (!arguments.cases.empty() && !std::filesystem::is_directory(arguments.cases))

@@ -49,10 +49,11 @@ void add_validate_command(Command& program, int& exit_code, int (*run)(const Val
   add_json_flag(command, arguments.json);
   command
       .add_option("--report FOLDER", arguments.report,
-                  "write one page of all figures and pictures into this folder, validation.html, and as PDF\nwhere "
-                  "Chromium is at hand; result files, too")
+                  "write a report to be signed into this folder, validation.html, and as PDF where Chromium is at\n"
+                  "hand: a verdict on each clause, all figures and pictures, digests; result files, too")
       .excludes("--json")
       .excludes("--output");
+  command.add_option("--purpose TEXT", arguments.purpose, "what the report is for, besides what it says of itself");
 }
 
 } // namespace microslip::app

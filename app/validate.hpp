@@ -16,6 +16,7 @@ struct ValidateArguments {
   bool list = false;
   std::filesystem::path output = "results";
   std::optional<std::filesystem::path> report; ///< folder
+  std::string purpose = {};                    ///< of the report
   std::filesystem::path cases = {};            ///< folder of CONTACT's input files
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool thorough = false, no_pictures = false, json = false;

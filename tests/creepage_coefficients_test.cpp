@@ -107,6 +107,22 @@ TEST(CreepageCoefficients, StayBetweenTheRowsOfTheTable) {
       }
 }
 
+/// With the powers of g taken out the three digits of wide ellipses are as good between the rows as at them: computed
+/// ones are met to 0.8, 0.3, 1.2, 0.62 %. Without that of C33 it would be 0.81 %.
+TEST(CreepageCoefficients, AreCloseToComputedOnesBetweenTheRows) {
+  constexpr std::array<double, 4> largest = {8e-3, 3e-3, 12e-3, 7e-3};
+  for (const double nu : {0.0, 0.25, 0.3, 0.5})
+    for (int k = 0; k < 90; ++k) {
+      const double ratio = 0.105 + 0.01 * k;
+      const auto c = creepage_coefficients(ratio, nu, CreepageTable::kalker);
+      const auto exact = creepage_coefficients(ratio, nu, CreepageTable::computed);
+      EXPECT_NEAR(c.c11 / exact.c11, 1, largest[0]) << ratio;
+      EXPECT_NEAR(c.c22 / exact.c22, 1, largest[1]) << ratio;
+      EXPECT_NEAR(c.c23 / exact.c23, 1, largest[2]) << ratio;
+      EXPECT_NEAR(c.c33 / exact.c33, 1, largest[3]) << ratio;
+    }
+}
+
 TEST(CreepageCoefficients, AreContinuous) {
   constexpr double step = 1e-9;
   for (const double seam : {0.1, 0.3, 1.0, 1 / 0.7, 10.0})

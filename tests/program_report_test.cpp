@@ -1,9 +1,11 @@
 // microslip validate --report, microslip bench.
 
 #include "io/json.hpp"
+#include "io/sha256.hpp"
 #include "tests/support/program_run.hpp"
 #include "validation/study.hpp"
 
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -48,8 +50,32 @@ TEST(ProgramReport, IsOnePageOfAllFigures) {
   for (const auto* outside : {"http:", "https:", "src=\"/", "href=\"/", "<script"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   EXPECT_NE(page.find("All figures are met."), std::string::npos);
-  for (const auto* unmet : {"NOT MET", "NOT all figures"}) // pictures, as texts of base 64, have no blanks
+  for (const auto* unmet : {"<td class=\"not\">NOT MET", "NOT all figures"})
     EXPECT_EQ(page.find(unmet), std::string::npos) << unmet;
+}
+
+/// What a signature needs: purpose, command, digests of the programs, a verdict on each clause, places to sign.
+TEST(ProgramReport, CanBeSigned) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& out) {
+    const auto outcome =
+        run_program(folder, "validate --no-pictures --report " + out + " model-problem --purpose 'a < b'");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return contents(folder / out / "validation.html");
+  };
+  const std::string page = run("out");
+  std::filesystem::path studies = MICROSLIP_PROGRAM;
+  studies.replace_filename("microslip-validate");
+  for (const std::string& part :
+       {std::string("<p>a &lt; b</p>"), std::string("model-problem --purpose"), io::sha256_of_file(MICROSLIP_PROGRAM),
+        io::sha256_of_file(studies),
+        std::string("<a href=\"#model-problem\">model-problem</a></td><td>32 of 32</td><td "
+                    "class=\"met\">pass</td>"),
+        std::string("EN 15302:2008+A1:2010"), std::string(">not examined</td>"), std::string("Approved by")})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  // of the same figures the same digest
+  const auto digest = [](const std::string& text) { return text.substr(text.find("SHA-256 of the figures"), 120); };
+  EXPECT_EQ(digest(page), digest(run("again")));
 }
 
 TEST(ProgramReport, RefusesWhatItCannotDo) {
@@ -60,6 +86,7 @@ TEST(ProgramReport, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_program(folder, "validate --report out --json hertz").exit_code, 2);
   EXPECT_EQ(run_program(folder, "validate --report /proc/none hertz").exit_code, 2);
   EXPECT_EQ(run_program(folder, "validate --report '' hertz").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "validate --purpose none hertz").exit_code, 2);
   EXPECT_EQ(folder.entries(), (std::vector<std::string>{}));
 }
 

@@ -114,6 +114,35 @@ Profile read(const std::string& name, ProfileRole role) {
   return io::read_profile(data / name, options).profile;
 }
 
+/// The rolling radius differences that the standard prints, every 0.1 mm of displacement.
+RollingRadiusDifference printed_difference(char wheel) {
+  std::ifstream file(data / fmt::format("rolling_radius_difference_{}.dat", wheel));
+  std::vector<double> millimetres;
+  for (double value = 0; file >> value;) millimetres.push_back(value);
+  std::vector<RollingRadiusDifference::Value> points;
+  const auto middle = static_cast<double>(millimetres.size() / 2);
+  for (std::size_t k = 0; k < millimetres.size(); ++k)
+    points.push_back({1e-4 * (static_cast<double>(k) - middle), 1e-3 * millimetres[k]});
+  return RollingRadiusDifference(points);
+}
+
+/// Amplitudes up to which the standard's differences are smooth enough for its three digits of conicity.
+void report_printed_differences(Report& report) {
+  report.heading("EN 15302, annex E: conicity from the printed rolling radius differences, less the printed conicity");
+  for (const auto& [name, largest] : {std::pair{'a', 6.55e-3}, {'b', 2.55e-3}}) {
+    const RollingRadiusDifference difference = printed_difference(name);
+    double worst = 0;
+    for (const Row& row : rows(name))
+      if (row.amplitude * 1e-3 < largest) {
+        const auto motion = kinematic_oscillation(difference, row.amplitude * 1e-3, base);
+        worst = std::max(worst, motion ? std::abs(motion->conicity - row.conicity) : 1);
+      }
+    report.bounded(fmt::format("wheel {}, amplitudes up to {:.1f} mm, largest", static_cast<char>(name - 'a' + 'A'),
+                               largest * 1e3 - 0.05),
+                   "{:.5f}", worst, "<= 0.001");
+  }
+}
+
 void report_wheel(Report& report, const Profile& rail, char name) {
   const Profile wheel = read(fmt::format("wheel_{}.dat", name), ProfileRole::wheel);
   Track track;
@@ -153,6 +182,7 @@ bool run_conicity(const StudyOptions& options, std::ostream& out) {
   report_closed_forms(report);
   if (fs::exists(data / "rail.dat")) {
     const Profile rail = read("rail.dat", ProfileRole::rail);
+    report_printed_differences(report);
     for (const char wheel : {'a', 'b'}) report_wheel(report, rail, wheel);
   } else {
     report.line("SKIPPED: the profiles of EN 15302 are not beside MICROSLIP_REFERENCE_DATA");
