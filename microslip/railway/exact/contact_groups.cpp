@@ -87,6 +87,18 @@ void add_rows(const ContactPatch& patch, std::vector<PointLoad>& loads) {
   }
 }
 
+/// The rows of the fast theory as pressures.
+void add_pressures(const ContactPatch& patch, const PatchFrame& frame, std::vector<ExactPatch::PressureRow>& rows) {
+  for (std::size_t j = 0; j < patch.loaded.size(); ++j) {
+    const LoadedRow& row = patch.loaded[j];
+    const PatchRow& at = patch.rows[j].at;
+    ExactPatch::PressureRow pressure{at.rail_s - frame.rail_s, at.point.x + row.centre - frame.origin.x,
+                                     row.half_length, 0};
+    if (row.load > 0) pressure.peak = 2 * row.load / (std::numbers::pi * row.half_length * row.width);
+    rows.push_back(pressure);
+  }
+}
+
 } // namespace
 
 std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
@@ -106,6 +118,7 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
        group_patches(surface.placement(), bodies.rail, bodies.wheel, outlines, method.surface(), depth)) {
     double force = 0, vertical = 0;
     std::vector<PointLoad> loads;
+    std::vector<ExactPatch::PressureRow> pressures;
     std::optional<RowSums> rows; // of its patches first
     for (const bool own : {true, false})
       for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -118,6 +131,7 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
         if (!own || !(sums.load > 0)) continue;
         force += sums.load, vertical += sums.load * patches[k].vertical_share;
         add_rows(patches[k], loads);
+        add_pressures(patches[k], group.outline.frame, pressures);
       }
     const Vec2 element = element_of(*rows, group.outline, method.elements);
     if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the fast theory failed
@@ -125,6 +139,7 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
     const PatchOutline covered = limited_to(group.outline, extents);
     const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
     ExactPatch exact(bodies.material, bodies.layered, surface, covered, shape, element, motion, progress);
+    exact.expect(pressures);
     double share = std::cos(group.outline.frame.angle);
     if (force > 0) share = vertical / force;
     // Rows of the fast theory have separate planes.

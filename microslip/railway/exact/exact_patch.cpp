@@ -135,6 +135,27 @@ std::optional<ExactPatch::Extent> ExactPatch::extent(double near) const {
                 grid_.y(high) + 1.5 * grid_.dy};
 }
 
+void ExactPatch::expect(std::span<const PressureRow> rows) {
+  expected_.assign(grid_.count(), 0);
+  const auto set_row = [&](int j, const PressureRow& row) {
+    for (int i = 0; i < grid_.mx; ++i) {
+      const double t = (grid_.x(i) - row.centre) / row.half_length;
+      if (std::abs(t) < 1) expected_[static_cast<std::size_t>(j) * grid_.mx + i] = row.peak * std::sqrt(1 - t * t);
+    }
+  };
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    const auto& [low, high] = std::minmax(rows[k], rows[k + 1], [](auto& a, auto& b) { return a.s < b.s; });
+    for (int j = 0; j < grid_.my; ++j) {
+      const double t = (grid_.y(j) - low.s) / (high.s - low.s);
+      if (!(t >= 0 && t <= 1)) continue;
+      const auto between = [t, &a = low, &b = high](double PressureRow::*part) { return (1 - t) * a.*part + t * b.*part; };
+      set_row(j, {grid_.y(j), between(&PressureRow::centre), between(&PressureRow::half_length),
+                  between(&PressureRow::peak)});
+    }
+  }
+  if (!(largest(expected_) > 0)) expected_.clear();
+}
+
 void ExactPatch::find_loads() {
   constexpr int side = 6; // elements of a block along either axis
   // Blocks stay where they are in the frame when the contact grows or the elements reach further.
@@ -185,9 +206,10 @@ void ExactPatch::solve_plane(const NormalLoad& load, double tolerance) {
   std::vector<double> gap = lifted_;
   if (correction_)
     for (std::size_t k = 0; k < gap.size(); ++k) gap[k] += added_[2][k];
-  pressed_ = pressed_.contact_elements > 0
-                 ? normal_.solve_from(std::move(pressed_.pressure), gap, load, tolerance, progress_)
-                 : normal_.solve(gap, load, tolerance, progress_);
+  std::vector<double> start = pressed_.contact_elements > 0 ? std::move(pressed_.pressure) : std::move(expected_);
+  pressed_ = start.empty() ? normal_.solve(gap, load, tolerance, progress_)
+                           : normal_.solve_from(std::move(start), gap, load, tolerance, progress_);
+  expected_.clear();
 }
 
 /// Solves; what the rows' angles add is taken from the last pressures until it stays.

@@ -47,6 +47,16 @@ public:
   ExactPatch(const CombinedMaterial& material, const std::optional<LayeredBodies>& layered, const PatchSurface& surface,
              const PatchOutline& outline, const Shape& shape, Vec2 element, const Motion& motion, Progress progress);
 
+  /// A row of an approximate pressure, which is a semi-ellipse along x.
+  struct PressureRow {
+    double s = 0;           ///< of the rail's profile from the frame's origin on [m]
+    double centre = 0;      ///< x in the frame [m]
+    double half_length = 0; ///< [m]
+    double peak = 0;        ///< [Pa], >= 0
+  };
+  /// Pressures near the first ones to be found, of rows across the patch in their order: they take fewer iterations.
+  void expect(std::span<const PressureRow> rows);
+
   const ElementGrid& grid() const { return grid_; }
   double conformity() const { return conformity_; }
   const PatchRow& row(int j) const { return rows_[static_cast<std::size_t>(j)]; }
@@ -119,6 +129,7 @@ private:
   std::optional<LayeredBodies> layered_;
   std::shared_ptr<const InfluenceTable> table_; ///< of these
   NormalProblem normal_;
+  std::vector<double> expected_; ///< pressures; empty: not known
   NormalSolution pressed_;
   PointLoad load_;
   std::vector<PointLoad> loads_;
