@@ -28,12 +28,14 @@ TEST(WheelResponse, IsTheDerivativeByCreepagesWhereNothingOscillates) {
   const auto responses = solver.respond(running(1e-3, 0, 1e-3), load, std::array{0.0, 200.0}, solution);
   ASSERT_EQ(solution.status, Status::ok);
   ASSERT_EQ(responses.size(), solution.patches.size());
-  const WheelRailSolution less = solver.solve(running(1e-3, 0, 0.98e-3), load), more = solver.solve(running(1e-3, 0, 1.02e-3), load);
+  const WheelRailSolution less = solver.solve(running(1e-3, 0, 0.98e-3), load),
+                          more = solver.solve(running(1e-3, 0, 1.02e-3), load);
   for (std::size_t k = 0; k < responses.size(); ++k) {
     ASSERT_EQ(responses[k].at.size(), 2u);
     const double xi = more.patches[k].creepage.longitudinal - less.patches[k].creepage.longitudinal;
     const double by_xi = (more.patches[k].fx - less.patches[k].fx) / xi;
-    const std::complex<double> still = responses[k].at[0].by_creepage[0][0], waves = responses[k].at[1].by_creepage[0][0];
+    const std::complex<double> still = responses[k].at[0].by_creepage[0][0],
+                               waves = responses[k].at[1].by_creepage[0][0];
     EXPECT_NEAR(still.real(), by_xi, 0.03 * std::abs(by_xi)) << k;
     EXPECT_LT(std::abs(waves), std::abs(still));
     EXPECT_NEAR(responses[k].at[0].load_by_roughness.real() / responses[k].normal_stiffness, 1, 0.02);

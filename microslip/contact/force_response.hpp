@@ -27,8 +27,8 @@ struct ForceResponse {
   std::complex<double> work_by_roughness = 0;    ///< per metre of roughness [N/m]
 };
 
-/// What responses are asked for.
-enum class ResponseTo { motion_and_load, roughness_too };
+/// What responses are asked for: to creepages and the load, to roughness too, or to all but creepages.
+enum class ResponseTo { motion_and_load, roughness_too, load_and_roughness };
 
 /// The response of the mirror image along x or across, as rolling along -x, or right wheels, have it.
 ForceResponse mirrored_along(ForceResponse response);

@@ -6,6 +6,7 @@
 #include "microslip/exact/classical/classical_solution.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/exact/fitted/fitted_solution.hpp"
+#include "microslip/exact/fitted/patch_response.hpp"
 #include "microslip/exact/normal/hertzian_gap.hpp"
 #include "microslip/rolling/step_derivatives.hpp"
 
@@ -305,8 +306,10 @@ FrequencyResponse EllipseSolver::respond(const RollingProblem& problem, std::spa
           second_order_->respond(along_x, solution, wavenumber, linear_tolerance, part(progress, from, from + each));
       ForceResponse& f = out.at.emplace_back(ForceResponse{.wavenumber = wavenumber});
       for (int i = 0; i < 3; ++i) {
-        const auto column = forces_of(fitted, r.by[i].px, r.by[i].py, side);
-        for (int k = 0; k < 3; ++k) f.by_creepage[k][i] = sign_in_mirror(i, side) * column[k];
+        const ResponseAmplitudes found = response_amplitudes(fitted, solution.friction, r.by[i], wavenumber);
+        for (int k = 0; k < 3; ++k)
+          f.by_creepage[k][i] = sign_in_mirror(i, side) * sign_in_mirror(k, side) * found.force[k];
+        f.work_by_creepage[i] = sign_in_mirror(i, side) * found.work;
         out.products += r.by[i].products;
       }
       find_by_load(forces_of(fitted, r.by_size.px, r.by_size.py, side), out.solution, contact.normal_force, f);

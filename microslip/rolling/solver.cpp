@@ -189,7 +189,7 @@ struct Solver::Kept {
     on_grid.geometry = GapValues{grid, hertzian_gap(hertz.gap, grid)};
     on_grid.bodies.material = material;
     on_grid.load = {NormalLoad::Given::force, contact.normal_force};
-    const FrequencyResponse rough = respond(on_grid, wavenumbers, ResponseTo::roughness_too, progress);
+    const FrequencyResponse rough = respond(on_grid, wavenumbers, ResponseTo::load_and_roughness, progress);
     if (rough.at.size() != out.at.size()) {
       out.solution.report = rough.solution.report;
       out.at.clear();
@@ -199,7 +199,6 @@ struct Solver::Kept {
     for (std::size_t k = 0; k < out.at.size(); ++k) {
       ForceResponse &to = out.at[k], from = rough.at[k];
       std::copy_n(from.by_roughness, 3, to.by_roughness);
-      std::copy_n(from.work_by_creepage, 3, to.work_by_creepage);
       to.load_by_roughness = from.load_by_roughness;
       to.work_by_load = from.work_by_load, to.work_by_roughness = from.work_by_roughness;
     }

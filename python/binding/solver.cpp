@@ -117,7 +117,7 @@ void bind_force_element(py::module_& module) {
           "Largest error of the fit, over the largest size of the response [-].")
       .def(
           "response",
-          [](const ForceElement& self, double wavenumber) {
+          [](const ForceElement& self, double wavenumber) -> py::array {
             py::array_t<std::complex<double>> out({py::ssize_t(element_outputs), py::ssize_t(element_inputs)});
             for (std::size_t i = 0; i < element_outputs; ++i)
               for (std::size_t j = 0; j < element_inputs; ++j)

@@ -26,6 +26,23 @@ int columns_in_contact(const ElementGrid& grid, const std::vector<double>& press
 
 } // namespace
 
+ResponseAmplitudes response_amplitudes(const FittedContact& contact, const FrictionSolution& steady,
+                                       const RollingResponse::Change& change, double wavenumber) {
+  ResponseAmplitudes out;
+  for (std::size_t k = 0; k < contact.elements.size(); ++k) {
+    const FittedElement& e = contact.elements[k];
+    const double area = e.width() * contact.grid.dy, x = e.centre(), y = contact.grid.y(e.row);
+    out.force[0] += area * change.px[k];
+    out.force[1] += area * change.py[k];
+    out.force[2] += area * (x * change.py[k] - y * change.px[k]);
+    if (!steady.sliding[k]) continue;
+    const Complex work = change.px[k] * steady.slip.x[k] + steady.traction.x[k] * change.sx[k] +
+                         change.py[k] * steady.slip.y[k] + steady.traction.y[k] * change.sy[k];
+    out.work -= area * work * std::polar(1.0, -wavenumber * x);
+  }
+  return out;
+}
+
 PatchResponse::PatchResponse(RollingPatch patch, const Progress& progress)
     : patch_(std::move(patch)), bound_(friction_bound(patch_.rolling->contact(), patch_.capacity, patch_.variation)),
       normal_problem_(patch_.material, patch_.grid, progress, patch_.plans) {
@@ -96,27 +113,13 @@ RollingResponse::Cause PatchResponse::cause_of(const ContactChange& even, const 
   return out;
 }
 
-/// Of the tractions on the elements as they are.
-PatchResponse::Amplitudes PatchResponse::amplitudes_of(const RollingResponse::Change& change, double wavenumber) const {
-  const FittedContact& contact = patch_.rolling->contact();
-  const FrictionSolution& friction = patch_.solution->friction;
-  Amplitudes out;
-  for (std::size_t k = 0; k < contact.elements.size(); ++k) {
-    const FittedElement& e = contact.elements[k];
-    const double area = e.width() * contact.grid.dy, x = e.centre(), y = contact.grid.y(e.row);
-    out.force[0] += area * change.px[k];
-    out.force[1] += area * change.py[k];
-    out.force[2] += area * (x * change.py[k] - y * change.px[k]);
-    if (!friction.sliding[k]) continue;
-    const Complex work = change.px[k] * friction.slip.x[k] + friction.traction.x[k] * change.sx[k] +
-                         change.py[k] * friction.slip.y[k] + friction.traction.y[k] * change.sy[k];
-    out.work -= area * work * std::polar(1.0, -wavenumber * x);
-  }
-  return out;
+ResponseAmplitudes PatchResponse::amplitudes_of(const RollingResponse::Change& change, double wavenumber) const {
+  return response_amplitudes(patch_.rolling->contact(), patch_.solution->friction, change, wavenumber);
 }
 
 /// Adds those of the steady tractions on elements that change their sizes and places.
-void PatchResponse::add_moved(const ContactChange& change, Complex factor, double wavenumber, Amplitudes& out) const {
+void PatchResponse::add_moved(const ContactChange& change, Complex factor, double wavenumber,
+                              ResponseAmplitudes& out) const {
   const FittedContact& contact = patch_.rolling->contact();
   const FrictionSolution& friction = patch_.solution->friction;
   for (std::size_t k = 0; k < contact.elements.size(); ++k) {
@@ -133,12 +136,12 @@ void PatchResponse::add_moved(const ContactChange& change, Complex factor, doubl
   }
 }
 
-PatchResponse::Amplitudes PatchResponse::respond_to(const ContactChange& even, const ContactChange* odd,
-                                                    double wavenumber, double tolerance, const Progress& progress) {
+ResponseAmplitudes PatchResponse::respond_to(const ContactChange& even, const ContactChange* odd, double wavenumber,
+                                             double tolerance, const Progress& progress) {
   const RollingResponse::Change change = patch_.rolling->respond_to(cause_of(even, odd, wavenumber), bound_,
                                                                     *patch_.solution, wavenumber, tolerance, progress);
   products_ += change.products;
-  Amplitudes out = amplitudes_of(change, wavenumber);
+  ResponseAmplitudes out = amplitudes_of(change, wavenumber);
   add_moved(even, 1, wavenumber, out);
   if (odd) add_moved(*odd, Complex(0, 1), wavenumber, out);
   return out;
@@ -163,25 +166,29 @@ void PatchResponse::find_by_roughness(double wavenumber, double tolerance, Force
   const ContactChange odd = change(behind, ahead, amplitude, progress);
   out.load_by_roughness =
       Complex(higher.normal_force - lower.normal_force, ahead.normal_force - behind.normal_force) / (2 * amplitude);
-  const Amplitudes found = respond_to(even, &odd, wavenumber, tolerance, progress);
+  const ResponseAmplitudes found = respond_to(even, &odd, wavenumber, tolerance, progress);
   std::copy_n(found.force, 3, out.by_roughness);
   out.work_by_roughness = found.work;
 }
 
-ForceResponse PatchResponse::at(double wavenumber, ResponseTo causes, double tolerance, const Progress& progress) {
-  ForceResponse out{.wavenumber = wavenumber};
-  const auto by_creepage =
-      patch_.rolling->respond_to_creepages(bound_, *patch_.solution, wavenumber, tolerance, progress);
-  for (std::size_t i = 0; i < by_creepage.size(); ++i) {
-    products_ += by_creepage[i].products;
-    const Amplitudes found = amplitudes_of(by_creepage[i], wavenumber);
+void PatchResponse::find_by_creepages(double wavenumber, double tolerance, ForceResponse& out,
+                                      const Progress& progress) {
+  const auto changes = patch_.rolling->respond_to_creepages(bound_, *patch_.solution, wavenumber, tolerance, progress);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    products_ += changes[i].products;
+    const ResponseAmplitudes found = amplitudes_of(changes[i], wavenumber);
     for (int k = 0; k < 3; ++k) out.by_creepage[k][i] = found.force[k];
     out.work_by_creepage[i] = found.work;
   }
-  const Amplitudes by_load = respond_to(by_load_, nullptr, wavenumber, tolerance, progress);
+}
+
+ForceResponse PatchResponse::at(double wavenumber, ResponseTo causes, double tolerance, const Progress& progress) {
+  ForceResponse out{.wavenumber = wavenumber};
+  if (causes != ResponseTo::load_and_roughness) find_by_creepages(wavenumber, tolerance, out, progress);
+  const ResponseAmplitudes by_load = respond_to(by_load_, nullptr, wavenumber, tolerance, progress);
   std::copy_n(by_load.force, 3, out.by_load);
   out.work_by_load = by_load.work;
-  if (causes == ResponseTo::roughness_too) find_by_roughness(wavenumber, tolerance, out, progress);
+  if (causes != ResponseTo::motion_and_load) find_by_roughness(wavenumber, tolerance, out, progress);
   return out;
 }
 

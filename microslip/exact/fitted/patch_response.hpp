@@ -5,9 +5,19 @@
 #include "microslip/exact/fitted/second_order_rolling.hpp"
 #include "microslip/exact/normal/normal_problem.hpp"
 
+#include <complex>
 #include <vector>
 
 namespace microslip {
+
+/// Amplitudes of fx, fy, mz and of the work per metre of the surface (ForceResponse).
+struct ResponseAmplitudes {
+  std::complex<double> force[3] = {}, work = 0;
+};
+
+/// Of the tractions on a contact's elements as they are.
+ResponseAmplitudes response_amplitudes(const FittedContact& contact, const FrictionSolution& steady,
+                                       const RollingResponse::Change& change, double wavenumber);
 
 /// A contact in steady rolling along +x at second order, with all that responses need.
 struct RollingPatch {
@@ -48,19 +58,17 @@ private:
     NearbyContact contact;
     double normal_force = 0, approach = 0;
   };
-  /// Amplitudes of forces and work.
-  struct Amplitudes {
-    std::complex<double> force[3] = {}, work = 0;
-  };
 
   Pressed pressed(const NormalSolution& normal) const;
   ContactChange change(const Pressed& less, const Pressed& more, double step, const Progress& progress) const;
   void press(const Progress& progress);
   RollingResponse::Cause cause_of(const ContactChange& even, const ContactChange* odd, double wavenumber) const;
-  Amplitudes amplitudes_of(const RollingResponse::Change& change, double wavenumber) const;
-  void add_moved(const ContactChange& change, std::complex<double> factor, double wavenumber, Amplitudes& out) const;
-  Amplitudes respond_to(const ContactChange& even, const ContactChange* odd, double wavenumber, double tolerance,
-                        const Progress& progress);
+  ResponseAmplitudes amplitudes_of(const RollingResponse::Change& change, double wavenumber) const;
+  void add_moved(const ContactChange& change, std::complex<double> factor, double wavenumber,
+                 ResponseAmplitudes& out) const;
+  ResponseAmplitudes respond_to(const ContactChange& even, const ContactChange* odd, double wavenumber,
+                                double tolerance, const Progress& progress);
+  void find_by_creepages(double wavenumber, double tolerance, ForceResponse& out, const Progress& progress);
   void find_by_roughness(double wavenumber, double tolerance, ForceResponse& out, const Progress& progress);
 
   RollingPatch patch_;
