@@ -134,6 +134,8 @@ LETTERS_OF_TEXT, LETTERS_OF_SYMBOLS = 1.15, 1.8
 WIDTH_OF_LEGEND = 0.84
 # Letters in a line of a title, in inches of the figure's width.
 LETTERS_PER_INCH = 9.5
+# The longest label of a y-axis, in parts of the axis, and how small it may be made in parts of its size.
+LENGTH_OF_LABEL, LEAST_OF_LABEL = 1.25, 0.75
 
 
 def label_of(contact):
@@ -241,6 +243,34 @@ def scale_lines(figure, style_name):
         if isinstance(artist, Line2D):
             artist.set_markersize(factor * artist.get_markersize())
             artist.set_markeredgewidth(factor * artist.get_markeredgewidth())
+
+
+def in_two_lines(label):
+    """A label broken at the space next to its middle; as it is without one, or where it has two lines already."""
+    spaces = [k for k, letter in enumerate(label) if letter == " " and label[:k].count("$") % 2 == 0]
+    if "\n" in label or not spaces:
+        return label
+    place = min(spaces, key=lambda k: abs(k - len(label) / 2))
+    return f"{label[:place]}\n{label[place + 1:]}"
+
+
+def fit_labels(figure):
+    """Breaks labels of y-axes that are longer than their axes by a quarter, and makes those smaller that still are."""
+    figure.draw_without_rendering()
+    for axes in (one for one in figure.axes if one.name != "3d"):
+        label = axes.yaxis.label
+        longest = LENGTH_OF_LABEL * axes.bbox.height
+        if label.get_window_extent().height > longest:
+            label.set_text(in_two_lines(label.get_text()))
+            share = longest / max(label.get_window_extent().height, 1)
+            label.set_fontsize(label.get_size() * min(1, max(share, LEAST_OF_LABEL)))
+
+
+def adapt(figure, style_name):
+    """Makes of a figure what its style asks for."""
+    scale_lines(figure, style_name)
+    if style_name != "page":
+        fit_labels(figure)
 
 
 def vanishing(values, largest):

@@ -27,7 +27,7 @@ from microslip.interactive import view  # noqa: F401, microslip.plot.view
 from microslip.measured_points_picture import measured_points_pictures
 from microslip.model_problem_picture import model_problem_pictures
 from microslip.models_pictures import models_pictures
-from microslip.picture_style import STYLES, scale_lines, settings_of
+from microslip.picture_style import STYLES, adapt, settings_of
 from microslip.picture_style import style as in_style
 from microslip.profile_picture import profile_pictures
 from microslip.profiles_picture import profiles_pictures
@@ -199,7 +199,7 @@ def figures(path, style="page", **chosen):
             chosen["others"] = [files.enter_context(ResultFile(one)) for one in paths]
         drawn = chosen_pictures(result, **chosen) if chosen else pictures(result)
         for figure in drawn.values():
-            scale_lines(figure, style)
+            adapt(figure, style)
         return drawn
 
 
@@ -220,7 +220,7 @@ def table_figures(path, axis_ratio=1.0, poisson_ratio=0.28, spins=(0.0, 0.5, 1.0
             from microslip.creep_table_picture import creep_table_picture
             table = microslip.CreepForceTable(path, poisson_ratio=poisson_ratio)
             figure = creep_table_picture(table, axis_ratio, poisson_ratio, spins)
-            scale_lines(figure, style)
+            adapt(figure, style)
             return {"creep_table.png": figure}
         except ImportError as error:
             raise ResultError(f"creep_table.png needs the compiled module of microslip: {error}") from None

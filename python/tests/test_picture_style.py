@@ -74,6 +74,24 @@ class PictureStyleTest(unittest.TestCase):
         self.assertAlmostEqual(line.get_linewidth(), 1.2)
         self.assertAlmostEqual(line.get_markersize(), 3)
 
+    def test_labels_of_papers_are_not_longer_than_their_axes_need(self):
+        with pictures.style("paper"):
+            figure = pictures.new_figure(7, 5)
+            panels = figure.subplots(3, 1)
+            words = "a force over what friction bears [kN]"
+            for axes in panels:
+                axes.set_ylabel(words)
+            panels[2].set_ylabel("short [-]")
+            size = panels[2].yaxis.label.get_size()
+            pictures.fit_labels(figure)
+            figure.draw_without_rendering()
+        one, other, short = (axes.yaxis.label for axes in panels)
+        self.assertEqual(one.get_text().replace("\n", " "), words)
+        self.assertIn("\n", one.get_text())
+        self.assertFalse(one.get_window_extent().overlaps(other.get_window_extent()))
+        self.assertEqual((short.get_text(), short.get_size()), ("short [-]", size))
+        self.assertEqual(pictures.in_two_lines("$a b$ [kN]"), "$a b$\n[kN]")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -85,7 +85,7 @@ export class NipView {
   constructor(readonly core: Core, public state: NipState, readonly changed: () => void) {
     const along = element("div", { class: "chart" }), curve = element("div", { class: "chart" });
     this.#along = new Chart(along, 280);
-    this.#curve = new Chart(curve, 300);
+    this.#curve = new Chart(curve, 270);
     this.#above = card("wide", "The nip from above", "x and y have scales of their own; blue sticks, orange slides", element("div", { class: "choices" }, this.#shownChoice()), this.#map);
     this.root.append(
       titleOf("A rubber-covered roller: pressure and friction in the nip", this.#lead),
