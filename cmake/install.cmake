@@ -12,8 +12,8 @@ install(SCRIPT cmake/install_headers.cmake COMPONENT libraries)
 install(FILES c/fortran/microslip.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/fortran COMPONENT libraries)
 install(FILES c/mex/microslip.c DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip/mex COMPONENT libraries)
 install(DIRECTORY examples/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip)
-install(DIRECTORY examples/adapters DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip PATTERN tests EXCLUDE
-  PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY examples/adapters DESTINATION ${CMAKE_INSTALL_DATADIR}/microslip USE_SOURCE_PERMISSIONS
+  PATTERN tests EXCLUDE PATTERN __pycache__ EXCLUDE)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/microslip)
 foreach(language cxx c)

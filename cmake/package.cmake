@@ -40,14 +40,20 @@ foreach(component Unspecified libraries program python)
 endforeach()
 cpack_add_component(libcontact GROUP libcontact)
 
-# As Debian wants its documents: compressed, and a copyright for each package.
+# As Debian wants its documents: compressed, a copyright and a changelog of its form for each package. The time is that of
+# SOURCE_DATE_EPOCH where that is set.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   find_program(GZIP gzip REQUIRED)
+  string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
   function(microslip_debian_documents package component)
     set(documents ${CMAKE_INSTALL_DATADIR}/doc/${package})
-    install(FILES cmake/debian_copyright DESTINATION ${documents} RENAME copyright COMPONENT ${component})
-    install(FILES CHANGELOG.md DESTINATION ${documents} COMPONENT ${component})
+    set(made ${CMAKE_BINARY_DIR}/debian/${package})
+    configure_file(packaging/debian/changelog.in ${made}/changelog @ONLY)
+    configure_file(packaging/debian/lintian-overrides.in ${made}/${package} @ONLY)
+    install(FILES packaging/debian/copyright CHANGELOG.md ${made}/changelog DESTINATION ${documents} COMPONENT ${component})
+    install(FILES ${made}/${package} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component})
     install(CODE "file(GLOB files \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${documents}/CHANGELOG.md\"
+      \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${documents}/changelog\"
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/man/man1/*.1\")
       execute_process(COMMAND ${GZIP} -9nf \${files} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
   endfunction()
