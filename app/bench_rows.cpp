@@ -1,5 +1,6 @@
 #include "app/bench_rows.hpp"
 
+#include "bench/four_patches.hpp"
 #include "io/creep_table_file.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
@@ -232,23 +233,6 @@ BenchRow sequence_row(std::string_view name, ContactStep step, int steps, std::s
             return static_cast<std::size_t>(steps);
           },
           over};
-}
-
-/// Four strips across the rolling direction that touch in separate patches, with waves on them, on n x n elements.
-ContactStep four_patches(int n) {
-  ContactStep step;
-  step.grid = {.mx = n, .my = n, .x0 = -4e-3, .y0 = -6e-3, .dx = 8e-3 / n, .dy = 12e-3 / n};
-  step.bodies = steel;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double x = step.grid.x(i), y = step.grid.y(j);
-      step.gap.push_back(x * x + 0.1 * y * y + 8e-6 * std::cos(2200 * y) + 4e-7 * std::sin(9000 * y + 5000 * x));
-    }
-  step.load = {NormalLoad::Given::force, 20e3};
-  step.friction = {FrictionLaw::coulomb(friction)};
-  step.motion.creepage.spin = 0.3;
-  step.force_x = -0.5 * friction, step.force_y = 0.3 * friction;
-  return step;
 }
 
 void add_sequences(std::vector<BenchRow>& rows) {

@@ -3,6 +3,7 @@
 // than elapsed time; what counts are ratios within one run, steps, products and exponents.
 //   problems_bench [WORD] [most elements across; default 254]   only problems whose name has WORD
 
+#include "bench/four_patches.hpp"
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
 #include "microslip/exact/fitted/hertzian_rolling.hpp"
@@ -238,21 +239,9 @@ Figures classical(int n, double skewness) {
   return figures;
 }
 
-/// Four strips across the rolling direction that touch in separate patches, with waves on them: n x n elements, of
-/// which two fifths are in contact, steps of so many elements, both forces given. All of it from nothing.
+/// Four patches with waves on them, by steps of so many elements. All of it from nothing.
 Figures four_patches(int n, int step_elements) {
-  ContactStep step;
-  step.grid = {.mx = n, .my = n, .x0 = -4e-3, .y0 = -6e-3, .dx = 8e-3 / n, .dy = 12e-3 / n};
-  step.bodies = steel;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double x = step.grid.x(i), y = step.grid.y(j);
-      step.gap.push_back(x * x + 0.1 * y * y + 8e-6 * std::cos(2200 * y) + 4e-7 * std::sin(9000 * y + 5000 * x));
-    }
-  step.load = {NormalLoad::Given::force, 20e3};
-  step.friction = {FrictionLaw::coulomb(friction)};
-  step.force_x = -0.5 * friction, step.force_y = 0.3 * friction;
-  step.motion.creepage.spin = 0.3;
+  ContactStep step = microslip::four_patches(n);
   step.motion.step = step_elements * step.grid.dx;
   step.motion.tolerance = 1e-7;
   Figures figures;

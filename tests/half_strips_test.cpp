@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,19 @@ TEST(HalfStrips, TheirDifferencesAreTheInfluenceOfRectanglesForAllMaterials) {
               << "dy = " << dy << ", row " << row << ", x = " << middle;
         }
       }
+    }
+  }
+}
+
+TEST(HalfStrips, HaveTheSameBitsForEveryInstructionSet) {
+  const std::vector<double> x = ends();
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!is_available(set)) continue;
+    HalfStrips baseline(x, 0.3, InstructionSet::baseline), strips(x, 0.3, set);
+    for (int row = 0; row < 5; ++row) {
+      const HalfStrips::Row here = strips.at(row), wanted = baseline.at(row);
+      for (const auto& [found, expected] : {std::pair{here.xx, wanted.xx}, {here.yy, wanted.yy}, {here.xy, wanted.xy}})
+        EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin())) << "row " << row;
     }
   }
 }

@@ -1,14 +1,19 @@
 #include "microslip/elasticity/half_strips.hpp"
 
-#include "microslip/numerics/vector_log.hpp"
+#include "microslip/elasticity/kernel/half_strip_corners.hpp"
+#include "microslip/numerics/kernel/dispatch.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 namespace microslip {
+namespace detail {
+MICROSLIP_DECLARE_KERNEL(FindCorners corners_of_half_strips())
+} // namespace detail
 
-HalfStrips::HalfStrips(std::vector<double> x, double dy) : x_(std::move(x)), dy_(dy) {
+HalfStrips::HalfStrips(std::vector<double> x, double dy, InstructionSet instruction_set)
+    : x_(std::move(x)), dy_(dy), instruction_set_(instruction_set) {
   for (auto* corners : {&low_, &high_})
     for (auto* values : {&corners->j1, &corners->j2, &corners->r}) values->resize(x_.size());
   for (auto* integrals : {&xx_, &yy_, &xy_}) integrals->resize(x_.size());
@@ -24,20 +29,10 @@ HalfStrips HalfStrips::endless(std::vector<double> x, double far) {
   return strips;
 }
 
-/// Logarithms and roots at the corners for y > 0, where only that of x = y = 0 would be of zero, which never occurs.
 void HalfStrips::find_corners(double y, Corners& corners) const {
-  const double* x = x_.data();
-  double *j1 = corners.j1.data(), *j2 = corners.j2.data(), *r = corners.r.data();
-  const double twice_log_y = 2 * vector_log(y);
-  const std::size_t size = x_.size();
-#pragma omp simd
-  for (std::size_t k = 0; k < size; ++k) {
-    const double distance = std::abs(x[k]), root = std::sqrt(x[k] * x[k] + y * y);
-    const double log = vector_log(distance + root); // without cancellation: (x + r)(r - x) = y^2
-    j1[k] = y * (x[k] >= 0 ? log : twice_log_y - log);
-    j2[k] = x[k] * vector_log(y + root);
-    r[k] = root;
-  }
+  using namespace detail;
+  MICROSLIP_CALL_KERNEL(instruction_set_, corners_of_half_strips())
+  (x_.data(), x_.size(), y, corners.j1.data(), corners.j2.data(), corners.r.data());
 }
 
 HalfStrips::Row HalfStrips::at(int row) {

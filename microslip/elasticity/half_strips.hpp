@@ -1,5 +1,7 @@
 #pragma once
 
+#include "microslip/numerics/instruction_set.hpp"
+
 #include <span>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace microslip {
 class HalfStrips {
 public:
   /// Integrals over strips of width dy at points `x` ahead of their ends; any unit of length, finite numbers.
-  HalfStrips(std::vector<double> x, double dy);
+  HalfStrips(std::vector<double> x, double dy, InstructionSet instruction_set = best_instruction_set());
   /// Integrals over strips that are endless in y.
   static HalfStrips endless(std::vector<double> x, double far);
 
@@ -36,8 +38,9 @@ private:
 
   std::vector<double> x_;
   double dy_ = 0, far_ = 0; ///< one of them is 0
-  int row_ = -1;            ///< of the last call
-  Corners low_, high_;      ///< at its sides
+  InstructionSet instruction_set_;
+  int row_ = -1;       ///< of the last call
+  Corners low_, high_; ///< at its sides
   std::vector<double> xx_, yy_, xy_;
 };
 

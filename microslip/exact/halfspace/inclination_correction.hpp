@@ -1,7 +1,7 @@
 #pragma once
 
 #include "microslip/elasticity/material.hpp"
-#include "microslip/exact/halfspace/surface_operator.hpp"
+#include "microslip/exact/halfspace/inclined_product.hpp"
 
 #include <array>
 #include <span>
@@ -21,7 +21,7 @@ public:
   Fields find(const Fields& tractions);
 
 private:
-  CoupledOperator inclined_, plane_;
+  InclinedProduct product_;
 };
 
 } // namespace microslip

@@ -14,13 +14,19 @@ template <class At> void for_elements(const ElementGrid& grid, At at) {
   for (std::size_t k = 0; k < grid.count(); ++k) at(k / mx, k);
 }
 
+bool are_equal(const std::array<OffsetTable, 9>& a, const std::array<OffsetTable, 9>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](const OffsetTable& x, const OffsetTable& y) {
+    return std::equal(x.values().begin(), x.values().end(), y.values().begin());
+  });
+}
+
 } // namespace
 
 InclinedProduct::InclinedProduct(const InclinedKernel& kernel, const ElementGrid& grid,
                                  const RowInclination& inclination)
     : grid_(grid), before_{Part::along, Part::cosine, Part::sine}, behind_(before_),
       plane_along_x_(inclination.plane_along_x), transform_(grid.mx, grid.my, 3 * static_cast<int>(before_.size())),
-      term_(grid.count()) {
+      slip_is_displacement_(are_equal(kernel.slip, kernel.displacement)), term_(grid.count()) {
   const double shares[] = {1 - inclination.traction_share, inclination.traction_share};
   if (shares[0] == 0) before_ = {Part::whole};
   if (shares[1] == 0) behind_ = {Part::whole};
@@ -29,17 +35,20 @@ InclinedProduct::InclinedProduct(const InclinedKernel& kernel, const ElementGrid
       cosine_[of].push_back(std::cos(shares[of] * angle));
       sine_[of].push_back(std::sin(shares[of] * angle));
     }
-  const auto transform = [&](const std::array<OffsetTable, 9>& tables, Spectra& spectra) {
-    for (std::size_t k = 0; k < tables.size(); ++k) {
-      spectra[0][k] = transform_.kernel_spectrum(tables[k].values());
-      spectra[1][k] = spectra[0][k];
-      for (double& value : spectra[1][k]) value = -value;
-    }
-  };
   transform(kernel.slip, slip_);
-  transform(kernel.displacement, normal_);
+  if (!slip_is_displacement_) transform(kernel.displacement, normal_);
   loaded_.assign(3 * (before_.size() + plane_along_x_), Field(grid.count()));
   found_.fill(Field(grid.count()));
+}
+
+void InclinedProduct::transform(const std::array<OffsetTable, 9>& tables, Spectra& spectra) {
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    const std::span<const double> values = tables[k].values();
+    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
+    spectra[0][k] = transform_.kernel_spectrum(values);
+    spectra[1][k] = spectra[0][k];
+    for (double& value : spectra[1][k]) value = -value;
+  }
 }
 
 /// cos and sin of a term, of each row; none for the others.
@@ -59,7 +68,8 @@ const ToeplitzTransform::Spectrum* InclinedProduct::entry(const Spectra& spectra
   bool negative = false;
   if (before == Part::sine) negative ^= row == lateral, row = turned(row);
   if (behind == Part::sine) negative ^= column == lateral, column = turned(column);
-  return &spectra[negative][static_cast<std::size_t>(3 * row + column)];
+  const ToeplitzTransform::Spectrum& of = spectra[negative][static_cast<std::size_t>(3 * row + column)];
+  return of.empty() ? nullptr : &of;
 }
 
 /// q = R(r_J) p, times the terms of R(t_J).
@@ -129,9 +139,22 @@ void InclinedProduct::apply(const Fields& p, std::span<const std::span<double>> 
     std::copy(found_[static_cast<std::size_t>(row)].begin(), found_[static_cast<std::size_t>(row)].end(),
               out[static_cast<std::size_t>(row)].begin());
   if (out.size() == 2) return;
-  find(normal_, turns_back ? lateral : normal, normal);
-  if (turns_back) turn_back(found_[lateral], found_[normal]);
+  if (!turns_back || !slip_is_displacement_) {
+    find(of_displacement(), turns_back ? lateral : normal, normal);
+    if (turns_back) turn_back(found_[lateral], found_[normal]);
+  }
   std::copy(found_[normal].begin(), found_[normal].end(), out[normal].begin());
+}
+
+void InclinedProduct::apply_plane(const Fields& p, std::span<const std::span<double>> out) {
+  ++products_;
+  transform_.load(p);
+  std::array<const ToeplitzTransform::Spectrum*, 9> kernels{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      kernels[static_cast<std::size_t>(3 * row + column)] =
+          entry(of_displacement(), Part::whole, row, Part::whole, column);
+  transform_.apply(std::span(kernels).first(3 * out.size()), out);
 }
 
 } // namespace microslip

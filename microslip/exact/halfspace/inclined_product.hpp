@@ -22,14 +22,19 @@ public:
   /// Three components, as in CoupledOperator::apply.
   using Fields = std::array<std::span<const double>, 3>;
   void apply(const Fields& p, std::span<const std::span<double>> out);
+  /// The displacements of the plane.
+  void apply_plane(const Fields& p, std::span<const std::span<double>> out);
   long products() const { return products_; }
 
 private:
   /// A component of R(t) = P_x + cos t P + sin t E, which is one or none of A's, with a sign.
   enum class Part { whole, along, cosine, sine };
-  using Spectra = std::array<std::array<ToeplitzTransform::Spectrum, 9>, 2>; ///< of A and of -A, row by row
+  /// Of A and of -A, row by row; empty where a component is zero.
+  using Spectra = std::array<std::array<ToeplitzTransform::Spectrum, 9>, 2>;
   using Field = std::vector<double>;
 
+  void transform(const std::array<OffsetTable, 9>& tables, Spectra& spectra);
+  const Spectra& of_displacement() const { return slip_is_displacement_ ? slip_ : normal_; }
   void load(const Fields& p);
   void find(const Spectra& spectra, int first, int last);
   void turn_back(Field& lateral, Field& normal) const;
@@ -41,6 +46,7 @@ private:
   bool plane_along_x_; ///< then also (0, p_s) turned, and p_n as it is, are loaded, for the displacement along x
   std::array<std::vector<double>, 2> cosine_, sine_; ///< of t and of r, of each row
   ToeplitzTransform transform_;
+  bool slip_is_displacement_; ///< then normal_ is not made
   Spectra slip_, normal_;
   std::vector<Field> loaded_;
   std::array<Field, 3> found_; ///< R(t_J) A R(-r_I) q

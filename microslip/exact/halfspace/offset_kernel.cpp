@@ -51,14 +51,36 @@ Influence far_away(const Retardation& retardation, const RowInfluence<Influence>
   return {(a.xx + b.xx) / 2, 0, (a.yy + b.yy) / 2, (a.zz + b.zz) / 2, 0, 0};
 }
 
+/// The influence at a point's mirror images.
+Influence mirrored_along_x(const Influence& a) {
+  return {a.xx, -a.xy, a.yy, a.zz, -a.xz, a.yz};
+}
+Influence mirrored_along_y(const Influence& a) {
+  return {a.xx, -a.xy, a.yy, a.zz, a.xz, -a.yz};
+}
+
+/// The elastic influence on the points of a row at the distance y, `shift` further along x, at all offsets from 1 - mx
+/// on: where points are those of elements each is computed on one side only.
+std::vector<Influence> elastic_row(const CombinedMaterial& material, const ElementGrid& grid, double shift, double y) {
+  const double columns = shift / grid.dx;
+  std::vector<Influence> row, side;
+  row.reserve(2 * static_cast<std::size_t>(grid.mx) - 1);
+  if (columns != std::round(columns) || std::abs(columns) > grid.mx) {
+    for (int i = 1 - grid.mx; i < grid.mx; ++i) row.push_back(influence_at(material, grid, i * grid.dx + shift, y));
+    return row;
+  }
+  const auto further = static_cast<int>(columns);
+  for (int i = 0; i < grid.mx + std::abs(further); ++i) side.push_back(influence_at(material, grid, i * grid.dx, y));
+  for (int i = 1 - grid.mx + further; i < grid.mx + further; ++i)
+    row.push_back(i < 0 ? mirrored_along_x(side[static_cast<std::size_t>(-i)]) : side[static_cast<std::size_t>(i)]);
+  return row;
+}
+
 /// The influence of an element on the points of row j, `shift` further, at all offsets from 1 - mx on.
 std::vector<Influence> influence_row(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, int j) {
   const double y = j * grid.dy + shift.y, first = (1 - grid.mx) * grid.dx + shift.x;
   const int count = 2 * grid.mx - 1;
-  std::vector<Influence> row;
-  row.reserve(static_cast<std::size_t>(count));
-  for (int i = 1 - grid.mx; i < grid.mx; ++i)
-    row.push_back(influence_at(bodies.material, grid, i * grid.dx + shift.x, y));
+  std::vector<Influence> row = elastic_row(bodies.material, grid, shift.x, y);
   for (const RetardedPart& part : bodies.retarded) {
     const RowInfluence<Influence> influence = [&](double x) { return influence_at(part.material, grid, x, y); };
     const std::vector<Influence> retarded = retarded_row(part.retardation, influence, grid.dx, first, count);
@@ -84,7 +106,8 @@ struct SlipRate {
 /// Calls at(i, j, slip, here) for all offsets of a grid: what the influence makes of slip, and the influence itself.
 template <class At>
 void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& rate, const Progress& progress, At at) {
-  for (int j = 1 - grid.my; j < grid.my; ++j) {
+  const bool mirrors = rate.shift.y == 0 && (!rate.before || rate.before->y == 0); // row -j is the image of row j
+  for (int j = mirrors ? 0 : 1 - grid.my; j < grid.my; ++j) {
     go_on(progress, 0);
     const std::vector<Influence> now = influence_row(bodies, grid, rate.shift, j);
     const std::vector<Influence> before =
@@ -92,10 +115,10 @@ void for_offsets(const Bodies& bodies, const ElementGrid& grid, const SlipRate& 
     for (int i = 1 - grid.mx; i < grid.mx; ++i) {
       const auto k = static_cast<std::size_t>(i + grid.mx - 1);
       const auto of = [&](double Influence::*part) { return (now[k].*part - before[k].*part) / rate.length; };
-      at(i, j,
-         Influence{of(&Influence::xx), of(&Influence::xy), of(&Influence::yy), of(&Influence::zz), of(&Influence::xz),
-                   of(&Influence::yz)},
-         now[k]);
+      const Influence slip = {of(&Influence::xx), of(&Influence::xy), of(&Influence::yy),
+                              of(&Influence::zz), of(&Influence::xz), of(&Influence::yz)};
+      at(i, j, slip, now[k]);
+      if (mirrors && j > 0) at(i, -j, mirrored_along_y(slip), mirrored_along_y(now[k]));
     }
   }
 }

@@ -103,7 +103,7 @@ void add_pressures(const ContactPatch& patch, const PatchFrame& frame, std::vect
 
 std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
                                          const WheelRailMethod& method, std::span<const ContactExtent> extents,
-                                         const Progress& progress) {
+                                         Purpose purpose, const Progress& progress) {
   const std::span<const ContactPatch> patches = coarse.patches();
   std::vector<PatchOutline> outlines;
   double depth = 0;
@@ -137,7 +137,7 @@ std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodi
     if (!(element.x > 0 && element.y > 0 && std::isfinite(element.x + element.y))) continue; // the fast theory failed
     const ExactPatch::Motion motion{rows->least_gap, rows->speed / rows->weight, direction};
     const PatchOutline covered = limited_to(group.outline, extents);
-    const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn)};
+    const ExactPatch::Shape shape{method.surface(), method.conformity(group.outline.turn), purpose == Purpose::forces};
     ExactPatch exact(bodies.material, bodies.layered, surface, covered, shape, element, motion, progress);
     exact.expect(pressures);
     double share = std::cos(group.outline.frame.angle);

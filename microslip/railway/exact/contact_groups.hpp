@@ -57,11 +57,14 @@ struct ContactGroup {
   std::optional<ContactExtent> extent(double depth) const;
 };
 
+/// What is to be found: how a state's load is shared, roughly, or its forces.
+enum class Purpose { forecast, forces };
+
 /// The groups of the patches that the fast theory has, with elements over what is given of the overlap, or over all of
 /// it where that is nothing.
 std::vector<ContactGroup> contact_groups(RowContact& coarse, const WheelRailBodies& bodies,
                                          const WheelRailMethod& method, std::span<const ContactExtent> extents,
-                                         const Progress& progress);
+                                         Purpose purpose, const Progress& progress);
 
 /// The greatest overlap of the wheel [m].
 double greatest_overlap(std::span<const ContactGroup> groups);

@@ -93,13 +93,14 @@ bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
 /// of the patches carries the vertical force.
 std::optional<double> press_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
                                     std::optional<double> vertical_force, std::span<const ContactExtent> extents,
-                                    std::vector<ContactGroup>& loaded, const Progress& progress) {
+                                    Purpose purpose, std::vector<ContactGroup>& loaded, const Progress& progress) {
+  const Round round = purpose == Purpose::forecast ? Round::forecast : Round::first;
   std::optional<double> lowering;
   for (const auto& covered : {extents, std::span<const ContactExtent>{}}) {
-    loaded = contact_groups(coarse, bodies, method, covered, progress);
+    loaded = contact_groups(coarse, bodies, method, covered, purpose, progress);
     if (loaded.empty()) return {};
     if (loaded.size() > 1) press_first(loaded);
-    lowering = share_load(loaded, vertical_force, 0, true);
+    lowering = share_load(loaded, vertical_force, 0, round);
     if (!lowering || cover_overlap(loaded) || hold_contacts(loaded)) break;
   }
   return lowering;
@@ -118,7 +119,7 @@ Forecast forecast(RowContact& coarse, const WheelRailBodies& bodies, WheelRailMe
   method.elements = std::min(method.elements, few);
   std::vector<ContactGroup> loaded;
   Forecast found;
-  found.lowering = press_patches(coarse, bodies, method, vertical_force, {}, loaded, progress);
+  found.lowering = press_patches(coarse, bodies, method, vertical_force, {}, Purpose::forecast, loaded, progress);
   const double depth = greatest_overlap(loaded);
   for (const ContactGroup& one : loaded)
     if (const auto extent = one.extent(depth)) found.extents.push_back(*extent);
@@ -152,7 +153,8 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
                         std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
                         std::vector<ContactGroup>& loaded, WheelRailSolution& out, const Progress& progress) {
   constexpr int most_rounds = 12;
-  const std::optional<double> first = press_patches(coarse, bodies, method, vertical_force, extents, loaded, progress);
+  const std::optional<double> first =
+      press_patches(coarse, bodies, method, vertical_force, extents, Purpose::forces, loaded, progress);
   if (loaded.empty()) {
     out.status = coarse.patches().empty() ? Status::no_contact : Status::not_converged;
     return true;
@@ -162,7 +164,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (int round = 0; round < most_rounds; ++round) {
     if (round > 0) {
-      const std::optional<double> found = share_load(loaded, vertical_force, lowering, false);
+      const std::optional<double> found = share_load(loaded, vertical_force, lowering, Round::later);
       if (!found) return no_balance(out);
       lowering = *found;
     }

@@ -14,16 +14,16 @@
 namespace microslip {
 namespace {
 
-constexpr int margin = 4; ///< elements ahead and behind: second order needs three
+constexpr int margin = 1, margin_of_rolling = 4; ///< elements ahead and behind: second order needs three
 
 /// Elements with one centre at 0 from before `low` to beyond `high`.
 std::pair<int, int> covering(double low, double high, double size, int spare) {
   return {static_cast<int>(std::floor(low / size)) - spare, static_cast<int>(std::ceil(high / size)) + spare};
 }
 
-ElementGrid cover(const PatchOutline& o, Vec2 element) {
-  const auto [left, right] = covering(o.x_low, o.x_high, element.x, margin);
-  const auto [low, high] = covering(o.s_low, o.s_high, element.y, 1);
+ElementGrid cover(const PatchOutline& o, Vec2 element, bool rolls) {
+  const auto [left, right] = covering(o.x_low, o.x_high, element.x, rolls ? margin_of_rolling : margin);
+  const auto [low, high] = covering(o.s_low, o.s_high, element.y, margin);
   return {.mx = right - left + 1,
           .my = high - low + 1,
           .x0 = left * element.x,
@@ -67,7 +67,7 @@ ExactPatch::ExactPatch(const CombinedMaterial& material, const std::optional<Lay
                        const PatchSurface& surface, const PatchOutline& outline, const Shape& shape, Vec2 element,
                        const Motion& motion, Progress progress)
     : material_(material), progress_(std::move(progress)), frame_(outline.frame), motion_(motion),
-      grid_(cover(outline, element)), gaps_(grid_.count()), layered_(layered),
+      grid_(cover(outline, element, shape.rolls)), gaps_(grid_.count()), layered_(layered),
       table_(table_of(layered, grid_, progress_)),
       normal_(table_ ? NormalProblem(*table_, grid_) : NormalProblem(material, grid_, progress_)),
       conformity_(shape.conformity) {
@@ -148,7 +148,9 @@ void ExactPatch::expect(std::span<const PressureRow> rows) {
     for (int j = 0; j < grid_.my; ++j) {
       const double t = (grid_.y(j) - low.s) / (high.s - low.s);
       if (!(t >= 0 && t <= 1)) continue;
-      const auto between = [t, &a = low, &b = high](double PressureRow::*part) { return (1 - t) * a.*part + t * b.*part; };
+      const auto between = [t, &a = low, &b = high](double PressureRow::*part) {
+        return (1 - t) * a.*part + t * b.*part;
+      };
       set_row(j, {grid_.y(j), between(&PressureRow::centre), between(&PressureRow::half_length),
                   between(&PressureRow::peak)});
     }

@@ -38,6 +38,7 @@ public:
   struct Shape {
     PatchShape surface = PatchShape::curved;
     double conformity = 0; ///< in [0, 1], WheelRailMethod::conformity
+    bool rolls = true;     ///< else it has no elements to spare that only rolling needs
   };
 
   /// Elements of the sides `element` over all of the outline, which holds the contact; the frame's origin is the

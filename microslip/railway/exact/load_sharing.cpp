@@ -128,10 +128,11 @@ void press_first(std::vector<ContactGroup>& groups) {
 }
 
 std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optional<double> vertical_force, double zeta,
-                                 bool first) {
+                                 Round round) {
   constexpr int most_steps = 12;
+  constexpr double rough = 1e-4;
   if (groups.size() == 1) {
-    constexpr double tolerance = 1e-6;
+    const double tolerance = round == Round::forecast ? rough : 1e-6;
     ContactGroup& only = groups.front();
     if (vertical_force && !(only.share > 0)) return {};
     if (vertical_force) only.force = *vertical_force / only.share;
@@ -141,7 +142,8 @@ std::optional<double> share_load(std::vector<ContactGroup>& groups, std::optiona
       only.exact.press_with(only.force, tolerance);
     return only.exact.approach() / only.cosine();
   }
-  const double tolerance = first ? 1e-4 : 2e-7;
+  const bool first = round != Round::later;
+  const double tolerance = first ? rough : 2e-7;
   double of_pressures = 0.1 * tolerance;
   for (int step = 0; step < most_steps; ++step) {
     const std::optional<double> more = correct(groups, vertical_force);
