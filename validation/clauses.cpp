@@ -84,6 +84,7 @@ constexpr std::array trust = {
     Clause{"6.10", "A running vehicle: energy, wavelengths, integrators", "vehicle"},
     Clause{"6.11", "Laws of creep forces in use, beside the exact theory", "models"},
     Clause{"6.12", "Models of the normal problem in use, beside the exact theory", "normal-models"},
+    Clause{"6.13", "Forces over the frequency of creepages: the limit of long waves, transient rolling", "response"},
 };
 
 constexpr std::array groups = {
