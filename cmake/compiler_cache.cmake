@@ -6,7 +6,7 @@ if(MICROSLIP_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT EMSCRIPTEN)
   foreach(language C CXX)
     if(NOT CMAKE_${language}_COMPILER_LAUNCHER)
       set(CMAKE_${language}_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${MICROSLIP_CCACHE})
+        CCACHE_SLOPPINESS=pch_defines,time_macros ${MICROSLIP_CCACHE})
     endif()
   endforeach()
 endif()
