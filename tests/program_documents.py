@@ -135,7 +135,9 @@ class ProgramDocuments(unittest.TestCase):
         for error in self.validator.iter_errors(document):
             self.fail(f"{'/'.join(map(str, error.absolute_path))}: {error.message[:300]}")
         described = SCHEMA["$defs"][kind]
-        names, patterns = SCHEMA["properties"].keys() | described["properties"].keys(), described.get("patternProperties", {})
+        parts = [described, *(SCHEMA["$defs"][part["$ref"].rsplit("/", 1)[1]] for part in described.get("allOf", []))]
+        names = SCHEMA["properties"].keys() | {name for part in parts for name in part["properties"]}
+        patterns = [pattern for part in parts for pattern in part.get("patternProperties", {})]
         self.assertEqual([name for name in document if name not in names and not any(re.search(one, name) for one in patterns)], [])
 
 
