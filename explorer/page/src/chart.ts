@@ -23,6 +23,13 @@ function alignedData({ x, curves, scatter }: ChartContent): uPlot.AlignedData {
   return [rows.map(({ at }) => at), ...[...curves, ...scatter].map((_, i) => rows.map(({ values }) => values[i] ?? null))];
 }
 
+/** The range of an axis. Numbers that differ by rounding alone are drawn as equal ones: an axis has no steps that small. */
+function axisRange(low: number | null, high: number | null): uPlot.Range.MinMax {
+  if (low === null || high === null) return [null, null];
+  const middle = (low + high) / 2, rounding = 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  return high - low > rounding ? uPlot.rangeNum(low, high, 0.1, true) : uPlot.rangeNum(middle, middle, 0.1, true);
+}
+
 /** A chart that is redrawn in place while the names of its curves and axes stay. */
 export class Chart {
   #plot: uPlot | undefined;
@@ -71,7 +78,7 @@ export class Chart {
     this.#plot = new uPlot({
       width: Math.max(this.root.clientWidth, 200),
       height: this.height,
-      scales: { x: { time: false } },
+      scales: { x: { time: false }, y: { range: (_, low, high) => axisRange(low, high) } },
       legend: { live: false, show: named > 1, markers: { dash: (plot, i) => (plot.series[i]!.dash ? "dashed" : "solid") } },
       cursor: { show: false },
       series: [
