@@ -1,6 +1,8 @@
 #pragma once
 
 #include "io/csv_text.hpp"
+#include "io/text_line.hpp"
+#include "microslip/error.hpp"
 
 #include <memory>
 #include <string>
@@ -28,5 +30,19 @@ private:
   std::vector<std::size_t> ends_;
   std::vector<std::string_view> fields_;
 };
+
+/// Calls read(line) with each line of a table that is neither empty nor a comment; what that throws names the line.
+template <class Read> void read_csv_lines(std::string_view text, const std::string& name, const Read& read) {
+  text = csv_start(text, name);
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const auto line = take_line(text);
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    try {
+      read(line);
+    } catch (const Error& error) {
+      throw Error(name + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+}
 
 } // namespace microslip::io

@@ -149,23 +149,16 @@ MeasuredCurves read_measured_curves(std::string_view text, const std::string& na
   MeasuredCurves curves;
   std::optional<Header> header;
   std::optional<CsvLine> splitter;
-  text = csv_start(text, name);
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const auto line = take_line(text);
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    try {
-      if (header) {
-        curves.points.push_back(read_point(splitter->split(line), *header, conditions, curves));
-      } else {
-        header.emplace(line);
-        splitter.emplace(header->separator());
-        curves.is_lateral = header->has(lateral);
-        curves.has_sigma = header->has(sigma);
-      }
-    } catch (const Error& error) {
-      throw Error(name + ":" + std::to_string(number) + ": " + error.what());
+  read_csv_lines(text, name, [&](std::string_view line) {
+    if (header) {
+      curves.points.push_back(read_point(splitter->split(line), *header, conditions, curves));
+    } else {
+      header.emplace(line);
+      splitter.emplace(header->separator());
+      curves.is_lateral = header->has(lateral);
+      curves.has_sigma = header->has(sigma);
     }
-  }
+  });
   if (curves.points.empty()) throw Error(name + ": has no measured points");
   make_resisting(curves.points);
   return curves;

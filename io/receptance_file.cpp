@@ -1,7 +1,6 @@
 #include "io/receptance_file.hpp"
 
 #include "io/csv_line.hpp"
-#include "io/text_line.hpp"
 #include "microslip/error.hpp"
 
 #include <algorithm>
@@ -65,22 +64,15 @@ Receptance read_receptance(std::string_view text, const std::string& name) {
   std::vector<std::complex<double>> values;
   std::optional<Header> header;
   std::optional<CsvLine> splitter;
-  text = csv_start(text, name);
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const auto line = take_line(text);
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    try {
-      if (header) {
-        const auto [frequency, real, imaginary] = header->numbers(splitter->split(line));
-        frequencies.push_back(frequency), values.emplace_back(real, imaginary);
-      } else {
-        header.emplace(line);
-        splitter.emplace(header->separator());
-      }
-    } catch (const Error& error) {
-      throw Error(name + ":" + std::to_string(number) + ": " + error.what());
+  read_csv_lines(text, name, [&](std::string_view line) {
+    if (header) {
+      const auto [frequency, real, imaginary] = header->numbers(splitter->split(line));
+      frequencies.push_back(frequency), values.emplace_back(real, imaginary);
+    } else {
+      header.emplace(line);
+      splitter.emplace(header->separator());
     }
-  }
+  });
   try {
     return {std::move(frequencies), std::move(values)};
   } catch (const Error& error) {
