@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { axisRange } from "./axis_range.ts";
 import { dot, label } from "./canvas.ts";
 import { token } from "./colours.ts";
 import { element } from "./elements.ts";
@@ -21,13 +22,6 @@ function alignedData({ x, curves, scatter }: ChartContent): uPlot.AlignedData {
     ...scatter.flatMap((of, s) => of.x.map((at, k) => ({ at, values: [...curves.map(() => null), ...scatter.map((_, other) => (other === s ? of.y[k]! : null))] })))];
   rows.sort((one, other) => one.at - other.at);
   return [rows.map(({ at }) => at), ...[...curves, ...scatter].map((_, i) => rows.map(({ values }) => values[i] ?? null))];
-}
-
-/** The range of an axis. Numbers that differ by rounding alone are drawn as equal ones: an axis has no steps that small. */
-function axisRange(low: number | null, high: number | null): uPlot.Range.MinMax {
-  if (low === null || high === null) return [null, null];
-  const middle = (low + high) / 2, rounding = 1e-9 * Math.max(Math.abs(low), Math.abs(high));
-  return high - low > rounding ? uPlot.rangeNum(low, high, 0.1, true) : uPlot.rangeNum(middle, middle, 0.1, true);
 }
 
 /** A chart that is redrawn in place while the names of its curves and axes stay. */

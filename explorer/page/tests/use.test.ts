@@ -6,6 +6,7 @@ import { copyFileSync, mkdirSync, readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { test } from "node:test";
+import { axisRange } from "../src/axis_range.ts";
 import { layOut } from "../src/rail_picture.ts";
 import type { Page } from "playwright-core";
 import { program, scratch, browser, opened, row, field, railField, nipField, settled, has, hasNumber, saved, near, solvedByProgram, type Counting, countRequests, folder, profiles } from "./browser.ts";
@@ -517,4 +518,14 @@ test("every control has a name; nothing is wider than a narrow screen", async ()
       assert.deepEqual(errors, []);
       await page.close();
     }
+});
+
+test("an axis has room for steps that numbers can count, whatever the curve", () => {
+  for (const middle of [1, -3e-4, 2e9])
+    for (const difference of [0, 1e-16, 1e-12, 1e-6, 0.1].map((share) => share * Math.abs(middle))) {
+      const [from, to] = axisRange(middle, middle + difference) as [number, number];
+      assert.ok(from <= middle && middle + difference <= to, `${middle} to ${middle + difference} lie in the axis`);
+      assert.ok(to - from > 1e-8 * Math.abs(middle), `${middle} to ${middle + difference}: from ${from} to ${to}`);
+    }
+  assert.deepEqual(axisRange(null, null), [null, null]);
 });
