@@ -14,6 +14,7 @@
 #include "io/output_file.hpp"
 #include "io/receptance_file.hpp"
 #include "io/result_file.hpp"
+#include "io/text_line.hpp"
 #include "io/units.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/error.hpp"
@@ -22,7 +23,9 @@
 #include <complex>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,16 +42,22 @@ struct RespondArguments {
   fs::path case_file, folder, receptance;
   std::vector<std::string> wavelengths; ///< from, to
   int points = 40, poles = 0;
-  double wear_coefficient = 1e-13;     ///< [m^3/J]
-  std::vector<std::string> band_width; ///< one, if given
+  double wear_coefficient = cases::ResponseQuestions{}.wear_coefficient; ///< [m^3/J]
+  std::vector<std::string> band_width;                                   ///< one, if given
   bool no_pictures = false, json = false;
 };
+
+/// A length [m], in metres or with its unit.
+double length_of(std::string_view option, std::string_view text) {
+  const std::optional<double> number = io::parse_number(text);
+  return number ? *number : io::number_in_unit(option, text, "m");
+}
 
 /// Wavelengths in a geometric sequence.
 std::vector<double> wavelengths_of(const RespondArguments& arguments) {
   std::vector<double> ends;
   for (const std::string& text : arguments.wavelengths) {
-    ends.push_back(io::number_in_unit("--wavelength", text, "m"));
+    ends.push_back(length_of("--wavelength", text));
     require_between("--wavelength", ends.back(), "m", shortest, longest);
   }
   require_count("--points", arguments.points, 1, most_wavelengths);
@@ -63,12 +72,16 @@ std::vector<double> wavelengths_of(const RespondArguments& arguments) {
 cases::ResponseQuestions questions_of(const RespondArguments& arguments) {
   cases::ResponseQuestions out{.wavelengths = wavelengths_of(arguments)};
   out.poles = require_count("--poles", arguments.poles, 0, most_poles);
-  if (out.poles > 0 && arguments.points < out.poles)
-    throw Error(fmt::format("--poles: {} need as many wavelengths at least, --points {}", out.poles, out.poles));
+  const bool alike = out.wavelengths.front() == out.wavelengths.back();
+  if (out.poles > 0 && (arguments.points < out.poles || (alike && out.poles > 1)))
+    throw Error(
+        fmt::format("--poles: {} need as many different wavelengths at least, --points {}", out.poles, out.poles));
   out.wear_coefficient = require_positive("--wear-coefficient", arguments.wear_coefficient, "m^3/J");
   if (!arguments.band_width.empty())
-    out.band_width =
-        require_positive("--band-width", io::number_in_unit("--band-width", arguments.band_width[0], "m"), "m");
+    out.band_width = require_positive("--band-width", length_of("--band-width", arguments.band_width[0]), "m");
+  if (arguments.receptance.empty() &&
+      (!arguments.band_width.empty() || arguments.wear_coefficient != RespondArguments{}.wear_coefficient))
+    throw Error("--wear-coefficient, --band-width: are for the growth of corrugation, which needs --receptance");
   if (!arguments.receptance.empty())
     out.receptance = io::read_receptance(io::read_case_text(arguments.receptance), arguments.receptance.string());
   return out;
@@ -200,7 +213,7 @@ with Coulomb friction, or each patch of a wheel on a rail; adhesion and slip are
 
 With a receptance, a table of frequency [Hz], receptance_real and receptance_imaginary [m/N], the growth of corrugation
 in a passage, over its height: > 0 where it grows. With --poles a rational fit of the responses, which is a force
-element with memory: -o writes it as force_element.txt. With --json all of it in SI units.
+element with memory: -o writes it as force_element.txt, of a wheel's patches as patch1_force_element.txt and so on. With --json all of it in SI units.
 
 Example:
   microslip respond examples/hertzian_contact.toml --wavelength 10mm 1m -o filter)";

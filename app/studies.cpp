@@ -137,8 +137,8 @@ int report(const std::vector<const Study*>& studies, ValidateArguments arguments
   arguments.output = folder;
   const ReportHead head{.purpose = arguments.purpose,
                         .begin = std::time(nullptr),
-                        .inputs = validation::study_inputs(arguments.cases),
-                        .programs = programs()};
+                        .inputs = digested(validation::study_inputs(arguments.cases)),
+                        .programs = digested(programs())};
   std::vector<StudyRecord> records;
   for (const Study* study : studies) records.push_back(run_for_report(*study, arguments));
   const std::vector<std::string> written = write_validation_report(folder, head, records);

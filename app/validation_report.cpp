@@ -160,8 +160,8 @@ std::string identification(const ReportHead& head, const std::vector<StudyRecord
   rows += fact("compiler", fmt::format("{}, {}", build.compiler, build.build_type)) + fact("machine", machine());
   rows += fact("begun", time_text(head.begin)) + fact("time taken", fmt::format("{:.0f} s", seconds));
   rows += fact("command", command_line(), "digest");
-  for (const auto& program : head.programs)
-    rows += fact(fmt::format("SHA-256 of {}", program.filename().string()), io::sha256_of_file(program), "digest");
+  for (const auto& [file, sha256] : head.programs)
+    rows += fact(fmt::format("SHA-256 of {}", file.filename().string()), sha256, "digest");
   rows += fact("SHA-256 of the figures", figures_digest(records), "digest");
   return "<h2>2. Identification</h2>\n<table><tbody>\n" + rows + "</tbody></table>\n";
 }
@@ -255,13 +255,13 @@ std::string signatures(const std::vector<StudyRecord>& records) {
 std::string inputs_annex(const ReportHead& head) {
   std::string rows;
   fs::path folder;
-  for (const auto& file : head.inputs) {
+  for (const auto& [file, sha256] : head.inputs) {
     if (file.parent_path() != folder) {
       folder = file.parent_path();
       rows += fmt::format("<tr class=\"section\"><th colspan=\"2\" scope=\"colgroup\">{}</th></tr>\n",
                           escaped(folder.string()));
     }
-    rows += fact(escaped(file.filename().string()), io::sha256_of_file(file), "digest");
+    rows += fact(escaped(file.filename().string()), sha256, "digest");
   }
   const std::string heading = "<h2>Annex: published results and cases that were at hand</h2>\n";
   if (rows.empty()) return heading + "<p>None: studies used only what is in the program.</p>\n";
@@ -345,6 +345,12 @@ std::string outcome(bool as_stated, const std::vector<validation::Figure>& figur
   if (known == 0) return "all figures are met";
   return fmt::format("all figures are as stated, {} of {} {} a known limit", known, figures.size(),
                      known == 1 ? "is" : "are");
+}
+
+std::vector<DigestedFile> digested(const std::vector<fs::path>& files) {
+  std::vector<DigestedFile> out;
+  for (const fs::path& file : files) out.push_back({file, io::sha256_of_file(file)});
+  return out;
 }
 
 std::vector<std::string> write_validation_report(const fs::path& folder, const ReportHead& head,

@@ -148,7 +148,6 @@ ContactResponse contact_of(FrequencyResponse response, const ResponseQuestions& 
   out.quasistatic = out.response.at.front();
   out.response.at.erase(out.response.at.begin());
   const auto [length, width] = size_of(out.response.solution);
-  out.width = width;
   for (const ForceResponse& at : out.response.at) {
     out.frequencies.push_back(speed * at.wavenumber / (2 * std::numbers::pi));
     out.filter.push_back(std::abs(at.load_by_roughness) / out.response.normal_stiffness);
@@ -159,6 +158,12 @@ ContactResponse contact_of(FrequencyResponse response, const ResponseQuestions& 
     out.growth = corrugation_growth(out.response, speed, *questions.receptance,
                                     {questions.wear_coefficient, questions.band_width.value_or(width)});
   return out;
+}
+
+/// Throws Error for wavelengths whose frequency the receptance does not have.
+void require_receptance(const ResponseQuestions& questions, double speed) {
+  if (!questions.receptance) return;
+  for (const double length : questions.wavelengths) questions.receptance->at(speed / length);
 }
 
 void warn_of_short_waves(const ResponseQuestions& questions, FrequencyResponseResult& out) {
@@ -179,6 +184,7 @@ void warn_of_short_waves(const ResponseQuestions& questions, FrequencyResponseRe
 FrequencyResponseResult find_frequency_response(const io::RollingCase& input, const ResponseQuestions& questions,
                                                 const Progress& progress) {
   FrequencyResponseResult out{.wavelengths = questions.wavelengths, .contacts = {}, .unsolved = {}, .warnings = {}};
+  require_receptance(questions, input.problem.motion.rolling_speed);
   FrequencyResponse response =
       Solver(method_of(input)).respond(input.problem, wavenumbers_of(questions), progress, ResponseTo::roughness_too);
   if (response.at.empty()) {
@@ -189,7 +195,7 @@ FrequencyResponseResult find_frequency_response(const io::RollingCase& input, co
   if (is_hertzian(input.problem)) {
     const EllipticContact ellipse = elliptic_contact(input.problem);
     for (std::size_t k = 0; k < contact.filter.size(); ++k)
-      contact.filter[k] = contact_filter(ellipse.a, ellipse.b, contact.response.at[k].wavenumber);
+      contact.filter[k] = std::abs(contact_filter(ellipse.a, ellipse.b, contact.response.at[k].wavenumber));
   }
   out.contacts.push_back(std::move(contact));
   warn_of_short_waves(questions, out);
@@ -206,6 +212,7 @@ FrequencyResponseResult find_frequency_response(const io::WheelRailCase& input, 
   WheelRailSolution solution;
   const io::LoadedWheelState& state = input.states.front();
   auto responses = solver.respond(state.state, state.vertical_force, wavenumbers_of(questions), solution, progress);
+  for (const std::string_view text : solution.warnings.texts()) out.warnings.emplace_back(text);
   for (std::size_t k = 0; k < responses.size(); ++k) {
     if (responses[k].at.empty()) {
       out.unsolved = responses[k].solution.report.reason;

@@ -32,7 +32,6 @@ struct ContactResponse {
   std::vector<double> remington, even; ///< Remington's filter with alpha = 1 and 0, of half the contact's length [-]
   FrequencyResponse response;          ///< at the wavelengths
   ForceResponse quasistatic;           ///< of endless waves: the derivatives
-  double width = 0;                    ///< of the contact across the track [m]
   std::vector<CorrugationGrowth> growth = {}; ///< with a receptance
   std::optional<ForceElementFit> element = {};
 };

@@ -74,7 +74,11 @@ public:
   void advance(const Values& v, double step) override { element_->step_held(speed_of(v) * step, input_of(v)); }
   std::vector<double> memory() const override { return element_ ? element_->state() : std::vector<double>{}; }
   void set_memory(std::span<const double> memory) override {
-    if (element_ && memory.size() == element_->state_size()) element_->set_state(memory);
+    if (!element_) return;
+    if (memory.empty()) // of a state before the start
+      element_->reset();
+    else if (memory.size() == element_->state_size())
+      element_->set_state(memory);
   }
 
 private:

@@ -220,6 +220,20 @@ def elliptic_contact(draw):
     return solver.solve_batch(problem, **columns(draw, case)) if call == "solve_batch" else getattr(solver, call)(problem)
 
 
+def responses(draw):
+    """Responses over the wavenumber, and a force element that is fitted to them."""
+    case = contact(draw)
+    case.friction = draw.number(0.05, 0.6)  # others are refused
+    solver = microslip.Solver(theory="exact", grid=(draw.randint(3, 8), draw.randint(3, 8)))
+    wavenumber = draw.array(sorted(draw.scale(1, 1e3) for _ in range(draw.randint(1, 9))))
+    found = solver.respond(microslip.RollingProblem(case), wavenumber, **draw.some(roughness=lambda: True))
+    if draw.random() < 0.5 or not len(found.wavenumber):
+        return found
+    element = microslip.ForceElement(found, case.normal_force, **draw.some(poles=lambda: draw.count(1, 8)))
+    forces = element.step(draw.scale(1e-5, 1), draw.number(-1e-3, 1e-3), draw.number(-1e-3, 1e-3), draw.number(-0.1, 0.1), case.normal_force)
+    return forces, microslip.ForceElement.from_text(element.text()).error, microslip.remington_filter(case.a, draw.scale(0.01, 10), draw.scale(1, 1e3))
+
+
 def accurate_contact(draw):
     solver = microslip.Solver(theory="exact", accuracy=draw.choice((0.1, draw.scale(1e-2, 0.1))))
     case = contact(draw)
@@ -386,7 +400,7 @@ def wheelset_on_track(draw):
     return found
 
 
-CALLS = (wheel_rail, wheel_rail, wheelset_on_track, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, accurate_contact, from_solution, simplified, creep_table, patch_fields,
+CALLS = (wheel_rail, wheel_rail, wheelset_on_track, wheelset_geometry, elliptic_contact, elliptic_contact, elliptic_contact, responses, accurate_contact, from_solution, simplified, creep_table, patch_fields,
          normal_problem, patch_rolling, tangential_problem, interior, hertz, profile)
 
 

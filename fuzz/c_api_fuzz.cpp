@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
 #include <iterator>
 #include <limits>
@@ -303,6 +304,39 @@ void creep_table(Draw& draw) {
     return microslip_creep_table_differentiate(table, count, given, results);
   });
   microslip_creep_table_destroy(table);
+}
+
+void force_element(Draw& draw) {
+  const Said said(draw);
+  static const std::string shipped = [] {
+    std::ifstream file(MICROSLIP_SOURCE_DIR "/fmi/force_element.txt", std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  }();
+  const std::string text = draw.mangled(shipped);
+  microslip_force_element* element = nullptr;
+  const int made =
+      said.of(microslip_force_element_create(draw.pointer(text.c_str()), draw.pointer(&element), said.pointer),
+              "force_element_create");
+  require((made == MICROSLIP_OK) == (element != nullptr), "force_element_create: an element without a code");
+  const std::size_t size = microslip_force_element_state_size(element);
+  std::vector<double> before(size), after(size);
+  for (int step = draw.count(1, 4); step-- > 0;) {
+    const double input[] = {draw.number(1e-3), draw.number(1e-3), draw.number(0.1), draw.number(80e3)};
+    Results<double> forces(MICROSLIP_ELEMENT_FORCES);
+    const int kept = microslip_force_element_get_state(element, size, before.data());
+    require((kept == MICROSLIP_OK) == (element != nullptr), "force_element_get_state: no state");
+    const int code = draw.count(0, 3) == 0 ? microslip_force_element_reset(element, draw.pointer(&input[0]))
+                                           : microslip_force_element_step(element, draw.number(1e-3),
+                                                                          draw.pointer(&input[0]), forces.data());
+    if (code != MICROSLIP_OK) {
+      require(forces.is_untouched(), "force_element_step: forces beside a refusal");
+      microslip_force_element_get_state(element, size, after.data());
+      require(before == after, "force_element_step: another state after a refusal");
+    }
+    if (draw.is_odd())
+      microslip_force_element_set_state(element, draw.count(0, 1) == 0 ? size : size + 1, before.data());
+  }
+  microslip_force_element_destroy(element);
 }
 
 /// Ends solves that take long, at the same point in every run.
@@ -594,8 +628,9 @@ struct Call {
   const char* name;
   void (*make)(Draw&);
 };
-constexpr Call calls[] = {{"simple_calls", simple_calls}, {"fastsim2", fastsim2},     {"creep_table", creep_table},
-                          {"problem", problem},           {"solve_case", solve_case}, {"wheel_rail", wheel_rail}};
+constexpr Call calls[] = {{"simple_calls", simple_calls},   {"fastsim2", fastsim2}, {"creep_table", creep_table},
+                          {"force_element", force_element}, {"problem", problem},   {"solve_case", solve_case},
+                          {"wheel_rail", wheel_rail}};
 
 void make_call(unsigned long seed, unsigned long k) {
   Draw draw(seed, k);

@@ -31,10 +31,10 @@ public:
     const auto& fields = splitter.split(line);
     fields_ = fields.size();
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      const auto found = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
-        return name_and_unit(field).first == columns[k].name;
-      });
+      const auto is_it = [&](std::string_view field) { return name_and_unit(field).first == columns[k].name; };
+      const auto found = std::find_if(fields.begin(), fields.end(), is_it);
       if (found == fields.end()) throw Error("must have a " + label_of(columns[k]));
+      if (std::any_of(found + 1, fields.end(), is_it)) throw Error(label_of(columns[k]) + ": is there twice");
       position_[k] = static_cast<std::size_t>(found - fields.begin());
       if (const auto unit = name_and_unit(*found).second; !unit.empty() && unit != columns[k].unit)
         throw Error(label_of(columns[k]) + ": must be in " + std::string(columns[k].unit));
@@ -67,6 +67,8 @@ Receptance read_receptance(std::string_view text, const std::string& name) {
   read_csv_lines(text, name, [&](std::string_view line) {
     if (header) {
       const auto [frequency, real, imaginary] = header->numbers(splitter->split(line));
+      if (frequency < 0 || (!frequencies.empty() && !(frequency > frequencies.back())))
+        throw Error(label_of(columns[0]) + ": must ascend from 0 on");
       frequencies.push_back(frequency), values.emplace_back(real, imaginary);
     } else {
       header.emplace(line);

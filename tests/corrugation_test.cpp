@@ -73,6 +73,12 @@ TEST(Corrugation, GrowsWhereTheLoadIsLeastOnCrests) {
   EXPECT_GT(growth[0].rate.real(), 0);
 }
 
+TEST(Corrugation, NeedsResponsesToRoughness) {
+  FrequencyResponse response;
+  response.at.push_back({.wavenumber = 100, .by_load = {1, 0, 0}});
+  EXPECT_THROW(corrugation_growth(response, 30, table_of_oscillator(), {1e-13, 0.01}), Error);
+}
+
 TEST(Corrugation, ReceptanceIsLinearBetweenItsFrequencies) {
   const Receptance r({10, 20, 40}, {Complex(1, 2), Complex(3, 0), Complex(3, -4)});
   EXPECT_EQ(r.at(15), Complex(2, 1));
@@ -81,6 +87,7 @@ TEST(Corrugation, ReceptanceIsLinearBetweenItsFrequencies) {
   EXPECT_THROW(r.at(9), Error);
   EXPECT_THROW(r.at(41), Error);
   EXPECT_THROW(Receptance({2, 1}, {1, 1}), Error);
+  EXPECT_THROW(Receptance({-1, 1}, {1, 1}), Error);
   EXPECT_THROW(Receptance({1}, {}), Error);
   EXPECT_THROW(Receptance({1}, {std::nan("")}), Error);
 }

@@ -215,5 +215,34 @@ TEST(FittedContact, RefusesWhatIsNoEllipse) {
   expect_error([] { fit_ellipse(1, 1, 3, -2); }, "elements across", "[-]");
 }
 
+/// Two runs of a row that a load joins, or one that parts: the load is shared once, whichever it was.
+TEST(FittedContact, RunsThatJoinOrPartShareTheLoadOnce) {
+  const ElementGrid grid{.mx = 30, .my = 5, .x0 = 0, .y0 = 0, .dx = 1e-3, .dy = 1e-3};
+  const auto pressure = [&](double bridge) {
+    std::vector<double> p(grid.count());
+    for (int j = 1; j < 4; ++j)
+      for (int i = 3; i < 25; ++i) {
+        const double from_middle = i < 14 ? (i - 8) / 6.0 : (i - 19.5) / 6;
+        p[static_cast<std::size_t>(j) * grid.mx + i] = i == 14 ? bridge : std::sqrt(1 - from_middle * from_middle);
+      }
+    return p;
+  };
+  const auto load = [](const FittedContact& contact) {
+    double sum = 0;
+    for (std::size_t k = 0; k < contact.elements.size(); ++k)
+      sum += contact.load_share[k] * contact.elements[k].width() * contact.grid.dy;
+    return sum;
+  };
+  const std::vector<double> apart = pressure(0), joined = pressure(0.02);
+  EXPECT_NEAR(load(refitted(fit_contact(grid, apart), apart, joined)), 1, 1e-12);
+  EXPECT_NEAR(load(refitted(fit_contact(grid, joined), joined, apart)), 1, 1e-12);
+  // What changes little leaves the shares nearly as they are.
+  const FittedContact before = fit_contact(grid, apart), after = refitted(before, apart, joined);
+  for (std::size_t k = 0; k < before.elements.size(); ++k)
+    EXPECT_NEAR(after.load_share[k] * after.elements[k].width(), before.load_share[k] * before.elements[k].width(),
+                0.2 * *std::max_element(before.load_share.begin(), before.load_share.end()) * grid.dx)
+        << k;
+}
+
 } // namespace
 } // namespace microslip

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -63,6 +65,26 @@ TEST(RationalFit, IsStableAndBetterWithMorePoles) {
     for (const Complex& pole : fit.poles) EXPECT_LT(pole.real(), 0);
     EXPECT_LT(fit.errors[0], 0.5 * before) << order;
     before = fit.errors[0];
+  }
+}
+
+/// The square root of 1 + s has real poles only, however many are asked for and whatever noise there is: none gets lost
+/// and none becomes a pair.
+TEST(RationalFit, KeepsTheNumberOfPoles) {
+  std::vector<double> omega = {0};
+  for (int k = 0; k < 80; ++k) omega.push_back(0.01 * std::pow(1e5, k / 79.0));
+  std::mt19937 engine(1);
+  for (const double noise : {0.0, 1e-3}) {
+    std::vector<std::vector<Complex>> values(1);
+    for (const double at : omega) {
+      const auto error = [&] { return noise * (static_cast<double>(engine()) * 0x1p-31 - 1); };
+      values[0].push_back(1.0 / std::sqrt(Complex(1, at)) + Complex(error(), error()));
+    }
+    for (const int order : {6, 12, 21, 24, 25}) {
+      int count = 0;
+      for (const Complex& pole : fit_rational(omega, values, order).poles) count += pole.imag() > 0 ? 2 : 1;
+      EXPECT_EQ(count, order) << noise;
+    }
   }
 }
 
@@ -166,6 +188,13 @@ TEST(ForceElement, IsReadBackFromItsText) {
   std::string unstable = text;
   unstable.replace(unstable.find("pole -"), 6, "pole ");
   EXPECT_THROW(force_element_from(unstable), Error);
+  EXPECT_THROW(force_element_from(text + "pole -1 0\n"), Error);
+  std::string fewer = text, part = text;
+  fewer.replace(fewer.find("\npoles ") + 7, 1, "1");
+  EXPECT_THROW(force_element_from(fewer), Error);
+  part.insert(part.find('\n', part.find("\npoles ") + 1), ".5");
+  EXPECT_THROW(force_element_from(part), Error);
+  EXPECT_EQ(force_element_from(text + "\n").poles, fit().poles);
 }
 
 /// Transient rolling by the exact theory with a creepage that oscillates by 1e-3 of itself.

@@ -16,6 +16,7 @@ std::vector<fs::path> study_inputs(const fs::path& other_cases) {
       if (entry.is_regular_file()) files.push_back(entry.path().lexically_normal());
   }
   std::ranges::sort(files);
+  files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;
 }
 

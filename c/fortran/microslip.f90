@@ -27,11 +27,17 @@ module microslip
   integer(c_int), parameter, public :: microslip_number_input = 0, microslip_numbers_input = 1, microslip_whole_input = 2, &
     microslip_wholes_input = 3, microslip_text_input = 4, microslip_word_input = 5
   integer, parameter, public :: microslip_error_length = 256
+  integer, parameter, public :: microslip_element_inputs = 4, microslip_element_forces = 3
   integer(c_int), parameter, public :: microslip_made_for_abi = 2
 
   type, bind(c), public :: microslip_error
     integer(c_int) :: code = 0
     character(kind=c_char) :: text(microslip_error_length) = c_null_char
+  end type
+
+  !> Texts for microslip_text.
+  type, bind(c), public :: microslip_build
+    type(c_ptr) :: version, commit, compiler, build_type
   end type
 
   type, bind(c), public :: microslip_contact
@@ -198,6 +204,63 @@ module microslip
       integer(c_size_t), value :: count
       type(microslip_contact), intent(in) :: contacts(*)
       type(microslip_derivatives), intent(inout) :: derivatives(*)
+      integer(c_int) :: code
+    end function
+
+    function microslip_build_info() bind(c) result(info)
+      import
+      type(microslip_build) :: info
+    end function
+
+    !> `text`, the file that microslip respond --poles writes, ends with c_null_char.
+    function microslip_force_element_create(text, element, error) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: text(*)
+      type(c_ptr), intent(out) :: element
+      type(microslip_error), intent(inout) :: error
+      integer(c_int) :: code
+    end function
+
+    subroutine microslip_force_element_destroy(element) bind(c)
+      import
+      type(c_ptr), value :: element
+    end subroutine
+
+    function microslip_force_element_step(element, distance, input, forces) bind(c) result(code)
+      import
+      type(c_ptr), value :: element
+      real(c_double), value :: distance
+      real(c_double), intent(in) :: input(microslip_element_inputs)
+      real(c_double), intent(inout) :: forces(microslip_element_forces)
+      integer(c_int) :: code
+    end function
+
+    !> `input`: c_loc of the numbers, or c_null_ptr.
+    function microslip_force_element_reset(element, input) bind(c) result(code)
+      import
+      type(c_ptr), value :: element, input
+      integer(c_int) :: code
+    end function
+
+    function microslip_force_element_state_size(element) bind(c) result(count)
+      import
+      type(c_ptr), value :: element
+      integer(c_size_t) :: count
+    end function
+
+    function microslip_force_element_get_state(element, count, state) bind(c) result(code)
+      import
+      type(c_ptr), value :: element
+      integer(c_size_t), value :: count
+      real(c_double), intent(inout) :: state(*)
+      integer(c_int) :: code
+    end function
+
+    function microslip_force_element_set_state(element, count, state) bind(c) result(code)
+      import
+      type(c_ptr), value :: element
+      integer(c_size_t), value :: count
+      real(c_double), intent(in) :: state(*)
       integer(c_int) :: code
     end function
 
@@ -411,6 +474,9 @@ module microslip
   public :: microslip_fastsim2_solve_fields
   public :: microslip_creep_table_read, microslip_creep_table_destroy
   public :: microslip_creep_table_solve, microslip_creep_table_differentiate
+  public :: microslip_force_element_create, microslip_force_element_destroy, microslip_force_element_step
+  public :: microslip_force_element_reset, microslip_force_element_state_size
+  public :: microslip_force_element_get_state, microslip_force_element_set_state
   public :: microslip_fastsim2_quantity, microslip_fastsim2_field
   public :: microslip_problem_create, microslip_problem_read, microslip_problem_destroy, microslip_problem_text
   public :: microslip_set, microslip_unset, microslip_get, microslip_set_progress
@@ -421,7 +487,7 @@ module microslip
   public :: microslip_wheel_rail_differentiate, microslip_wheel_rail_patches
   public :: microslip_wheelset_contacts, microslip_equivalent_conicity
   public :: microslip_warning
-  public :: microslip_version, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
+  public :: microslip_version, microslip_build_info, microslip_abi, microslip_code_text, microslip_error_text, microslip_text
 
 contains
 

@@ -52,6 +52,23 @@ TEST(ForceElementUnit, RemembersAndGoesBack) {
   EXPECT_EQ(FMI(fmi2FreeFMUstate)(instance.unit, &state), fmi2OK);
 }
 
+/// A state of before the start has no memory yet: gone back to, all begins as it did.
+TEST(ForceElementUnit, GoesBackBeforeItsStart) {
+  Instance instance;
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(FMI(fmi2GetFMUstate)(instance.unit, &state), fmi2OK);
+  const auto run = [&] {
+    instance.initialize();
+    EXPECT_EQ(instance.set("creepage_longitudinal", 1e-4), fmi2OK);
+    EXPECT_EQ(instance.step(0, 1e-4), fmi2OK);
+    return instance.get("fx");
+  };
+  const double first = run();
+  ASSERT_EQ(FMI(fmi2SetFMUstate)(instance.unit, state), fmi2OK);
+  EXPECT_EQ(run(), first);
+  EXPECT_EQ(FMI(fmi2FreeFMUstate)(instance.unit, &state), fmi2OK);
+}
+
 TEST(ForceElementUnit, IsForCoSimulationAlone) {
   const Instance instance("law", description().guid, fmi2ModelExchange);
   EXPECT_EQ(instance.unit, nullptr);

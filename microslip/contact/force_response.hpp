@@ -15,7 +15,7 @@ namespace microslip {
 /// they are nearer to each other; the bodies keep their distance. Work is the frictional work on the surface per metre
 /// of it [J/m]: a place X of the surface that was at the contact's origin at t = X/V has the amplitude's e^{i k X}.
 ///
-/// Those by roughness, and work, are zero unless they were asked for.
+/// Those by roughness are zero unless they were asked for, and work by the load may be, too.
 struct ForceResponse {
   double wavenumber = 0;                         ///< k [1/m]: the wavelength along the track is 2 pi/k
   std::complex<double> by_creepage[3][3] = {};   ///< per unit of xi, eta [-], phi [1/m]

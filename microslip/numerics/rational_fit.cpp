@@ -147,16 +147,21 @@ std::vector<Complex> zeros_of(const std::vector<Complex>& poles, const std::vect
   return z;
 }
 
-/// Stable poles from zeros that come in conjugate pairs.
-std::vector<Complex> stable_poles(const std::vector<Complex>& zeros) {
-  constexpr double real = 1e-10; // imaginary part over the size
+/// Stable poles from zeros that come in conjugate pairs or are real, up to rounding: as many as there are zeros, with
+/// pairs counted twice. A zero is real if no other one is as near to its conjugate as itself.
+std::vector<Complex> stable_poles(std::vector<Complex> zeros) {
+  std::sort(zeros.begin(), zeros.end(),
+            [](Complex a, Complex b) { return std::abs(a.imag()) > std::abs(b.imag()); }); // surest pairs first
   std::vector<Complex> out;
-  for (const Complex z : zeros) {
-    const double left = -std::max(std::abs(z.real()), 1e-12 * std::abs(z));
-    if (std::abs(z.imag()) <= real * std::abs(z))
-      out.emplace_back(left, 0);
-    else if (z.imag() > 0)
-      out.emplace_back(left, z.imag());
+  while (!zeros.empty()) {
+    const Complex z = zeros.front();
+    zeros.erase(zeros.begin());
+    const auto distance = [z](Complex other) { return std::abs(other - std::conj(z)); };
+    const auto partner =
+        std::min_element(zeros.begin(), zeros.end(), [&](Complex a, Complex b) { return distance(a) < distance(b); });
+    const bool is_real = partner == zeros.end() || distance(*partner) >= distance(z);
+    if (!is_real) zeros.erase(partner);
+    out.emplace_back(-std::max(std::abs(z.real()), 1e-12 * std::abs(z)), is_real ? 0 : std::abs(z.imag()));
   }
   return out;
 }
@@ -249,8 +254,8 @@ void check(std::span<const double> omega, const std::vector<std::vector<Complex>
 
 } // namespace
 
-RationalFit fit_rational(std::span<const double> omega, const std::vector<std::vector<Complex>>& values, int order,
-                         int iterations) {
+RationalFit fit_rational(std::span<const double> omega, const std::vector<std::vector<Complex>>& values, int order) {
+  constexpr int iterations = 30;
   check(omega, values, order);
   const double unit = omega.back(); // of s
   Field scaled;

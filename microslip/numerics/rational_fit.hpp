@@ -21,9 +21,9 @@ struct RationalFit {
 /// twice. By relaxed vector fitting (Gustavsen & Semlyen 1999; Gustavsen 2006) with common poles, which are found from
 /// all functions, each over its largest value, with the parts of the equations that belong to single functions
 /// eliminated (Deschrijver et al. 2008). Poles that are not stable are mirrored at the imaginary axis in each
-/// iteration, so that all have negative real parts; of the iterations' fits the best one is returned. Throws Error for
+/// iteration, so that all have negative real parts; of 30 iterations' fits the best one is returned. Throws Error for
 /// values that are not finite, and for fewer than order + 1 frequencies.
 RationalFit fit_rational(std::span<const double> omega, const std::vector<std::vector<std::complex<double>>>& values,
-                         int order, int iterations = 30);
+                         int order);
 
 } // namespace microslip

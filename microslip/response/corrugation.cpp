@@ -21,7 +21,8 @@ Receptance::Receptance(std::vector<double> frequencies, std::vector<Complex> val
     require_finite("receptance.frequency", frequencies_[k], "Hz");
     require_finite("receptance.real", values_[k].real(), "m/N");
     require_finite("receptance.imaginary", values_[k].imag(), "m/N");
-    if (k > 0 && !(frequencies_[k] > frequencies_[k - 1])) throw Error("receptance: frequencies must ascend");
+    if (frequencies_[k] < 0 || (k > 0 && !(frequencies_[k] > frequencies_[k - 1])))
+      throw Error("receptance: frequencies must ascend from 0 on");
   }
 }
 
@@ -46,6 +47,7 @@ std::vector<CorrugationGrowth> corrugation_growth(const FrequencyResponse& respo
   require_positive("width of the running band", wear.width, "m");
   std::vector<CorrugationGrowth> out;
   for (const ForceResponse& r : response.at) {
+    if (r.load_by_roughness == 0.0) throw Error("growth: needs responses to roughness, too");
     const Complex G = receptance.at(speed * r.wavenumber / (2 * std::numbers::pi));
     const Complex force = r.load_by_roughness / (1.0 + response.normal_stiffness * G);
     const Complex work = r.work_by_roughness - r.work_by_load * response.normal_stiffness * G * force;

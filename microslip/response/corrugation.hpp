@@ -12,7 +12,7 @@ namespace microslip {
 /// force, the sum of both bodies' displacements along the forces on them; amplitudes of e^{i omega t}.
 class Receptance {
 public:
-  /// Throws Error unless frequencies [Hz] ascend and there is a finite receptance [m/N] for each.
+  /// Throws Error unless frequencies [Hz] ascend from 0 on and there is a finite receptance [m/N] for each.
   Receptance(std::vector<double> frequencies, std::vector<std::complex<double>> values);
 
   /// Linear between the frequencies. Throws Error beyond them.
@@ -47,7 +47,8 @@ struct CorrugationGrowth {
 /// with G the receptance at the frequency `speed` k/(2 pi), k_H the normal stiffness; and the frictional work
 /// W = W_r r + W_F k_H a. Worn off is c W/B, with the wear coefficient c and the band's width B, so the rate is
 /// -(c/B) W/r. This is the feedback of Hempelmann & Knothe 1996 with the responses of the contact in place of their
-/// linear creep coefficients. Throws Error for frequencies beyond the receptance's.
+/// linear creep coefficients. Throws Error for frequencies beyond the receptance's, and for responses without
+/// roughness.
 std::vector<CorrugationGrowth> corrugation_growth(const FrequencyResponse& response, double speed,
                                                   const Receptance& receptance, const WorkWear& wear);
 

@@ -60,6 +60,7 @@ double ForceElementFit::largest_error() const {
 
 ForceElementFit fit_force_element(const FrequencyResponse& response, double normal_force, int order) {
   constexpr double nothing = 1e-6; // of a response, over the force's largest by inputs of a like size
+  require_positive("normal_force", normal_force, "N");
   if (response.at.empty()) throw Error("fit: there are no responses, as the steady state is not solved");
   ForceElementFit fit{
       .steady = {response.solution.creepage, normal_force},
@@ -142,6 +143,11 @@ public:
     if (out.size() != count) fail("must have " + std::to_string(count) + " numbers");
     return out;
   }
+  /// There is nothing more.
+  void end() {
+    while (!rest_.empty())
+      if (!next().empty()) fail("is after the last pole");
+  }
   [[noreturn]] void fail(const std::string& text) const {
     throw Error("force element, line " + std::to_string(line_) + ": " + text);
   }
@@ -181,14 +187,18 @@ ForceElementFit force_element_from(std::string_view text) {
   std::copy(constants.begin(), constants.end(), fit.constants.begin());
   std::copy(errors.begin(), errors.end(), fit.errors.begin());
   const double count = lines.numbers("poles", 1)[0];
-  if (!(count >= 0 && count <= most_poles)) lines.fail("must be 0 to 1000 poles");
+  if (!(count >= 0 && count <= most_poles) || count != std::floor(count)) lines.fail("must be 0 to 1000 poles");
   for (int n = 0; n < static_cast<int>(count); ++n) {
     const auto numbers = lines.numbers("pole", 2 + 2 * functions);
     if (!(numbers[0] < 0) || numbers[1] < 0) lines.fail("must be a stable pole, of no negative imaginary part");
     fit.poles.emplace_back(numbers[0], numbers[1]);
     auto& residues = fit.residues.emplace_back();
-    for (std::size_t f = 0; f < functions; ++f) residues[f] = {numbers[2 + 2 * f], numbers[3 + 2 * f]};
+    for (std::size_t f = 0; f < functions; ++f) {
+      residues[f] = {numbers[2 + 2 * f], numbers[3 + 2 * f]};
+      if (numbers[1] == 0 && residues[f].imag() != 0) lines.fail("must have real residues, as its pole is");
+    }
   }
+  lines.end();
   return fit;
 }
 

@@ -91,6 +91,12 @@ py::tuple tuple_of(const ElementForces& forces) {
   return py::make_tuple(forces.fx, forces.fy, forces.mz);
 }
 
+ElementInput finite_input(double longitudinal, double lateral, double spin, double normal_force) {
+  return {{require_finite("longitudinal", longitudinal, "-"), require_finite("lateral", lateral, "-"),
+           require_finite("spin", spin, "1/m")},
+          require_finite("normal_force", normal_force, "N")};
+}
+
 void bind_force_element(py::module_& module) {
   py::class_<ForceElement> element(
       module, "ForceElement",
@@ -132,7 +138,7 @@ void bind_force_element(py::module_& module) {
           [](ForceElement& self, double distance, double longitudinal, double lateral, double spin,
              double normal_force) {
             require_between("distance", distance, "m", 0, std::numeric_limits<double>::max());
-            return tuple_of(self.step(distance, {{longitudinal, lateral, spin}, normal_force}));
+            return tuple_of(self.step(distance, finite_input(longitudinal, lateral, spin, normal_force)));
           },
           "distance"_a, "longitudinal"_a, "lateral"_a, "spin"_a, "normal_force"_a,
           "Goes on by a distance rolled [m], over which creepages [-], spin [1/m] and normal force [N] become these,\n"

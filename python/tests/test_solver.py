@@ -225,6 +225,8 @@ class FrequencyResponseTest(unittest.TestCase):
         self.assertEqual(again.step(1e-3, xi, eta, phi, steady.normal_force), element.step(1e-3, xi, eta, phi, steady.normal_force))
         self.assertEqual(microslip.ForceElement.from_text(element.text()).text(), element.text())
         self.assertRaises(microslip.Error, microslip.ForceElement, response, steady.normal_force, 60)
+        self.assertRaisesRegex(microslip.Error, "normal_force", microslip.ForceElement, response, 0.0, 10)
+        self.assertRaisesRegex(microslip.Error, "lateral", element.step, 1e-3, xi, np.nan, phi, steady.normal_force)
 
     def test_remington_filter(self):
         self.assertAlmostEqual(microslip.remington_filter(6e-3, 1.0, 0.0), 1, places=12)

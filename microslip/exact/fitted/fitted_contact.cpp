@@ -253,6 +253,10 @@ private:
 
 namespace {
 
+struct Interval {
+  double low = -infinity, high = infinity;
+};
+
 /// Shares of the load of a pressure's runs.
 class RunShares {
 public:
@@ -262,8 +266,9 @@ public:
     for (const double p : pressure) total_ += p;
   }
 
-  /// Writes the shares of a run's elements.
-  void find(const ContactRun& run, std::span<const FittedElement> elements, std::span<double> shares) const {
+  /// Adds the shares of elements in a run, of which they stand for what lies within the limits.
+  void add(const ContactRun& run, const Interval& limits, std::span<const FittedElement> elements,
+           std::span<double> shares) const {
     const RunProfile profile(grid_, mean_, run);
     const double* begin = &pressure_[static_cast<std::size_t>(run.row) * grid_.mx];
     double load = 0;
@@ -271,8 +276,8 @@ public:
     const double whole = profile.integral(-infinity, infinity);
     for (std::size_t k = 0; k < elements.size(); ++k) {
       const FittedElement& e = elements[k];
-      const double part = profile.integral(e.trails ? -infinity : e.left, e.leads ? infinity : e.right) / whole;
-      shares[k] = part * load / (total_ * e.width() * grid_.dy);
+      const double part = profile.integral(e.trails ? limits.low : e.left, e.leads ? limits.high : e.right) / whole;
+      shares[k] += part * load / (total_ * e.width() * grid_.dy);
     }
   }
 
@@ -283,19 +288,28 @@ private:
   double total_ = 0;
 };
 
-/// The run of a row that has most columns in common with another one; null if none has any.
-const ContactRun* same_run(std::span<const ContactRun> runs, const ContactRun& other) {
-  const ContactRun* found = nullptr;
-  int most = 0;
-  for (const ContactRun& run : runs) {
-    const int common = std::min(run.last, other.last) - std::max(run.first, other.first) + 1;
-    if (run.row == other.row && common > most) found = &run, most = common;
-  }
-  return found;
+std::span<const ContactRun> runs_of_row(std::span<const ContactRun> runs, int row) {
+  const auto [first, last] = std::equal_range(runs.begin(), runs.end(), ContactRun{.row = row},
+                                              [](const ContactRun& a, const ContactRun& b) { return a.row < b.row; });
+  return {first, last};
+}
+
+/// Columns that two runs of a row have in common.
+int common_columns(const ContactRun& a, const ContactRun& b) {
+  return std::max(std::min(a.last, b.last) - std::max(a.first, b.first) + 1, 0);
+}
+
+/// What a run's elements stand for: up to the middles between it and the runs of its row before and after it.
+Interval limits_of(std::span<const ContactRun> runs, std::size_t k) {
+  Interval limits;
+  const ContactRun& run = runs[k];
+  if (k > 0 && runs[k - 1].row == run.row) limits.low = (runs[k - 1].high + run.low) / 2;
+  if (k + 1 < runs.size() && runs[k + 1].row == run.row) limits.high = (run.high + runs[k + 1].low) / 2;
+  return limits;
 }
 
 /// Moves the elements of a run with its edges.
-void move_edges(const ElementGrid& grid, const ContactRun& before, const ContactRun& after,
+void move_edges(const ElementGrid& grid, const ContactRun& before, const Interval& after,
                 std::span<FittedElement> elements) {
   FittedElement& leading = elements.back();
   if (elements.size() == 1 && leading.left == before.low) { // shorter than an element
@@ -321,7 +335,7 @@ FittedContact fit_contact(const ElementGrid& grid, std::span<const double> press
     fit_row(grid, run.row, run.low, run.high, contact.elements, in_steady_rolling,
             follows ? contact.elements.back().right : -infinity);
     contact.load_share.resize(contact.elements.size());
-    shares.find(run, std::span(contact.elements).subspan(first), std::span(contact.load_share).subspan(first));
+    shares.add(run, {}, std::span(contact.elements).subspan(first), std::span(contact.load_share).subspan(first));
   }
   return contact;
 }
@@ -329,19 +343,24 @@ FittedContact fit_contact(const ElementGrid& grid, std::span<const double> press
 FittedContact refitted(FittedContact contact, std::span<const double> before, std::span<const double> pressure) {
   check_pressure(contact.grid, pressure);
   const RunShares shares(contact.grid, pressure);
-  const std::vector<ContactRun> runs = contact_runs(contact.grid, pressure);
+  const std::vector<ContactRun> runs = contact_runs(contact.grid, pressure), olds = contact_runs(contact.grid, before);
+  std::fill(contact.load_share.begin(), contact.load_share.end(), 0.0);
   std::size_t first = 0;
-  for (const ContactRun& run : contact_runs(contact.grid, before)) {
+  for (std::size_t k = 0; k < olds.size(); ++k) {
+    const ContactRun& old = olds[k];
     std::size_t end = first + 1;
     while (end < contact.elements.size() && !contact.elements[end].trails) ++end;
     const std::span elements = std::span(contact.elements).subspan(first, end - first);
     const std::span share = std::span(contact.load_share).subspan(first, end - first);
-    if (const ContactRun* after = same_run(runs, run)) {
-      move_edges(contact.grid, run, *after, elements);
-      shares.find(*after, elements, share);
-    } else {
-      std::fill(share.begin(), share.end(), 0.0);
-    }
+    const Interval limits = limits_of(olds, k);
+    const auto row = runs_of_row(runs, old.row);
+    const auto most = std::max_element(row.begin(), row.end(), [&](const ContactRun& a, const ContactRun& b) {
+      return common_columns(a, old) < common_columns(b, old);
+    });
+    if (most != row.end() && common_columns(*most, old) > 0)
+      move_edges(contact.grid, old, {std::max(most->low, limits.low), std::min(most->high, limits.high)}, elements);
+    for (const ContactRun& run : row) // several into which it has parted
+      if (common_columns(run, old) > 0) shares.add(run, limits, elements, share);
     first = end;
   }
   return contact;

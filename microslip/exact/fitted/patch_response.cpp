@@ -1,5 +1,8 @@
 #include "microslip/exact/fitted/patch_response.hpp"
 
+#include "microslip/decimal.hpp"
+#include "microslip/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -66,6 +69,12 @@ PatchResponse::PatchResponse(RollingPatch patch, const Progress& progress)
 }
 
 PatchResponse::Pressed PatchResponse::pressed(const NormalSolution& normal) const {
+  if (normal.status != Status::ok)
+    throw Error("response: the normal problem is not solved with a little more or less load or roughness: residual " +
+                rounded_text(normal.residual, 2));
+  if (normal.touches_border && !patch_.normal->touches_border)
+    throw Error("grid: with a little more load or roughness contact reaches its rim; responses need a row and a column "
+                "more around it");
   const double capacity = patch_.capacity * normal.normal_force / patch_.normal->normal_force;
   return {{refitted(patch_.rolling->contact(), patch_.normal->pressure, normal.pressure), capacity},
           normal.normal_force,

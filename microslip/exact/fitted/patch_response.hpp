@@ -37,10 +37,10 @@ struct RollingPatch {
 /// for edges to move by a tenth of an element, and elements follow them (refitted). With tractions that stay, the slip
 /// between an element's point, where it is at t, and the end of its path, where that was a time d/V before, changes by
 ///
-///     (du(x_I) - e^{-ikd} du(x_{I+1}))/d - s (e^{-ikd} dx_{I+1} - dx_I)/d + phi (dx_I + e^{-ikd} dx_{I+1})/2 (0, 1)
+///     (du(x_I) - e^{-ikd} du(x_{I+1}))/d - s_u (e^{-ikd} dx_{I+1} - dx_I)/d + phi (dx_I + e^{-ikd} dx_{I+1})/2 (0, 1)
 ///
-/// with du at places that move; forces are those of the tractions' changes, and of the tractions on elements that
-/// change their size.
+/// with du at places that move and s_u = (u(x_I) - u(x_{I+1}))/d (V4); forces are those of the tractions' changes, and
+/// of the tractions on elements that change their size.
 class PatchResponse {
 public:
   /// Throws Stopped.

@@ -15,6 +15,9 @@
 namespace microslip {
 namespace {
 
+/// Of the tractions' residual.
+constexpr double tolerance_of_tractions = 1e-6;
+
 /// Vertical force of the tractions on a patch, each along the axes of its row.
 double vertical_force_of(const ContactGroup& one) {
   const ContactSolution& s = one.solution;
@@ -180,7 +183,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
     const double same_elements = round < 2 ? 5e-4 : 1e-2;
     // The first round is to tell how much of the weight the tangential forces carry.
-    const double tolerance = round == 0 && vertical_force ? 1e-3 : 1e-6;
+    const double tolerance = round == 0 && vertical_force ? 1e-3 : tolerance_of_tractions;
     double vertical = 0;
     for (ContactGroup& one : loaded) {
       if (!(one.exact.normal_force() > 0)) continue;
@@ -191,7 +194,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
     }
     out.residual = vertical_force ? std::abs(vertical / *vertical_force - 1) : 0;
     for (const ContactGroup& one : loaded) out.residual = std::max(out.residual, one.exact.unsettled());
-    if (out.residual <= method.solved_tolerance() && tolerance <= 1e-6) {
+    if (out.residual <= method.solved_tolerance() && tolerance <= tolerance_of_tractions) {
       out.status = Status::ok;
       break;
     }
@@ -329,7 +332,7 @@ std::vector<FrequencyResponse> respond_exact(RowContact& coarse, const WheelStat
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (ContactGroup& one : loaded)
     if (one.exact.normal_force() > 0)
-      responses.push_back(one.exact.respond(friction, wavenumbers, method.solved_tolerance()));
+      responses.push_back(one.exact.respond(friction, wavenumbers, tolerance_of_tractions));
   return responses;
 }
 
