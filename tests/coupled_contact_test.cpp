@@ -207,6 +207,54 @@ TEST(CoupledContact, StepsAndProductsHardlyGrowWithTheGrid) {
       }
 }
 
+/// The load of the k-th of steps in which the contact grows by an element.
+double growing_load(int k) {
+  return load * std::pow(k / 14.0, 3);
+}
+
+TEST(CoupledContact, GrowsOnALargeGridAsOnOneThatFits) {
+  ContactStep small = ball(combine(soft, steel_body), ContactMotion::shift, 20),
+              large = ball(combine(soft, steel_body), ContactMotion::shift, 60);
+  ContactSequence on_small, on_large;
+  for (int k = 2; k <= 12; ++k) {
+    for (ContactStep* step : {&small, &large}) {
+      step->load.value = growing_load(k);
+      step->start = k == 2 ? StepStart::fresh : StepStart::previous;
+      step->warm_start = k > 2;
+    }
+    const ContactStepSolution one = on_small.solve(small), other = on_large.solve(large);
+    ASSERT_EQ(one.report.status, Status::ok);
+    ASSERT_EQ(other.report.status, Status::ok);
+    EXPECT_EQ(one.contact_elements, other.contact_elements);
+    EXPECT_EQ(one.slip_elements, other.slip_elements);
+    EXPECT_NEAR(one.normal.approach, other.normal.approach, 1e-7 * one.normal.approach);
+    EXPECT_NEAR(one.totals.elastic_energy, other.totals.elastic_energy, 1e-6 * std::abs(one.totals.elastic_energy));
+  }
+}
+
+TEST(CoupledContact, TouchesFarAwayWhereTractionsBringTheSurfacesTogether) {
+  ContactStep step = ball(combine(soft, steel_body), ContactMotion::shift, 36);
+  step.load.value = load / 4;
+  step.motion.creepage = {4e-6, 0, 0};
+  const ContactStepSolution before = ContactSequence().solve(step);
+  step.frictionless = true;
+  const ContactStepSolution alone = ContactSequence().solve(step);
+  step.frictionless = false;
+  const auto row = static_cast<std::size_t>(step.grid.my / 2) * static_cast<std::size_t>(step.grid.mx);
+  const auto apart = [](const ContactStepSolution& s, std::size_t k) {
+    return s.normal.displacement[k] - s.normal.approach;
+  };
+  std::size_t found = 0;
+  for (const std::size_t k : {row + 2, row + 33})
+    if (apart(before, k) < apart(alone, k)) found = k;
+  ASSERT_NE(found, 0U);
+  step.gap[found] = -(apart(before, found) + apart(alone, found)) / 2;
+  const ContactStepSolution s = ContactSequence().solve(step);
+  EXPECT_GT(s.normal.pressure[found], 0);
+  EXPECT_EQ(s.report.status, Status::ok);
+  EXPECT_NEAR(s.normal.normal_force, step.load.value, 1e-7 * load);
+}
+
 TEST(CoupledContact, NoContactAndExcludedElements) {
   ContactStep step = ball(combine(soft, steel_body), ContactMotion::steady);
   step.load = {NormalLoad::Given::approach, -1e-6};

@@ -2,10 +2,12 @@
 
 #include "microslip/error.hpp"
 #include "microslip/numerics/kernel/wave_loops.hpp"
+#include "microslip/numerics/toeplitz_row.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,9 +48,20 @@ public:
           double& value = table(b)[static_cast<std::size_t>(j) * lanes + i];
           value = use(value, at_zero) / points;
         }
+    if (my_ != 1 || mx_ > ToeplitzRow<double>::longest) return;
+    std::vector<double> unit(mx_), entries(mx_); // a row that is not long has sums of the same matrix
+    unit[0] = 1;
+    transform(unit, entries);
+    single_row_.emplace(entries);
   }
 
   void apply(std::span<const double> in, std::span<double> out) {
+    if (single_row_) return single_row_->apply(in.data(), out.data());
+    transform(in, out);
+  }
+
+private:
+  void transform(std::span<const double> in, std::span<double> out) {
     const std::size_t two_rows = 2 * static_cast<std::size_t>(mx_);
     const RowPairs<const double> from = {in.data(), in.data() + mx_, two_rows};
     const RowPairs<double> to = {out.data(), out.data() + mx_, two_rows};
@@ -57,7 +70,6 @@ public:
     distribute(waves_.batches(), waves_.threads(), [&](int b, int thread) { waves_.backward(b, to, mx_, thread); });
   }
 
-private:
   Circulant(int mx, int my, int nx, int ny, const TransformPlans& plans, WaveBlocks<double> waves)
       : mx_(mx), my_(my), nx_(nx), ny_(ny), waves_(std::move(waves)), columns_(ny, plans), lines_(ny / 2 + 1) {}
 
@@ -101,17 +113,27 @@ private:
   int lines_;                    ///< of a block in a kernel's transform: ky = 0 .. ny/2
   std::vector<double> spectrum_; ///< with the scaling of the transforms: block after block
   detail::WaveLoops<double> wave_loops_ = detail::wave_loops<double>();
+  std::optional<ToeplitzRow<double>> single_row_; ///< instead of transforms
 };
 
 } // namespace
 
 struct EvenToeplitz::Plans {
-  Circulant matrix, inverse;
+  std::optional<Circulant> matrix; ///< none where only the inverse is wanted
+  Circulant inverse;
   long products = 0;
 
+  Plans(Circulant whole, int mx, int my, const KernelRow& kernel, const TransformPlans& plans)
+      : matrix(std::move(whole)), inverse(*matrix, tight(mx, my), tight(my, mx), plans) {
+    matrix->find_spectrum(kernel, plans, [](double value, double) { return value; });
+    invert(kernel, plans);
+  }
   Plans(int mx, int my, const KernelRow& kernel, const TransformPlans& plans)
-      : matrix(mx, my, padded_size(mx), padded_size(my), plans), inverse(matrix, tight(mx, my), tight(my, mx), plans) {
-    matrix.find_spectrum(kernel, plans, [](double value, double) { return value; });
+      : inverse(mx, my, tight(mx, my), tight(my, mx), plans) {
+    invert(kernel, plans);
+  }
+
+  void invert(const KernelRow& kernel, const TransformPlans& plans) {
     inverse.find_spectrum(kernel, plans,
                           [](double value, double at_zero) { return 1 / std::max(value, smallest_share * at_zero); });
   }
@@ -120,7 +142,11 @@ struct EvenToeplitz::Plans {
 EvenToeplitz::EvenToeplitz(int mx, int my, const KernelRow& kernel, const TransformPlans& plans) {
   require_count("mx", mx, 1, 100000000);
   require_count("my", my, 1, 100000000);
-  plans_ = std::make_unique<Plans>(mx, my, kernel, plans);
+  plans_ = std::make_unique<Plans>(Circulant(mx, my, padded_size(mx), padded_size(my), plans), mx, my, kernel, plans);
+}
+EvenToeplitz::EvenToeplitz(std::unique_ptr<Plans> plans) : plans_(std::move(plans)) {}
+EvenToeplitz EvenToeplitz::circulant_inverse(int mx, int my, const KernelRow& kernel, const TransformPlans& plans) {
+  return EvenToeplitz(std::make_unique<Plans>(mx, my, kernel, plans));
 }
 EvenToeplitz::EvenToeplitz(EvenToeplitz&&) noexcept = default;
 EvenToeplitz& EvenToeplitz::operator=(EvenToeplitz&&) noexcept = default;
@@ -132,7 +158,7 @@ long EvenToeplitz::products() const {
 
 void EvenToeplitz::apply(std::span<const double> in, std::span<double> out) {
   ++plans_->products;
-  plans_->matrix.apply(in, out);
+  plans_->matrix->apply(in, out);
 }
 
 void EvenToeplitz::apply_circulant_inverse(std::span<const double> in, std::span<double> out) {

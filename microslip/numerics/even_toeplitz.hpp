@@ -26,6 +26,9 @@ public:
   /// again from 0 to half of the inverse's period. It must be largest, and positive, at 0. Throws Error for a grid
   /// without elements.
   EvenToeplitz(int mx, int my, const KernelRow& kernel, const TransformPlans& plans = {});
+  /// Only the circulant inverse; products with the matrix are not for it. The kernel is asked for half of the inverse's
+  /// period.
+  static EvenToeplitz circulant_inverse(int mx, int my, const KernelRow& kernel, const TransformPlans& plans = {});
   EvenToeplitz(EvenToeplitz&&) noexcept;
   EvenToeplitz& operator=(EvenToeplitz&&) noexcept;
   ~EvenToeplitz();
@@ -39,6 +42,8 @@ public:
 
 private:
   struct Plans;
+  explicit EvenToeplitz(std::unique_ptr<Plans> plans);
+
   std::unique_ptr<Plans> plans_;
 };
 

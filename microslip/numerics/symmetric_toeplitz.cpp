@@ -2,10 +2,13 @@
 
 #include "microslip/numerics/kernel/wave_loops.hpp"
 #include "microslip/numerics/precision.hpp"
+#include "microslip/numerics/toeplitz_row.hpp"
 #include "microslip/numerics/wave_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +41,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
   std::vector<Real> kernels; ///< xx, xy, yy of a block's waves, for ky = 0 .. ny/2; block after block
   ColumnTransforms<Real> columns;
   detail::WaveLoops<Real> wave_loops = detail::wave_loops<Real>();
+  std::optional<std::array<ToeplitzRow<Real>, 2>> single_row; ///< instead of transforms, of x and y
   long products = 0;
 
   Plans(int x_count, int y_count, int period_x, int period_y, const TransformPlans& plans)
@@ -51,6 +55,7 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
       for (int ky = 0; ky <= ny / 2; ++ky)
         for (int component = 0; component < 3; ++component)
           kernels[index(kx, ky, component)] = static_cast<Real>(factor * other.kernels[other.index(kx, ky, component)]);
+    find_single_row();
   }
 
   std::size_t field_size() const { return static_cast<std::size_t>(mx) * my; }
@@ -67,6 +72,17 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
     distribute(waves.batches_of(2 * rows), waves.threads(),
                [&](int b, int thread) { transform_kernel_rows(of, b, rows, thread); });
     distribute(waves.count(), waves.threads(), [&](int b, int thread) { find_spectra_of_block(b, rows, thread, use); });
+    find_single_row();
+  }
+
+  /// A row that is not long has sums of the same matrix, which are what transforms make of a unit; xy is zero there.
+  void find_single_row() {
+    single_row.reset();
+    if (my != 1 || mx > ToeplitzRow<Real>::longest) return;
+    std::vector<Real> unit(mx), xx(mx), yy(mx);
+    unit[0] = 1;
+    transform({unit.data(), unit.data(), 0}, {xx.data(), yy.data(), 0});
+    single_row.emplace(std::array{ToeplitzRow<Real>(xx), ToeplitzRow<Real>(yy)});
   }
 
   /// Transforms the kernel rows of a batch.
@@ -133,6 +149,12 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
 
   void apply(const RowPairs<const Real>& in, const RowPairs<Real>& out) {
     ++products;
+    if (!single_row) return transform(in, out);
+    (*single_row)[0].apply(in.even, out.even);
+    (*single_row)[1].apply(in.odd, out.odd);
+  }
+
+  void transform(const RowPairs<const Real>& in, const RowPairs<Real>& out) {
     distribute(waves.batches(), waves.threads(), [&](int b, int thread) { waves.forward(b, in, mx, thread); });
     distribute(waves.count(), waves.threads(), [&](int b, int thread) { convolve_columns(b, thread); });
     distribute(waves.batches(), waves.threads(), [&](int b, int thread) { waves.backward(b, out, mx, thread); });

@@ -64,21 +64,9 @@ bool is_beyond(const ContactStep& step, const ElementFriction& friction, const F
 CoupledContact::CoupledContact(const Bodies& bodies, const ElementGrid& grid, const ElementResponse& response,
                                const Progress& progress)
     : bodies_(bodies), grid_(require_memory(ContactProblem::coupled, grid)), response_(response),
-      displacement_(CoupledOperator::displacement(bodies, grid, {}, 1, progress, response)),
-      normal_(response.table ? NormalProblem(*response.table, grid) : NormalProblem(bodies.material, grid, progress)) {}
-
-CoupledOperator& CoupledContact::coupled_operator(const TangentialInput& motion, double step) {
-  if (motion.motion == ContactMotion::shift) return displacement_;
-  const Vec2 offset = way_of(motion, step);
-  if (motion_ != motion.motion || step_.x != offset.x || step_.y != offset.y) {
-    coupled_operator_ = std::make_unique<CoupledOperator>(
-        motion.motion == ContactMotion::steady
-            ? CoupledOperator::difference(bodies_, grid_, offset, motion.progress, response_)
-            : CoupledOperator::displacement(bodies_, grid_, {}, std::abs(step), motion.progress, response_));
-    motion_ = motion.motion;
-    step_ = offset;
-  }
-  return *coupled_operator_;
+      operators_(bodies, grid, response),
+      normal_(response.table ? NormalProblem(*response.table, grid) : NormalProblem(bodies.material, grid, progress)) {
+  operators_.displacement(progress);
 }
 
 /// Adds what a particle loses of its previous displacement over the step.
@@ -90,22 +78,11 @@ void CoupledContact::add_previous(const TangentialInput& motion, double step, co
   const Field none(n);
   const auto or_none = [&](const Field& f) { return std::span(f.empty() ? none : f); };
   Field ux(n), uy(n);
-  displacement_at(way_of(motion, shift ? 0 : step), motion.progress)
+  operators_.displacement_at(way_of(motion, shift ? 0 : step), motion.progress)
       .apply({or_none(previous.traction.x), or_none(previous.traction.y), or_none(previous.pressure)},
              std::array{std::span(ux), std::span(uy)});
   const double length = shift ? 1 : std::abs(step);
   for (std::size_t k = 0; k < n; ++k) cx[k] -= ux[k] / length, cy[k] -= uy[k] / length;
-}
-
-/// Displacements at the points `offset` further.
-CoupledOperator& CoupledContact::displacement_at(Vec2 offset, const Progress& progress) {
-  if (offset.x == 0 && offset.y == 0) return displacement_;
-  if (!ahead_ || offset_.x != offset.x || offset_.y != offset.y) {
-    ahead_ = std::make_unique<CoupledOperator>(
-        CoupledOperator::displacement(bodies_, grid_, offset, 1, progress, response_));
-    offset_ = offset;
-  }
-  return *ahead_;
 }
 
 void CoupledContact::find_displacements(ContactStepSolution& out) {
@@ -113,8 +90,8 @@ void CoupledContact::find_displacements(ContactStepSolution& out) {
   out.fields.displacement = VectorField(n);
   out.normal.displacement.resize(n);
   auto& [ux, uy] = out.fields.displacement;
-  displacement_.apply({out.fields.traction.x, out.fields.traction.y, out.normal.pressure},
-                      std::array{std::span(ux), std::span(uy), std::span(out.normal.displacement)});
+  operators_.displacement().apply({out.fields.traction.x, out.fields.traction.y, out.normal.pressure},
+                                  std::array{std::span(ux), std::span(uy), std::span(out.normal.displacement)});
 }
 
 /// The pressure without tractions.
@@ -124,6 +101,67 @@ NormalSolution CoupledContact::solve_alone(const ContactStep& step) {
   alone.frictionless = true;
   alone.force_x = alone.force_y = {};
   return solve_newton(alone, {Field(grid_.count())}, {}, {}).normal;
+}
+
+/// The part of the grid where a step's elements touch, if it is enough to solve for these: that they are elsewhere
+/// apart is seen afterwards.
+GridPart CoupledContact::part_in_contact(const ContactStep& step, const ElementFriction& friction,
+                                         const Field& pressure) const {
+  const bool any_will_do = bodies_.are_elastic() && response_.is_half_space() && !grid_.line && !step.frictionless;
+  return any_will_do && !friction.slip_dependent ? GridPart::around(pressure, grid_) : GridPart(grid_);
+}
+
+CoupledOperators& CoupledContact::operators_on(const GridPart& part) {
+  if (part.is_whole()) return operators_;
+  const ElementGrid& grid = part.grid();
+  if (!part_operators_ || part_operators_->grid().mx != grid.mx || part_operators_->grid().my != grid.my)
+    part_operators_.emplace(bodies_, grid);
+  return *part_operators_;
+}
+
+/// Solves the equations of a part's elements.
+CoupledFrictionSolution CoupledContact::solve_on(const GridPart& part, const ContactStep& step,
+                                                 const ElementFriction& friction, const StepFields& fields,
+                                                 std::span<const CoupledFrictionStart> starts,
+                                                 const CoupledNewton::Options& options) {
+  CoupledOperators& operators = operators_on(part);
+  // Without tractions motion does not matter.
+  CoupledOperator& response = step.frictionless ? operators.displacement(step.motion.progress)
+                                                : operators.slip(step.motion, signed_step(step.motion, grid_));
+  const Field gap = part.cut(fields.gap), cx = part.cut(fields.cx), cy = part.cut(fields.cy),
+              coefficients = part.cut(friction.coefficients);
+  std::vector<std::array<Field, 3>> there;
+  std::vector<CoupledFrictionStart> begins;
+  for (const CoupledFrictionStart& start : starts)
+    there.push_back({part.cut(start.px), part.cut(start.py), part.cut(start.pressure)});
+  for (const auto& [px, py, pressure] : there) begins.push_back({px, py, pressure});
+  if (step.motion.motion == ContactMotion::steady && !step.frictionless)
+    response.expect_contact(part.cut(fields.pressure_alone), step.motion.direction);
+  CoupledFrictionSolution s = newton_.solve({response, gap, step.load, coefficients, cx, cy, grid_.element_area(),
+                                             step.frictionless ? std::nullopt : step.force_x,
+                                             step.frictionless ? std::nullopt : step.force_y, friction.slip_dependent},
+                                            options, begins);
+  if (part.is_whole()) return s;
+  s.pressure = part.spread(s.pressure);
+  FrictionSolution& f = s.friction;
+  for (Field* field : {&f.traction.x, &f.traction.y, &f.slip.x, &f.slip.y}) *field = part.spread(*field);
+  f.sliding = part.spread(f.sliding);
+  return s;
+}
+
+/// Takes pressure and tractions, and finds what they displace.
+void CoupledContact::take(const CoupledFrictionSolution& s, ContactStepSolution& out) {
+  out.normal.pressure = s.pressure;
+  out.normal.approach = s.approach;
+  out.fields.traction = s.friction.traction;
+  find_displacements(out);
+}
+
+/// Whether the surfaces would overlap beyond a part of the grid.
+bool CoupledContact::overlaps_beyond(const GridPart& part, const Field& gap, const NormalSolution& normal) {
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    if (gap[k] + normal.displacement[k] < normal.approach && !part.has(k)) return true;
+  return false;
 }
 
 ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const ElementFriction& friction,
@@ -137,69 +175,68 @@ ContactStepSolution CoupledContact::solve_newton(const ContactStep& step, const 
   out.creepage = step.motion.creepage;
   if (step.force_x) out.creepage.longitudinal = 0;
   if (step.force_y) out.creepage.lateral = 0;
-  Field cx(n), cy(n);
-  find_rigid_slip(grid_, motion_of(step), out.creepage, distance, cx, cy);
-  add_previous(step.motion, distance, previous, cx, cy);
-
-  const Field gap = gap_within(step);
   const NormalSolution alone = solve_alone(step);
   if (alone.contact_elements == 0) {
     out.normal = alone;
     return out;
   }
-  // Without tractions motion does not matter.
-  CoupledOperator& response = step.frictionless ? displacement_ : coupled_operator(step.motion, distance);
-  if (step.motion.motion == ContactMotion::steady && !step.frictionless)
-    response.expect_contact(alone.pressure, step.motion.direction);
+  StepFields fields{gap_within(step), Field(n), Field(n), alone.pressure};
+  find_rigid_slip(grid_, motion_of(step), out.creepage, distance, fields.cx, fields.cy);
+  add_previous(step.motion, distance, previous, fields.cx, fields.cy);
+
   const bool starts = !start.traction.x.empty() && !start.pressure.empty();
-  const CoupledFrictionProblem problem{response,
-                                       gap,
-                                       step.load,
-                                       friction.coefficients,
-                                       cx,
-                                       cy,
-                                       grid_.element_area(),
-                                       step.frictionless ? std::nullopt : step.force_x,
-                                       step.frictionless ? std::nullopt : step.force_y,
-                                       friction.slip_dependent};
   // Where this start is good it takes some ten steps; where it is not, another one is better than to go on.
   CoupledNewton::Options options{.tolerance = step.motion.tolerance,
                                  .most_steps = 30,
+                                 .shortest_step = step.motion.shortest_step,
                                  .budget = step.motion.budget,
                                  .progress = step.motion.progress};
-  CoupledFrictionSolution s = newton_.solve(
-      problem, options,
-      {start.traction.x, start.traction.y, starts ? std::span(start.pressure) : std::span(alone.pressure)});
-  if (s.friction.report.status == Status::not_converged &&
-      !is_trial(step)) { // tractions that belong to a pressure are a better start
+  CoupledFrictionSolution s;
+  SolverReport& report = s.friction.report;
+  const auto solve = [&](const GridPart& part, std::span<const CoupledFrictionStart> from) {
+    const long products = report.products;
+    const int newton_steps = report.newton_steps;
+    s = solve_on(part, step, friction, fields, from, options);
+    report.products += products;
+    report.newton_steps += newton_steps;
+    take(s, out);
+  };
+  const GridPart part = part_in_contact(step, friction, alone.pressure), whole(grid_);
+  std::vector<CoupledFrictionStart> from = {
+      {start.traction.x, start.traction.y, starts ? start.pressure : alone.pressure}};
+  const auto forecast = forecast_.next(grid_, friction.coefficients, start, alone.pressure);
+  if (forecast) from.push_back({forecast->traction.x, forecast->traction.y, forecast->pressure});
+  solve(part, from);
+  if (report.status == Status::ok && !part.is_whole() && overlaps_beyond(part, fields.gap, normal)) {
+    const CoupledFrictionSolution in_part = s;
+    const VectorField& tractions = in_part.friction.traction;
+    solve(whole, std::array{CoupledFrictionStart{tractions.x, tractions.y, in_part.pressure}});
+  }
+  if (report.status == Status::not_converged && !is_trial(step)) { // tractions of a pressure are a better start
     ContactStepSolution with_pressure;
     find_tangential(step, friction, alone.pressure, previous, start, with_pressure);
     const VectorField& better = with_pressure.fields.traction;
-    long products = s.friction.report.products + with_pressure.report.products;
-    int newton_steps = s.friction.report.newton_steps + with_pressure.report.newton_steps;
+    report.products += with_pressure.report.products;
+    report.newton_steps += with_pressure.report.newton_steps;
     for (const bool preconditioned : {true, false}) {
-      if (s.friction.report.status == Status::ok || is_spent(step.motion.budget)) break;
+      if (report.status == Status::ok || is_spent(step.motion.budget)) break;
       options.preconditioned = preconditioned;
       options.most_steps = most_newton_steps;
-      s = newton_.solve(problem, options, {better.x, better.y, alone.pressure});
-      s.friction.report.products = products += s.friction.report.products;
-      s.friction.report.newton_steps = newton_steps += s.friction.report.newton_steps;
+      solve(whole, std::array{CoupledFrictionStart{better.x, better.y, alone.pressure}});
     }
   }
 
-  normal.pressure = std::move(s.pressure);
-  normal.approach = s.approach;
-  normal.residual = s.friction.report.residual;
-  normal.products = s.friction.report.products + alone.products;
-  normal.iterations = s.friction.report.newton_steps;
-  normal.status = s.friction.report.status == Status::no_solution ? alone.status : s.friction.report.status;
+  normal.residual = report.residual;
+  normal.products = report.products + alone.products;
+  normal.iterations = report.newton_steps;
+  normal.status = report.status == Status::no_solution ? alone.status : report.status;
   out.creepage.longitudinal += s.friction.constants.x;
   out.creepage.lateral += s.friction.constants.y;
   out.fields.bound = normal.pressure;
   for (std::size_t k = 0; k < n; ++k) out.fields.bound[k] *= friction.coefficients[k];
-  out.fields.traction = s.friction.traction;
-  find_displacements(out);
   find_totals(grid_, step.gap, normal);
+  if (report.status == Status::ok && !step.frictionless)
+    forecast_.remember({.traction = out.fields.traction, .pressure = normal.pressure}, alone.pressure);
   finish(step.motion, std::move(s.friction), out);
   return out;
 }
@@ -213,7 +250,7 @@ void CoupledContact::find_tangential(const ContactStep& step, const ElementFrict
   const double distance = signed_step(step.motion, grid_);
   const Field none(n);
   Field extra_x(n), extra_y(n), bound(n);
-  coupled_operator(step.motion, distance)
+  operators_.slip(step.motion, distance)
       .apply({none, none, pressure}, std::array{std::span(extra_x), std::span(extra_y)});
   add_previous(step.motion, distance, {.pressure = previous.pressure}, extra_x, extra_y);
   double force = 0;
@@ -254,7 +291,8 @@ ContactStepSolution CoupledContact::solve_alternating(const ContactStep& step, c
   long products = 0;
   for (out.alternations = 1;; ++out.alternations) {
     const auto& [px, py] = tractions.traction;
-    if (!px.empty()) displacement_.apply({px, py, none}, std::array{std::span(ux), std::span(uy), std::span(uz)});
+    if (!px.empty())
+      operators_.displacement().apply({px, py, none}, std::array{std::span(ux), std::span(uy), std::span(uz)});
     for (std::size_t k = 0; k < n; ++k) normal_step.gap[k] = step.gap[k] + uz[k];
     out.normal = solve_normal(normal_, normal_step);
     products += out.normal.products;
@@ -331,7 +369,7 @@ ForceChanges CoupledContact::differentiate(const ContactStep& step, std::span<co
   constexpr double tolerance = 1e-7; // of the linear systems' residual
   const auto n = grid_.count();
   const double distance = signed_step(step.motion, grid_);
-  CoupledOperator& response = coupled_operator(step.motion, distance);
+  CoupledOperator& response = operators_.slip(step.motion, distance);
   response.expect_contact(solution.fields.pressure, step.motion.direction);
   Field cx(n), cy(n);
   find_rigid_slip(grid_, motion_of(step), solution.creepage, distance, cx, cy);

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "microslip/exact/classical/contact_step.hpp"
+#include "microslip/exact/classical/coupled_forecast.hpp"
+#include "microslip/exact/classical/coupled_operators.hpp"
 #include "microslip/exact/classical/force_changes.hpp"
+#include "microslip/exact/classical/grid_part.hpp"
 #include "microslip/exact/newton/coupled_newton.hpp"
 
 #include <memory>
@@ -37,9 +40,20 @@ public:
 private:
   using Field = std::vector<double>;
 
-  CoupledOperator& displacement_at(Vec2 offset, const Progress& progress);
-  CoupledOperator& coupled_operator(const TangentialInput& motion, double step);
+  /// What a step's equations know of each element.
+  struct StepFields {
+    Field gap, cx, cy;    ///< as of CoupledFrictionProblem
+    Field pressure_alone; ///< without tractions
+  };
+
+  CoupledOperators& operators_on(const GridPart& part);
+  GridPart part_in_contact(const ContactStep& step, const ElementFriction& friction, const Field& pressure) const;
   void add_previous(const TangentialInput& motion, double step, const TangentialState& previous, Field& cx, Field& cy);
+  CoupledFrictionSolution solve_on(const GridPart& part, const ContactStep& step, const ElementFriction& friction,
+                                   const StepFields& fields, std::span<const CoupledFrictionStart> starts,
+                                   const CoupledNewton::Options& options);
+  void take(const CoupledFrictionSolution& s, ContactStepSolution& out);
+  static bool overlaps_beyond(const GridPart& part, const Field& gap, const NormalSolution& normal);
   ContactStepSolution solve_newton(const ContactStep& step, const ElementFriction& friction,
                                    const TangentialState& previous, const TangentialState& start);
   ContactStepSolution solve_alternating(const ContactStep& step, const ElementFriction& friction,
@@ -54,15 +68,12 @@ private:
   Bodies bodies_;
   ElementGrid grid_;
   ElementResponse response_;
-  CoupledOperator displacement_;
-  NormalProblem normal_;                              ///< of the bodies as if they were similar and elastic
-  std::unique_ptr<TangentialProblem> tangential_;     ///< with the pressure given
-  std::unique_ptr<CoupledOperator> coupled_operator_; ///< kept for the next problem of the same motion and step
-  ContactMotion motion_ = ContactMotion::shift;
-  Vec2 step_ = {};
-  std::unique_ptr<CoupledOperator> ahead_; ///< displacements further on, kept for the next step of the same length
-  Vec2 offset_ = {};                       ///< of it
+  CoupledOperators operators_;
+  std::optional<CoupledOperators> part_operators_; ///< of a part of the grid, for the next one of its size
+  NormalProblem normal_;                           ///< of the bodies as if they were similar and elastic
+  std::unique_ptr<TangentialProblem> tangential_;  ///< with the pressure given
   CoupledNewton newton_;
+  CoupledForecast forecast_;
 };
 
 } // namespace microslip

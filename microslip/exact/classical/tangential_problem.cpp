@@ -289,8 +289,11 @@ ContactSolution TangentialProblem::solve(std::span<const double> bound, const Ta
   find_free_slip(input, out.creepage, step, entering, cx, cy);
 
   const bool steady = input.motion == ContactMotion::steady;
-  FrictionNewton::Options options{
-      .tolerance = input.tolerance, .most_steps = input.most_steps, .budget = input.budget, .progress = input.progress};
+  FrictionNewton::Options options{.tolerance = input.tolerance,
+                                  .most_steps = input.most_steps,
+                                  .shortest_step = input.shortest_step,
+                                  .budget = input.budget,
+                                  .progress = input.progress};
   FrictionStart start;
   CoarseStart coarse;
   if (input.start) {

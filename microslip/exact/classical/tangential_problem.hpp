@@ -38,6 +38,7 @@ struct TangentialInput {
   /// step makes, see FrictionNewton::Options::before.
   double tolerance = 1e-6;
   int most_steps = most_newton_steps;
+  double shortest_step = 0;       ///< of Newton's steps, as of NewtonLimits
   NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
   /// Called after each Newton step; false ends the iteration, with status not_converged. While influence coefficients
   /// are computed false ends with Stopped.

@@ -142,6 +142,7 @@ CoupledKernel coupled_kernel(const Bodies& bodies, const ElementGrid& grid, cons
   const OffsetTable empty(grid);
   const bool is_displacement = !rate.before && rate.shift.x == 0 && rate.shift.y == 0;
   CoupledKernel kernel{{empty, empty, empty}, {}, empty, empty, empty, empty, empty, is_displacement};
+  if (is_displacement && bodies.are_elastic()) kernel.symmetric_over = rate.length;
   for_offsets(bodies, grid, rate, progress, [&](int i, int j, const Influence& slip, const Influence& here) {
     kernel.slip.xx.at(i, j) = slip.xx;
     kernel.slip.xy.at(i, j) = slip.xy;

@@ -110,6 +110,8 @@ struct CoupledKernel {
   OffsetTable xz, yz;            ///< slip from the pressure
   OffsetTable zx, zy, zz;        ///< normal displacement [m] from tractions and pressure
   bool is_displacement;          ///< slip is a displacement at the elements' centres over a length
+  /// Which is this, where the kernel has the symmetries of CoupledToeplitz [m]; none: it has not.
+  std::optional<double> symmetric_over = {};
 
   /// Kernels of CoupledOperator::displacement and CoupledOperator::difference.
   static CoupledKernel displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift = {}, double length = 1,

@@ -30,10 +30,14 @@ std::vector<double> even_part(const OffsetTable& kernel) {
   return values;
 }
 
-SymmetricToeplitz<double> near_inverse(const ElementGrid& grid, const std::vector<double>& xx, std::vector<double> xy,
-                                       const std::vector<double>& yy) {
-  xy.resize(xx.size());
-  return SymmetricToeplitz<double>::near_inverse(grid.mx, grid.my, {xx, xy, yy.empty() ? xx : yy});
+/// Of a kernel's even part; half of the inverse's period may be a little more than the grid.
+EvenToeplitz inverse_of_even_part(const OffsetTable& kernel) {
+  return EvenToeplitz::circulant_inverse(
+      kernel.mx(), kernel.my(), [even = even_part(kernel), &kernel](int j, std::span<double> entries) {
+        const double* row = &even[static_cast<std::size_t>(std::min(j, kernel.my() - 1)) * kernel.mx()];
+        for (std::size_t k = 0; k < entries.size(); ++k)
+          entries[k] = row[std::min(static_cast<int>(k), kernel.mx() - 1)];
+      });
 }
 
 } // namespace
@@ -79,20 +83,36 @@ void TangentialOperator::apply(std::span<const double> px, std::span<const doubl
 }
 
 CoupledOperator::CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid, const WeightedPatches& patches)
-    : grid_(grid), patches_(patches), transform_(grid.mx, grid.my, 3),
-      xx_(transform_.kernel_spectrum(kernel.slip.xx.values())),
-      xy_(transform_.kernel_spectrum(kernel.slip.xy.values())),
-      yx_(kernel.yx ? transform_.kernel_spectrum(kernel.yx->values()) : ToeplitzTransform::Spectrum()),
-      yy_(transform_.kernel_spectrum(kernel.slip.yy.values())), xz_(transform_.kernel_spectrum(kernel.xz.values())),
-      yz_(transform_.kernel_spectrum(kernel.yz.values())), zx_(transform_.kernel_spectrum(kernel.zx.values())),
-      zy_(transform_.kernel_spectrum(kernel.zy.values())), zz_(transform_.kernel_spectrum(kernel.zz.values())),
-      slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)), slip_scale_(slip_diagonal_),
-      normal_scale_(normal_diagonal_), normal_inverse_(near_inverse(grid, even_part(kernel.zz), {}, {})) {
+    : grid_(grid), patches_(patches), slip_diagonal_(kernel.slip.diagonal()), normal_diagonal_(kernel.zz.at(0, 0)),
+      slip_scale_(slip_diagonal_), normal_scale_(normal_diagonal_), normal_inverse_(inverse_of_even_part(kernel.zz)) {
+  transform(kernel);
   normal_scale_ = middle_eigenvalue(even_part(kernel.zz), grid.mx);
   if (!kernel.is_displacement) return;
   const auto xx = even_part(kernel.slip.xx), xy = quadrant(kernel.slip.xy), yy = even_part(kernel.slip.yy);
-  slip_inverse_ = near_inverse(grid, xx, xy, yy);
+  slip_inverse_ = NearInverse::near_inverse(grid.mx, grid.my, {xx, xy, yy});
   slip_scale_ = (middle_eigenvalue(xx, grid.mx) + middle_eigenvalue(yy, grid.mx)) / 2;
+}
+
+void CoupledOperator::transform(const CoupledKernel& kernel) {
+  const TangentialKernel& slip = kernel.slip;
+  if (kernel.symmetric_over) {
+    length_ = *kernel.symmetric_over;
+    const auto displacement = [&](const OffsetTable& of) {
+      std::vector<double> values = quadrant(of);
+      for (double& value : values) value *= length_;
+      return values;
+    };
+    symmetric_.emplace(grid_.mx, grid_.my,
+                       CoupledToeplitz::Kernels{displacement(slip.xx), displacement(slip.xy), displacement(slip.yy),
+                                                displacement(kernel.xz), displacement(kernel.yz), quadrant(kernel.zz)});
+    return;
+  }
+  transform_.emplace(grid_.mx, grid_.my, 3);
+  const auto spectrum = [&](const OffsetTable& of) { return transform_->kernel_spectrum(of.values()); };
+  xx_ = spectrum(slip.xx), xy_ = spectrum(slip.xy), yy_ = spectrum(slip.yy);
+  if (kernel.yx) yx_ = spectrum(*kernel.yx);
+  xz_ = spectrum(kernel.xz), yz_ = spectrum(kernel.yz);
+  zx_ = spectrum(kernel.zx), zy_ = spectrum(kernel.zy), zz_ = spectrum(kernel.zz);
 }
 
 CoupledOperator CoupledOperator::displacement(const Bodies& bodies, const ElementGrid& grid, Vec2 shift, double length,
@@ -137,7 +157,8 @@ void CoupledOperator::precondition_tractions(std::span<const double> px, std::sp
 }
 
 void CoupledOperator::precondition_pressure(std::span<const double> pressure, std::span<double> q) {
-  normal_inverse_.apply(pressure, {}, normal_scale_, q, {});
+  normal_inverse_.apply_circulant_inverse(pressure, q);
+  for (double& value : q) value *= normal_scale_;
 }
 
 void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> out) {
@@ -150,10 +171,16 @@ void CoupledOperator::apply(const Fields& p, std::span<const std::span<double>> 
 /// Applies the operator without the patches' factors.
 void CoupledOperator::apply_alike(const Fields& p, std::span<const std::span<double>> out) {
   if (inclined_) return inclined_->apply(p, out);
-  transform_.load(p);
+  if (symmetric_) {
+    symmetric_->apply({p[0], p[1], p[2]}, {out[0], out[1], out.size() > 2 ? out[2] : std::span<double>()});
+    for (std::size_t c = 0; c < 2 && length_ != 1; ++c)
+      for (double& s : out[c]) s /= length_;
+    return;
+  }
+  transform_->load(p);
   const std::array<const ToeplitzTransform::Spectrum*, 9> kernels = {
       &xx_, &xy_, &xz_, yx_.empty() ? &xy_ : &yx_, &yy_, &yz_, &zx_, &zy_, &zz_};
-  transform_.apply(std::span(kernels).first(3 * out.size()), out);
+  transform_->apply(std::span(kernels).first(3 * out.size()), out);
 }
 
 /// Adds what the factors change of the normal displacement that a patch's pressure causes.

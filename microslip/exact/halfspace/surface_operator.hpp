@@ -8,6 +8,7 @@
 #include "microslip/exact/halfspace/rolling_preconditioner.hpp"
 #include "microslip/exact/halfspace/slip_operator.hpp"
 #include "microslip/exact/halfspace/table_rolling_preconditioner.hpp"
+#include "microslip/numerics/coupled_toeplitz.hpp"
 #include "microslip/numerics/even_toeplitz.hpp"
 #include "microslip/numerics/symmetric_toeplitz.hpp"
 #include "microslip/numerics/toeplitz.hpp"
@@ -107,23 +108,28 @@ public:
   /// Sets the elements that are about in contact, those with a pressure, for steady rolling.
   void expect_contact(std::span<const double> pressure, RollingDirection direction);
 
-  long products() const { return inclined_ ? inclined_->products() : transform_.products(); }
+  long products() const {
+    return inclined_ ? inclined_->products() : symmetric_ ? symmetric_->products() : transform_->products();
+  }
 
 private:
   using NearInverse = SymmetricToeplitz<double>;
 
   CoupledOperator(const CoupledKernel& kernel, const ElementGrid& grid, const WeightedPatches& patches);
+  void transform(const CoupledKernel& kernel);
   void apply_alike(const Fields& p, std::span<const std::span<double>> out);
   void add_weight_of(int patch, std::span<const double> pressure, std::span<double> displacement);
 
   ElementGrid grid_;
   WeightedPatches patches_;
-  ToeplitzTransform transform_;
-  ToeplitzTransform::Spectrum xx_, xy_, yx_, yy_, xz_, yz_, zx_, zy_, zz_; ///< no yx: it is xy
+  std::optional<CoupledToeplitz> symmetric_;   ///< displacements, where these have its symmetries; slip is over ...
+  double length_ = 1;                          ///< [m]
+  std::optional<ToeplitzTransform> transform_; ///< else
+  ToeplitzTransform::Spectrum xx_, xy_, yx_, yy_, xz_, yz_, zx_, zy_, zz_; ///< of it; no yx: it is xy
   double slip_diagonal_, normal_diagonal_, slip_scale_, normal_scale_;
   std::optional<InclinedProduct> inclined_; ///< instead of the spectra
   std::optional<NearInverse> slip_inverse_; ///< of displacements
-  NearInverse normal_inverse_;
+  EvenToeplitz normal_inverse_;
   std::optional<RollingPreconditioner<double>> rolling_;    ///< of differences, of half-spaces
   std::optional<TableRollingPreconditioner> table_rolling_; ///< and with a table
 };

@@ -4,6 +4,8 @@
 #include "microslip/exact/newton/newton_budget.hpp"
 #include "microslip/numerics/gmres.hpp"
 
+#include <span>
+
 namespace microslip {
 
 /// Solves for pressure and tractions simultaneously by a semi-smooth Newton method for p_n - max(0, p_n - r e) = 0 and,
@@ -15,14 +17,16 @@ public:
   struct Options {
     double tolerance = 1e-6;
     int most_steps = 200;
+    double shortest_step = 0;       ///< as of NewtonLimits
     NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     bool preconditioned = true;     ///< else slower, and at times where that does not converge
     Progress progress = {};         ///< called after each step and before each product; false ends the iteration
   };
 
-  /// Forces that no creepage gives end at once, with the pressure of the start: full_sliding().
+  /// Begins with the start that has the least residual; each further one costs a product. Forces that no creepage gives
+  /// end at once, with the pressure of the first: full_sliding().
   CoupledFrictionSolution solve(const CoupledFrictionProblem& problem, const Options& options,
-                                const CoupledFrictionStart& start);
+                                std::span<const CoupledFrictionStart> starts);
 
 private:
   Gmres<double> gmres_;

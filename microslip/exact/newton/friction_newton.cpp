@@ -39,7 +39,7 @@ FrictionSolution FrictionNewton::solve(const FrictionProblem& problem, const Opt
   }
   goal = std::max(goal / equations.strictness(), std::min(goal, least_goal * equations.scale()));
   if (!options.before || !is(start, *options.before)) equations.start(start, x, slip);
-  const NewtonLimits limits{goal, options.most_steps, options.budget, options.progress};
+  const NewtonLimits limits{goal, options.most_steps, options.budget, options.progress, options.shortest_step};
   NewtonState state;
   take_newton_steps(equations, gmres_, limits, x, slip, state);
   int steps = state.steps;

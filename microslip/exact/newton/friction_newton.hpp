@@ -18,6 +18,7 @@ public:
   struct Options {
     double tolerance = 1e-6; ///< of the residual of FrictionSolution
     int most_steps = most_newton_steps;
+    double shortest_step = 0;       ///< as of NewtonLimits
     NewtonBudget* budget = nullptr; ///< of the whole solve, if this is a part of one
     /// A step's state before. The residual then falls below `tolerance` times that of these tractions, too, but not
     /// below 1e-12: a step however small is solved to its scale, and nothing of it is lost in the next one.

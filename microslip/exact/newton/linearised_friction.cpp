@@ -7,7 +7,8 @@ namespace microslip {
 
 template <class Real>
 LinearisedFriction<Real>::LinearisedFriction(std::size_t elements)
-    : n_(elements), nx_(elements), ny_(elements), alpha_(elements), beta_(elements) {}
+    : n_(elements), nx_(elements), ny_(elements), alpha_(elements), beta_(elements), root_alpha_(elements),
+      root_beta_(elements) {}
 
 template <class Real> void LinearisedFriction<Real>::set(std::size_t k, double zx, double zy, double g) {
   const double size = std::hypot(zx, zy);
@@ -22,6 +23,8 @@ template <class Real> void LinearisedFriction<Real>::set(std::size_t k, double z
   ny_[k] = static_cast<Real>(directed ? zy / size : 0);
   alpha_[k] = static_cast<Real>(directed ? q / size : beta < 1 ? 0 : 1);
   beta_[k] = static_cast<Real>(beta);
+  root_alpha_[k] = std::sqrt(alpha_[k]);
+  root_beta_[k] = std::sqrt(std::max(beta_[k], Real(0)));
 }
 
 template <class Real> double LinearisedFriction<Real>::mean_alpha() const {
@@ -51,8 +54,7 @@ template <class Real> void LinearisedFriction<Real>::free_part(std::span<const R
 #pragma omp simd
   for (std::size_t k = 0; k < n_; ++k) {
     const Real nx = nx_[k], ny = ny_[k], x = vx[k], y = vy[k];
-    const Real along = std::sqrt(std::max(beta_[k], Real(0))) * (nx * x + ny * y);
-    const Real across = std::sqrt(alpha_[k]) * (nx * y - ny * x);
+    const Real along = root_beta_[k] * (nx * x + ny * y), across = root_alpha_[k] * (nx * y - ny * x);
     out_x[k] = along * nx - across * ny;
     out_y[k] = along * ny + across * nx;
   }

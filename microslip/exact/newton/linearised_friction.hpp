@@ -40,8 +40,9 @@ public:
 
 private:
   std::size_t n_;
-  std::vector<Real> nx_, ny_;      ///< n
-  std::vector<Real> alpha_, beta_; ///< beta is 1 in adhesion and 0 in slip with a fixed bound
+  std::vector<Real> nx_, ny_;                ///< n
+  std::vector<Real> alpha_, beta_;           ///< beta is 1 in adhesion and 0 in slip with a fixed bound
+  std::vector<Real> root_alpha_, root_beta_; ///< which preconditioners need often
 };
 
 } // namespace microslip

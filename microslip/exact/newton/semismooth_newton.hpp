@@ -18,6 +18,7 @@ struct NewtonLimits {
   int most_steps;
   NewtonBudget* budget = nullptr; ///< of the whole solve; none: that of this iteration alone
   Progress progress = {};         ///< called after each step and before each product; false ends the iteration
+  double shortest_step = 0;       ///< over Newton's: where |F| falls only by a shorter one the iteration ends
 };
 
 /// Ends a linear solve when the progress function returns false.
@@ -136,12 +137,16 @@ void take_newton_steps(Problem& problem, Gmres<double>& gmres, const NewtonLimit
     }
 
     double length = 1, trial_norm = norm;
-    for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+    for (int halving = 0; halving < most_halvings && length >= limits.shortest_step; ++halving, length /= 2) {
       for (std::size_t k = 0; k < n; ++k) trial[k] = x[k] + length * step[k];
       for (std::size_t k = 0; k < response_change.size(); ++k)
         trial_response[k] = response[k] + length * response_change[k];
       trial_norm = problem.evaluate(trial, trial_response, trial_f);
       if (trial_norm < (1 - 1e-4 * length) * norm) break;
+    }
+    if (length < limits.shortest_step) {
+      ++state.steps;
+      break;
     }
     if (!(trial_norm < norm) && norm <= best_norm) { // a short step uphill often leads on
       best_norm = norm;

@@ -37,6 +37,26 @@ template <class Real> void multiply_symmetric(const Real* table, int rows, Real*
   }
 }
 
+template <class Real> void multiply_coupled(const Real* table, int rows, Real* x, Real* y, Real* z) {
+  constexpr int lanes = block_lanes<Real>, line = line_size<Real>;
+  for (int k = 0; k < rows; ++k, x += line, y += line, z += line) {
+    const Real* t = table + (k <= rows / 2 ? k : rows - k) * 6 * lanes;
+    const Real sign = k <= rows / 2 ? Real(1) : Real(-1);
+#pragma omp simd
+    for (int i = 0; i < lanes; ++i) {
+      const Real xx = t[i], xy = sign * t[lanes + i], yy = t[2 * lanes + i];
+      const Real xz = t[3 * lanes + i], yz = sign * t[4 * lanes + i], zz = t[5 * lanes + i];
+      const Real x_re = x[i], x_im = x[lanes + i], y_re = y[i], y_im = y[lanes + i], z_re = z[i], z_im = z[lanes + i];
+      x[i] = xx * x_re + xy * y_re - xz * z_im;
+      x[lanes + i] = xx * x_im + xy * y_im + xz * z_re;
+      y[i] = xy * x_re + yy * y_re - yz * z_im;
+      y[lanes + i] = xy * x_im + yy * y_im + yz * z_re;
+      z[i] = zz * z_re + xz * x_im + yz * y_im;
+      z[lanes + i] = zz * z_im - xz * x_re - yz * y_re;
+    }
+  }
+}
+
 template <class Real> void add_product(const Real* table, int rows, const Real* waves, Real* to) {
   constexpr int lanes = block_lanes<Real>, line = line_size<Real>;
   for (int k = 0; k < rows; ++k, table += line, waves += line, to += line)
@@ -69,7 +89,8 @@ void filter(const Real* gain, const Real* zero, const Real* pole, Real* first, s
 }
 
 template <class Real>
-constexpr WaveLoops<Real> loops = {multiply_even<Real>, multiply_symmetric<Real>, add_product<Real>, filter<Real>};
+constexpr WaveLoops<Real> loops = {multiply_even<Real>, multiply_symmetric<Real>, multiply_coupled<Real>,
+                                   add_product<Real>, filter<Real>};
 
 } // namespace
 
