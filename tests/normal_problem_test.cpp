@@ -8,6 +8,7 @@
 #include "tests/support/steel.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -357,6 +358,49 @@ TEST(NormalProblem, RoughSurfaces) {
       EXPECT_LT(s.contact_elements, static_cast<int>(grid.count()));
     }
   }
+}
+
+/// Waves down to a few elements: which elements touch changes in nearly every iteration.
+Field finely_rough_gap(const ElementGrid& grid) {
+  std::mt19937 engine(1);
+  const auto angle = [&engine] { return 2 * pi * static_cast<double>(engine()) * 0x1p-32; };
+  Field h = paraboloid(grid, {0.5, 0.5});
+  for (int wave = 0; wave < 30; ++wave) {
+    const double length = 5e-3 * std::pow(0.85, wave), direction = angle(), phase = angle();
+    const double kx = 2 * pi / length * std::cos(direction), ky = 2 * pi / length * std::sin(direction);
+    const Field sine = over_grid(grid, [&](double x, double y) { return std::sin(kx * x + ky * y + phase); });
+    for (std::size_t k = 0; k < h.size(); ++k) h[k] += 1e-6 * std::pow(length / 5e-3, 0.8) * sine[k];
+  }
+  return h;
+}
+
+/// It took 150 products when directions were conjugate only while the same elements touched.
+TEST(NormalProblem, DirectionsStayConjugateWhereTheElementsChange) {
+  const ElementGrid grid = ElementGrid::across_ellipse(6e-3, 6e-3, 512);
+  const NormalSolution s = NormalProblem(steel, grid).solve(finely_rough_gap(grid), by_force(1e4));
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_LE(s.products, 100);
+}
+
+/// Sums over elements are taken in blocks.
+TEST(NormalProblem, ThreadsDoNotMatter) {
+  const ElementGrid grid = ElementGrid::across_ellipse(6e-3, 6e-3, 301);
+  const Field gap = finely_rough_gap(grid);
+  const int before = omp_get_max_threads();
+  for (const NormalLoad& load : {by_force(1e4), by_approach(1.5e-5)}) {
+    std::vector<NormalSolution> solutions;
+    for (const int threads : {1, 2, 3}) {
+      omp_set_num_threads(threads);
+      solutions.push_back(NormalProblem(steel, grid).solve(gap, load, 1e-6));
+    }
+    for (const NormalSolution& s : solutions) {
+      EXPECT_EQ(s.status, Status::ok);
+      EXPECT_EQ(s.pressure, solutions[0].pressure);
+      EXPECT_EQ(s.approach, solutions[0].approach);
+      EXPECT_EQ(s.products, solutions[0].products);
+    }
+  }
+  omp_set_num_threads(before);
 }
 
 /// Ten digits and more when asked for.

@@ -16,7 +16,7 @@ namespace microslip {
 /// that are zero are skipped, and columns are transformed, multiplied and transformed back while they are in the cache.
 /// Cost: 4 mx my real numbers transformed there and back, O(N log N), a quarter for the inverse; memory: mx my complex
 /// and 1.25 mx my real numbers. Results do not depend on the number of OpenMP threads, which large grids use. Distinct
-/// objects may be used from distinct threads.
+/// objects may be used from distinct threads. `in` may be `out`.
 class EvenToeplitz {
 public:
   /// Sets the entries at the offsets of j rows and 0, 1, 2 ... columns.

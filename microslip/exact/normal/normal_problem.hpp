@@ -43,7 +43,7 @@ struct NormalSolution {
 /// The normal contact problem on a grid of elements (R2), (R4), (R5), (E1), (E13): p_n >= 0, e = h - delta + u_n >= 0,
 /// p_n e = 0. For elastically similar bodies. Conjugate gradients with an active set (after Polonsky & Keer
 /// 1999), one product with A_zz per iteration and one with its circulant inverse as preconditioner (after Vollebregt
-/// 2014), started from the solution on elements twice as large. Hertzian contacts take 17 to 41
+/// 2014), started from the solution on elements twice as large. Hertzian contacts take 17 to 39
 /// products to 1e-8, whatever the number N of elements. Cost O(N log N), memory O(N).
 class NormalProblem {
 public:
