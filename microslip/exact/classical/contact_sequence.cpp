@@ -339,7 +339,8 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
                                                           const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 256, most_steps_of_a_round = 50, most_steps_of_a_trial = 12;
   constexpr double tolerance_of_a_round = 1e-3;
-  // A trial whose steps become short is at a fold, beyond which there is no solution nearby: it would go on in vain.
+  // A trial whose steps become short is at a fold, beyond which there is no solution nearby: it would go on in vain. Not
+  // with forces given, whose creepages come by many short steps at times.
   constexpr double shortest_step_of_a_trial = 1.0 / 8;
   const Field at_rest = law.static_coefficients();
   long products = 0;
@@ -373,7 +374,7 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
   round.motion.tolerance = std::max(tolerance_of_a_round, step.motion.tolerance);
   round.motion.most_steps = most_steps_of_a_round;
   trial.motion.most_steps = most_steps_of_a_trial;
-  trial.motion.shortest_step = shortest_step_of_a_trial;
+  if (!step.force_x && !step.force_y) trial.motion.shortest_step = shortest_step_of_a_trial;
   for (int n = 1, next_trial = 1;; ++n) {
     const Field coefficients = coefficients_of(law.state(slip, pressure), pressure, at_rest);
     ContactStepSolution s = solve(round, {coefficients});
