@@ -5,12 +5,14 @@
 #include "microslip/elasticity/hertz.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/contact_sequence.hpp"
+#include "microslip/rolling/solver.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/rolled.hpp"
 #include "tests/support/steel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -159,6 +161,24 @@ TEST(SlipFriction, OfASteadyStateStaysInSmallSteps) {
   const ContactStepSolution s = rolled(step, 300);
   ASSERT_EQ(s.report.status, Status::ok);
   EXPECT_NEAR(s.totals.fx, steady.totals.fx, 2e-3 * 0.3 * s.normal_force);
+}
+
+/// A softening layer's bound jumps with the slip where friction, which falls, becomes the smaller one: in this shift
+/// the equations' solution has an element beyond the bound of its slip by a quarter.
+TEST(SlipFriction, TractionsBeyondABoundThatJumpsAreNoSolution) {
+  RollingProblem shift;
+  shift.geometry = Ellipse{1.8185148172359569e-3, 0.94085105415694361e-3};
+  shift.bodies = CombinedMaterial{2.7859012478784542e9, 0.2093928486335272, 0};
+  shift.bodies.layer = {
+      .flexibility = 1.1067595532225277e-14, .yield_stress = 2.943633156249742e6, .hardening = -2.191691499568523e10};
+  shift.load = {NormalLoad::Given::force, 42.377409466468428};
+  shift.friction.law = FrictionLaw::rational(0.245831, {.drop = 0.030588, .half_velocity = 2.1e-5});
+  shift.motion.kind = ContactMotion::shift;
+  shift.motion.creepage = {2.9803306919252192e-5, -1.9287141621198011e-5, 2.4325905120654655e-4};
+  const ContactSolution s = Solver({.mx = 24, .my = 13}).solve(shift);
+  EXPECT_EQ(s.report.status, Status::not_converged);
+  EXPECT_NE(s.report.reason.find("the bound jumps"), std::string::npos) << s.report.reason;
+  EXPECT_NEAR(s.report.residual, 0.25, 0.05);
 }
 
 } // namespace

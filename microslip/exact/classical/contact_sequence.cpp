@@ -1,5 +1,6 @@
 #include "microslip/exact/classical/contact_sequence.hpp"
 
+#include "microslip/decimal.hpp"
 #include "microslip/error.hpp"
 #include "microslip/exact/classical/tangential_totals.hpp"
 #include "microslip/numerics/norm.hpp"
@@ -332,6 +333,25 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
   return out;
 }
 
+/// Where a bound jumps with the slip, as that of a softening layer does where friction becomes the smaller one,
+/// tractions that solve the equations need not keep to it: those are no solution.
+void refuse_beyond_bound(ContactStepSolution& s) {
+  constexpr double rounding = 1e-3; // of the largest bound: residuals of single elements
+  const auto& [px, py] = s.fields.traction;
+  const std::vector<double>& bound = s.fields.bound;
+  double most = 0, largest = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    most = std::max(most, std::hypot(px[k], py[k]) - bound[k]);
+    largest = std::max(largest, bound[k]);
+  }
+  if (s.report.status != Status::ok || most <= rounding * largest) return;
+  s.report.status = Status::not_converged;
+  s.report.residual = most / largest;
+  s.report.reason =
+      "not converged: the bound jumps with the slip, as where a layer softens, and tractions are beyond it by " +
+      rounded_text(s.report.residual, 3) + " of its largest";
+}
+
 /// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs
 /// to begin near one: rounds, each with the bound that the slip of the last one has, lead from the start to the
 /// solution that belongs to it, and Newton's method is tried in between. Without such friction it is tried before.
@@ -339,8 +359,8 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
                                                           const TangentialState& previous, TangentialState start) {
   constexpr int most_rounds = 256, most_steps_of_a_round = 50, most_steps_of_a_trial = 12;
   constexpr double tolerance_of_a_round = 1e-3;
-  // A trial whose steps become short is at a fold, beyond which there is no solution nearby: it would go on in vain. Not
-  // with forces given, whose creepages come by many short steps at times.
+  // A trial whose steps become short is at a fold, beyond which there is no solution nearby: it would go on in vain.
+  // Not with forces given, whose creepages come by many short steps at times.
   constexpr double shortest_step_of_a_trial = 1.0 / 8;
   const Field at_rest = law.static_coefficients();
   long products = 0;
@@ -355,6 +375,7 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
     s.slip_friction = law.state(slip_velocity(step, s.fields), s.normal.pressure);
     s.fields.friction = coefficients_of(s.slip_friction, s.normal.pressure, at_rest);
     s.fields.bound = s.slip_friction.bound;
+    refuse_beyond_bound(s);
     for (std::size_t k = 0; k < at_rest.size(); ++k)
       if (s.slip_friction.yields[k] && s.fields.state[k] == CellState::slip) ++s.plastic_elements;
     return s;
