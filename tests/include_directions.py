@@ -18,7 +18,7 @@ ALLOWED = {
     "microslip/simplified": ["microslip/contact", "microslip/friction", "microslip/numerics"],
     "microslip/thermal": ["microslip/contact"],
     EXACT + "halfspace": ["microslip/contact", "microslip/elasticity", "microslip/numerics"],
-    EXACT + "normal": ["microslip/contact", "microslip/elasticity", EXACT + "halfspace"],
+    EXACT + "normal": ["microslip/contact", "microslip/elasticity", "microslip/numerics", EXACT + "halfspace"],
     EXACT + "newton": ["microslip/contact", "microslip/numerics", EXACT + "halfspace"],
     EXACT + "fitted": ["microslip/contact", "microslip/elasticity", "microslip/numerics", "microslip/simplified",
                        EXACT + "halfspace", EXACT + "normal", EXACT + "newton"],

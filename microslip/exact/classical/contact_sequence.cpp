@@ -229,6 +229,25 @@ TangentialState state_after(const ContactStep& step, const ContactStepSolution& 
   return state;
 }
 
+/// The bound of a softening layer jumps with the slip where friction becomes the smaller one, and tractions that solve
+/// the equations need not keep to it: those are no solution.
+void refuse_beyond_bound(ContactStepSolution& s) {
+  constexpr double rounding = 1e-3; // of the largest bound: residuals of single elements
+  const auto& [px, py] = s.fields.traction;
+  const std::vector<double>& bound = s.fields.bound;
+  double most = 0, largest = 0;
+  for (std::size_t k = 0; k < bound.size(); ++k) {
+    most = std::max(most, std::hypot(px[k], py[k]) - bound[k]);
+    largest = std::max(largest, bound[k]);
+  }
+  if (s.report.status != Status::ok || most <= rounding * largest) return;
+  s.report.status = Status::not_converged;
+  s.report.residual = most / largest;
+  s.report.reason =
+      "not converged: the bound jumps with the slip where the layer softens, and tractions are beyond it by " +
+      rounded_text(s.report.residual, 3) + " of its largest";
+}
+
 } // namespace
 
 TangentialState moved_to(const ElementGrid& to, TangentialState state, const ElementGrid& from) {
@@ -333,25 +352,6 @@ ContactStepSolution ContactSequence::solve_with(const ContactStep& step, const E
   return out;
 }
 
-/// Where a bound jumps with the slip, as that of a softening layer does where friction becomes the smaller one,
-/// tractions that solve the equations need not keep to it: those are no solution.
-void refuse_beyond_bound(ContactStepSolution& s) {
-  constexpr double rounding = 1e-3; // of the largest bound: residuals of single elements
-  const auto& [px, py] = s.fields.traction;
-  const std::vector<double>& bound = s.fields.bound;
-  double most = 0, largest = 0;
-  for (std::size_t k = 0; k < bound.size(); ++k) {
-    most = std::max(most, std::hypot(px[k], py[k]) - bound[k]);
-    largest = std::max(largest, bound[k]);
-  }
-  if (s.report.status != Status::ok || most <= rounding * largest) return;
-  s.report.status = Status::not_converged;
-  s.report.residual = most / largest;
-  s.report.reason =
-      "not converged: the bound jumps with the slip, as where a layer softens, and tractions are beyond it by " +
-      rounded_text(s.report.residual, 3) + " of its largest";
-}
-
 /// Newton's method for traction and bound together. Where friction falls there may be several solutions, and it needs
 /// to begin near one: rounds, each with the bound that the slip of the last one has, lead from the start to the
 /// solution that belongs to it, and Newton's method is tried in between. Without such friction it is tried before.
@@ -375,7 +375,7 @@ ContactStepSolution ContactSequence::solve_slip_dependent(const ContactStep& ste
     s.slip_friction = law.state(slip_velocity(step, s.fields), s.normal.pressure);
     s.fields.friction = coefficients_of(s.slip_friction, s.normal.pressure, at_rest);
     s.fields.bound = s.slip_friction.bound;
-    refuse_beyond_bound(s);
+    if (step.bodies.layer.hardening < 0) refuse_beyond_bound(s);
     for (std::size_t k = 0; k < at_rest.size(); ++k)
       if (s.slip_friction.yields[k] && s.fields.state[k] == CellState::slip) ++s.plastic_elements;
     return s;
