@@ -7,7 +7,7 @@
 namespace microslip {
 
 /// Four strips of steel across the rolling direction that touch in separate patches, with waves on them: n x n
-/// elements, of which two fifths are in contact, both forces given.
+/// elements, of which some 28 % are in contact, both forces given.
 inline ContactStep four_patches(int n) {
   constexpr double friction = 0.3;
   ContactStep step;
