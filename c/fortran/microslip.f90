@@ -688,7 +688,7 @@ contains
     code = c_field(problem, trim(name) // c_null_char, columns * rows, values, error)
   end function
 
-  !> Version of the library that is running, e.g. "1.0.0-rc1".
+  !> Version of the library that is running, e.g. "1.0.0".
   function microslip_version() result(text)
     character(:), allocatable :: text
     interface

@@ -38,7 +38,7 @@
 #define MICROSLIP_VERSION_MAJOR 1
 #define MICROSLIP_VERSION_MINOR 0
 #define MICROSLIP_VERSION_PATCH 0
-#define MICROSLIP_VERSION "1.0.0-rc1"
+#define MICROSLIP_VERSION "1.0.0"
 
 /* This binary interface: layouts, functions and meanings. Raised together with the soname, when programs built with
  * an older header no longer run with the library. */
@@ -91,7 +91,7 @@ typedef struct microslip_error {
 
 /* Identification of the library's build. Texts live as long as the library is loaded. */
 typedef struct microslip_build {
-  const char* version;    /* e.g. "1.0.0-rc1" */
+  const char* version;    /* e.g. "1.0.0" */
   const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
   const char* compiler;   /* name and version */
   const char* build_type; /* e.g. "Release" */
