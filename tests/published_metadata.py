@@ -24,6 +24,7 @@ class PublishedMetadata(unittest.TestCase):
         self.assertEqual(json.loads(text_of("explorer/page/package.json"))["version"], version)
         self.assertEqual(re.search(r"^version: (\S+)$", text_of("CITATION.cff"), re.MULTILINE)[1], version)
         self.assertIn(f"## [{version}]", text_of("CHANGELOG.md"))
+        self.assertIn(f"version = {{{version}}}", text_of("README.md"))
 
     def test_licence_is_one(self):
         self.assertTrue(json.loads(text_of("codemeta.json"))["license"].endswith("/Apache-2.0"))

@@ -3,7 +3,7 @@
 Usage: stored_files.py BUILD SOURCE checks SOURCE/tests/stored/VERSION; stored_files.py BUILD SOURCE --write VERSION makes such
 a folder with this version, once, when it is released.
 
-A folder has case files, result files, a creep-force table, and columns.json: of each result file the tables that `microslip
+A folder has case files, result files, and columns.json: of each result file the tables that `microslip
 convert` writes of it, by column how many numbers it has and their sum, and of each case the forces that it gave.
 """
 

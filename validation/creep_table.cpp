@@ -7,7 +7,7 @@
 #include "microslip/table/creep_force_table.hpp"
 #include "validation/clock.hpp"
 #include "validation/exact_cases.hpp"
-#include "validation/polach.hpp"
+#include "validation/models/polach.hpp"
 #include "validation/relative_forces.hpp"
 #include "validation/report.hpp"
 #include "validation/test_set.hpp"

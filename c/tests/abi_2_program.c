@@ -1,7 +1,7 @@
 /*
- * A program that was built with microslip_abi_2.h, the header of the second version of the binary interface, and runs
- * with the library as it is: problems by path, a state of a wheel on a rail, its patches and derivatives by name, and
- * both theories.
+ * A program that was built with microslip_abi_2.h, the header of version 1.0.0, and runs with the library as it is:
+ * problems by path, states of a wheel on a rail, its patches and derivatives by name, both theories, and the element of
+ * forces with memory.
  *
  *   abi_2_program RAIL WHEEL      files of profiles
  */
@@ -76,6 +76,8 @@ static void solve_a_state(microslip_wheel_rail* wheel) {
   state[yaw] += step;
   require(microslip_wheel_rail_solve(wheel, 1, STATE, state, RESULT, other, &status) == MICROSLIP_OK, "solve");
   require(is_near(jacobian[row][yaw], (other[force_y] - result[force_y]) / step, 0.02), "dFy/dyaw is a difference");
+  require(microslip_wheel_rail_continue(wheel, 1, STATE, state, RESULT, result, &status) == MICROSLIP_OK, "continue");
+  require(is_near(result[force_y], other[force_y], 1e-3), "the same state from the one before");
 }
 
 static void get_its_patches(microslip_wheel_rail* wheel) {
@@ -202,6 +204,33 @@ static void solve_a_contact(void) {
   microslip_fastsim2_destroy(solver);
 }
 
+/* Forces with one pole, -50/m, that were steady and go on with other inputs, and once more from the state before. */
+static void go_on_with_a_force_element(void) {
+  const char* text =
+      "microslip force element 1\nsteady 0.001 0 0 80000\nforces -8000 0 0\nconstants -100000 0 0 0 0 0 0 0 0 0 0 0\n"
+      "errors 0 0 0 0 0 0 0 0 0 0 0 0\npoles 1\n"
+      "pole -50 0 -400000000 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n";
+  const double steady[MICROSLIP_ELEMENT_INPUTS] = {0.001, 0, 0, 80e3},
+               input[MICROSLIP_ELEMENT_INPUTS] = {0.0011, 0, 0, 80e3};
+  double forces[MICROSLIP_ELEMENT_FORCES], again[MICROSLIP_ELEMENT_FORCES], state[64];
+  microslip_force_element* element;
+  microslip_error error;
+  size_t size;
+  require(microslip_force_element_create(text, &element, &error) == MICROSLIP_OK, error.text);
+  size = microslip_force_element_state_size(element);
+  require(size > 0 && size <= 64, "the size of its state");
+  require(microslip_force_element_reset(element, NULL) == MICROSLIP_OK, "reset");
+  require(microslip_force_element_step(element, 1e-3, steady, forces) == MICROSLIP_OK, "a steady step");
+  require(is_near(forces[0], -8e3, 1e-12), "the steady force");
+  require(microslip_force_element_get_state(element, size, state) == MICROSLIP_OK, "get_state");
+  require(microslip_force_element_step(element, 1e-3, input, forces) == MICROSLIP_OK, "a step");
+  require(forces[0] < -8e3, "more creepage, more force against it");
+  require(microslip_force_element_set_state(element, size, state) == MICROSLIP_OK, "set_state");
+  require(microslip_force_element_step(element, 1e-3, input, again) == MICROSLIP_OK, "the step once more");
+  require(again[0] == forces[0], "the same forces");
+  microslip_force_element_destroy(element);
+}
+
 int main(int count, char** words) {
   microslip_wheel_rail* wheel;
   require(count == 3, "abi_2_program RAIL WHEEL");
@@ -214,6 +243,7 @@ int main(int count, char** words) {
   describe_a_number();
   solve_a_problem_by_path();
   solve_a_contact();
+  go_on_with_a_force_element();
   puts("all is as it was");
   return 0;
 }

@@ -8,7 +8,7 @@
  * Units are SI. Forces, moments and tractions act on body 1, the wheel; positive creepage gives a negative force. Frame
  * and signs: docs/conventions.md.
  *
- * There are two ways in. A problem (microslip_problem) is set input by input, by the paths that case files have,
+ * There are two interfaces. A problem (microslip_problem) is set input by input, by the paths that case files have,
  * solved, and asked for numbers by name: it has all that microslip can do. For inner loops contacts of FASTSIM2,
  * creep-force tables and wheels on rails are solved from plain arrays.
  *
@@ -38,9 +38,9 @@
 #define MICROSLIP_VERSION_MAJOR 1
 #define MICROSLIP_VERSION_MINOR 0
 #define MICROSLIP_VERSION_PATCH 0
-#define MICROSLIP_VERSION "1.0.0-rc1"
+#define MICROSLIP_VERSION "1.0.0"
 
-/* Of this binary interface: layouts, functions and meanings. Raised together with the soname, when programs built with
+/* This binary interface: layouts, functions and meanings. Raised together with the soname, when programs built with
  * an older header no longer run with the library. */
 #define MICROSLIP_ABI 2
 
@@ -61,7 +61,7 @@ extern "C" {
 /* ---------------------------------------------------------------------------------------------- codes and texts ----
  */
 
-/* How a call or a contact ended. Values are never given another meaning. */
+/* Outcome of a call or a contact. Values are never given another meaning. */
 typedef enum microslip_code {
   MICROSLIP_OK = 0,
   /* How a calculation ended; also in `status` of the results. */
@@ -83,33 +83,33 @@ typedef enum microslip_code {
 
 #define MICROSLIP_ERROR_LENGTH 256
 
-/* What went wrong, in words. */
+/* Code and text of an error. */
 typedef struct microslip_error {
   int code;                          /* a microslip_code */
   char text[MICROSLIP_ERROR_LENGTH]; /* ends with a zero; cut if longer; empty with MICROSLIP_OK */
 } microslip_error;
 
-/* What the library was built from. Texts live as long as the library is loaded. */
+/* Identification of the library's build. Texts live as long as the library is loaded. */
 typedef struct microslip_build {
-  const char* version;    /* e.g. "1.0.0-rc1" */
+  const char* version;    /* e.g. "1.0.0" */
   const char* commit;     /* short hash, with "-dirty" if there were changes; "unknown" outside a repository */
   const char* compiler;   /* name and version */
   const char* build_type; /* e.g. "Release" */
 } microslip_build;
 
-/* As MICROSLIP_VERSION, of the library that is running, while the macros above are of the header. */
+/* MICROSLIP_VERSION of the library that is running, while the macros above are of the header. */
 MICROSLIP_API const char* microslip_version(void);
-/* As MICROSLIP_ABI. The linker checks it by the soname; a host that loads the library by its name (dlopen, LoadLibrary,
- * ctypes, loadlibrary of MATLAB) calls this first and goes on only if it returns the header's MICROSLIP_ABI. */
+/* MICROSLIP_ABI of the running library. The linker checks it by the soname; a host that loads the library by its name
+ * (dlopen, LoadLibrary, ctypes, loadlibrary of MATLAB) calls this first and goes on only if it returns the header's. */
 MICROSLIP_API int microslip_abi(void);
 MICROSLIP_API microslip_build microslip_build_info(void);
-/* What a code means, in a few words; never NULL. */
+/* Meaning of a code, in a few words; never NULL. */
 MICROSLIP_API const char* microslip_code_text(int code);
 
 /* ------------------------------------------------------------------------------------------------------ contact ----
  */
 
-/* How the coefficient of friction depends on the slip velocity v, with mu_k, d_i and v_i as in microslip_contact. */
+/* Dependence of the coefficient of friction on the slip velocity v, with mu_k, d_i and v_i as in microslip_contact. */
 typedef enum microslip_friction_law {
   MICROSLIP_COULOMB = 0,    /* mu_k */
   MICROSLIP_LINEAR = 1,     /* mu_k + sum of d_i max(0, 1 - v/(2 v_i)) */
@@ -135,7 +135,7 @@ typedef struct microslip_contact {
   double friction_half_velocity[2]; /* v_i [m/s], > 0 where d_i > 0 */
 } microslip_contact;
 
-/* Whether a contact is within the ranges above; if not, the error names the first field that is not. Any thread. */
+/* Checks that a contact is within the ranges above; if not, the error names the first field that is not. Any thread. */
 MICROSLIP_API microslip_code microslip_contact_check(const microslip_contact* contact, microslip_error* error);
 
 /* Polach's law mu_s ((1 - A) exp(-B v) + A), which is an exponential one, set in a contact: static coefficient mu_s in
@@ -169,7 +169,7 @@ typedef struct microslip_bodies {
   double poisson_ratio[2];     /* nu [-], in [0, 0.5] */
 } microslip_bodies;
 
-/* What Hertz's theory finds. */
+/* Results of Hertz's theory. */
 typedef struct microslip_hertz {
   double a, b;          /* semi-axes along x and y [m] */
   double approach;      /* of distant points [m] */
@@ -184,7 +184,7 @@ typedef struct microslip_hertz {
 MICROSLIP_API microslip_code microslip_hertz_from_load(const microslip_bodies* bodies, double normal_force,
                                                        microslip_hertz* hertz, microslip_error* error);
 
-/* What makes a contact implausible for half-spaces, in lines with numbers and the inputs to check: an ellipse or an
+/* Reasons why a contact is implausible for half-spaces, in lines with numbers and the inputs to check: an ellipse or an
  * approach that is large beside a radius of curvature, as lengths in mm or moduli in MPa make it. Empty for a plausible
  * contact. `text` is to be released by microslip_free_text. Any thread. */
 MICROSLIP_API microslip_code microslip_hertz_warnings(const microslip_bodies* bodies, const microslip_hertz* hertz,
@@ -214,11 +214,11 @@ typedef enum microslip_list {
   MICROSLIP_CONTACT_QUANTITY = 0, /* of a contact, by either theory: "fx", "frictional_power" */
   MICROSLIP_CONTACT_FIELD = 1,    /* of a contact, a value for each element: "pressure", "gap" */
   MICROSLIP_WHEEL_STATE = 2,      /* what a wheel on a rail is given: "lateral", "vertical_force" */
-  MICROSLIP_WHEEL_RESULT = 3,     /* what it bears: "force_y", "patch_count" */
+  MICROSLIP_WHEEL_RESULT = 3,     /* forces on it: "force_y", "patch_count" */
   MICROSLIP_WHEEL_DERIVATIVE = 4, /* those of its results that have derivatives: "force_y", "vertical" */
   MICROSLIP_WHEEL_PATCH = 5,      /* of a patch of it: "normal_force", "status" */
   MICROSLIP_WHEELSET_CONTACT = 6, /* where a rigid wheelset touches: "left_contact_angle" */
-  MICROSLIP_WHEELSET_RESULT = 7,  /* what a wheelset bears: "moment_z", "roll" */
+  MICROSLIP_WHEELSET_RESULT = 7,  /* the forces on a wheelset: "moment_z", "roll" */
   /* Paths of the inputs of each microslip_kind: "load.normal_force". They stand in the order in which they are shown;
    * new ones may come between them, so that their paths last, and not their indices. */
   MICROSLIP_BODIES_INPUT = 8,
@@ -226,7 +226,7 @@ typedef enum microslip_list {
   MICROSLIP_WHEELSET_INPUT = 10
 } microslip_list;
 
-/* What an input may be set to. */
+/* Kind of value of an input. */
 typedef enum microslip_input_kind {
   MICROSLIP_NUMBER = 0,
   MICROSLIP_NUMBERS = 1, /* a list of at least one */
@@ -236,7 +236,7 @@ typedef enum microslip_input_kind {
   MICROSLIP_WORD = 5 /* one of a few */
 } microslip_input_kind;
 
-/* What a list tells of a number. Texts live as long as the library is loaded. */
+/* Description of a number in a list. Texts live as long as the library is loaded. */
 typedef struct microslip_quantity {
   size_t struct_size; /* set by the caller */
   const char* name;
@@ -252,12 +252,12 @@ typedef struct microslip_quantity {
   int kind;                 /* a microslip_input_kind */
 } microslip_quantity;
 
-/* How many numbers a microslip_list has, which is the longest row; 0 if there is no such list. Any thread. */
+/* Count of a microslip_list's numbers, which is the longest row; 0 if there is no such list. Any thread. */
 MICROSLIP_API size_t microslip_count(int list);
-/* Where a number stands in a list, from 0; below 0 if it has none of this name, and the error tells the nearest one.
+/* Index of a number in a list, from 0; below 0 if it has none of this name, and the error names the nearest one.
  * Any thread. */
 MICROSLIP_API int microslip_index(int list, const char* name, microslip_error* error);
-/* What is at an index below the count. Any thread. */
+/* Entry at an index below the count. Any thread. */
 MICROSLIP_API microslip_code microslip_describe(int list, size_t index, microslip_quantity* quantity,
                                                 microslip_error* error);
 
@@ -291,7 +291,7 @@ MICROSLIP_API void microslip_fastsim2_destroy(microslip_fastsim2* solver);
  * and that status, the others are solved. A result does not depend on the other contacts. */
 MICROSLIP_API microslip_code microslip_fastsim2_solve(microslip_fastsim2* solver, size_t count,
                                                       const microslip_contact* contacts, microslip_forces* forces);
-/* The same with derivatives, by forward differentiation of the same algorithm. Real-time safe as well. */
+/* Solves with derivatives, by forward differentiation of the same algorithm. Real-time safe as well. */
 MICROSLIP_API microslip_code microslip_fastsim2_differentiate(microslip_fastsim2* solver, size_t count,
                                                               const microslip_contact* contacts,
                                                               microslip_derivatives* derivatives);
@@ -323,10 +323,42 @@ MICROSLIP_API void microslip_creep_table_destroy(microslip_creep_table* table);
  * which gets NaN, MICROSLIP_OUT_OF_RANGE for one beyond the table, which gets the forces of a limit. */
 MICROSLIP_API microslip_code microslip_creep_table_solve(const microslip_creep_table* table, size_t count,
                                                          const microslip_contact* contacts, microslip_forces* forces);
-/* The same with derivatives, those of the interpolation itself. */
+/* Solves with derivatives, those of the interpolation itself. */
 MICROSLIP_API microslip_code microslip_creep_table_differentiate(const microslip_creep_table* table, size_t count,
                                                                  const microslip_contact* contacts,
                                                                  microslip_derivatives* derivatives);
+
+/* ------------------------------------------------------------------------------------------------ force element ----
+ */
+
+/* Forces of a contact that remember creepages and loads before: the rational fit of its responses over the wavelength,
+ * as `microslip respond --poles` writes it. Linear, for small changes about the steady state that it was fitted in. */
+typedef struct microslip_force_element microslip_force_element;
+
+/* Numbers of an input, xi, eta [-], phi [1/m], Fn [N], and of the forces, Fx, Fy [N], Mz [N m]. */
+#define MICROSLIP_ELEMENT_INPUTS 4
+#define MICROSLIP_ELEMENT_FORCES 3
+
+/* Makes an element, in its steady state, from the text of a fit, a file's contents. */
+MICROSLIP_API microslip_code microslip_force_element_create(const char* text, microslip_force_element** element,
+                                                            microslip_error* error);
+/* NULL is allowed. */
+MICROSLIP_API void microslip_force_element_destroy(microslip_force_element* element);
+/* Goes on by a distance rolled [m], at least 0, over which the inputs become `input`: exact where they are linear over
+ * it. Real-time safe: no allocation, no lock. MICROSLIP_INVALID_INPUT for numbers that are not finite or a distance
+ * below 0, which change nothing. */
+MICROSLIP_API microslip_code microslip_force_element_step(microslip_force_element* element, double distance,
+                                                          const double input[MICROSLIP_ELEMENT_INPUTS],
+                                                          double forces[MICROSLIP_ELEMENT_FORCES]);
+/* Back to where the inputs have always been `input`; NULL: those of the steady state. Real-time safe. */
+MICROSLIP_API microslip_code microslip_force_element_reset(microslip_force_element* element, const double* input);
+/* The memory, for integrators that go back: its count of numbers, which is 0 for NULL, a copy of it, and that copy put
+ * back. Real-time safe. `count` must be that count. */
+MICROSLIP_API size_t microslip_force_element_state_size(const microslip_force_element* element);
+MICROSLIP_API microslip_code microslip_force_element_get_state(const microslip_force_element* element, size_t count,
+                                                               double* state);
+MICROSLIP_API microslip_code microslip_force_element_set_state(microslip_force_element* element, size_t count,
+                                                               const double* state);
 
 /* ----------------------------------------------------------------------------------------------------- problems ----
  */
@@ -359,7 +391,7 @@ MICROSLIP_API microslip_code microslip_problem_text(const microslip_problem* pro
 
 /* Set an input: a number in SI units, whole ones too; a word, a file, or a number with its unit, "80 kN"; a list of
  * numbers, such as the two of "solution.grid". MICROSLIP_INVALID_OPTION for what the path cannot be, with path, value,
- * unit and range in the error, and for an unknown path, with the nearest one. What does not go together is refused when
+ * unit and range in the error, and for an unknown path, with the nearest one. Incompatible inputs are refused when
  * it is solved. */
 MICROSLIP_API microslip_code microslip_set(microslip_problem* problem, const char* path, double value,
                                            microslip_error* error);
@@ -388,15 +420,17 @@ MICROSLIP_API microslip_code microslip_set_progress(microslip_problem* problem,
  * why it was refused; then the result before is kept. A profile is read again only where something of its file
  * was set. A sweep, points inside the bodies and creep curves are for microslip_solve_case. */
 MICROSLIP_API microslip_code microslip_solve(microslip_problem* problem, microslip_error* error);
-/* Solves steady rolling of two bodies by the exact theory at second order with derivatives: `jacobian` holds count = 9
- * numbers, row by row fx, fy, mz, by xi, eta, phi; NaN where there is no result. Some four to six times the cost of a
- * solve. Not with an accuracy or a force given. */
+/* Solves steady rolling of two bodies by the exact theory with derivatives: `jacobian` holds count = 9 numbers, row by
+ * row fx, fy, mz, by xi, eta, phi; NaN where there is no result. Some four to six times the cost of a solve. For
+ * Coulomb friction; not with an accuracy or a force given. */
 MICROSLIP_API microslip_code microslip_differentiate(microslip_problem* problem, size_t count, double* jacobian,
                                                      microslip_error* error);
 /* A number of the result by its name: of two bodies one of MICROSLIP_CONTACT_QUANTITY, with solution.accuracy the
  * extrapolated ones; of a wheel of MICROSLIP_WHEEL_RESULT; of a wheelset of MICROSLIP_WHEELSET_RESULT, or of one of its
- * wheels, "left.force_y". MICROSLIP_NO_RESULT for one that two bodies do not have, such as temperatures without heat
- * data; NaN for what a wheel does not have, as Y/Q without a vertical force. */
+ * wheels, "left.force_y". Of two bodies with inputs of "material" wear and fatigue, too: "t_gamma", "worn_area", and
+ * so on, and as fields "friction_work", "wear_depth", "shear_excess". MICROSLIP_NO_RESULT for one that two bodies do
+ * not have, such as temperatures without heat data; NaN for what a wheel does not have, as Y/Q without a vertical
+ * force. */
 MICROSLIP_API microslip_code microslip_number(const microslip_problem* problem, const char* name, double* value,
                                               microslip_error* error);
 /* A field of the result by its name, and its size. Of two bodies one of MICROSLIP_CONTACT_FIELD, or "state": 0
@@ -435,7 +469,7 @@ MICROSLIP_API void microslip_wheel_rail_destroy(microslip_wheel_rail* wheel_rail
 /* The state that the problem has, of a sweep the first one: the first `width` numbers of MICROSLIP_WHEEL_STATE. */
 MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_rail* wheel_rail, size_t width,
                                                         double* state);
-/* What a wheel bears in `count` states, one after another. `states` has a row of state_width numbers for each state,
+/* Forces on a wheel in `count` states, one after another. `states` has a row of state_width numbers for each state,
  * the first of MICROSLIP_WHEEL_STATE, in SI units: the state of the wheelset with all that concerns one of its wheels.
  * With a `vertical_force` other than 0 the height is found for it, else that of `vertical` counts. `results` gets a row
  * of result_width numbers, the first of MICROSLIP_WHEEL_RESULT, and `status` a microslip_code below 16; each is written
@@ -447,8 +481,14 @@ MICROSLIP_API microslip_code microslip_wheel_rail_state(const microslip_wheel_ra
 MICROSLIP_API microslip_code microslip_wheel_rail_solve(microslip_wheel_rail* wheel_rail, size_t count,
                                                         size_t state_width, const double* states, size_t result_width,
                                                         double* results, int* status);
-/* The same with derivatives, which hold where no patch comes or goes. `jacobian` gets a matrix for each state, row by
- * row: the first row_count numbers of MICROSLIP_WHEEL_DERIVATIVE by the first column_count ones of
+/* Solves the steps of a simulation: each state starts from the one before, the first one from the last state of
+ * the call before, which takes half of the time where they are near each other and changes results by about the
+ * tolerance. */
+MICROSLIP_API microslip_code microslip_wheel_rail_continue(microslip_wheel_rail* wheel_rail, size_t count,
+                                                           size_t state_width, const double* states,
+                                                           size_t result_width, double* results, int* status);
+/* Solves with derivatives, which hold where no patch comes or goes. `jacobian` gets a matrix for
+ * each state, row by row: the first row_count numbers of MICROSLIP_WHEEL_DERIVATIVE by the first column_count ones of
  * MICROSLIP_WHEEL_STATE, in SI units. Derivatives by what was not given are zero: by `vertical` with a vertical force,
  * by `vertical_force` without one; so are all of a state that is neither MICROSLIP_OK nor MICROSLIP_IMPLAUSIBLE. With
  * the theory "fastsim2" some three solves, and no memory either. */
@@ -458,7 +498,7 @@ MICROSLIP_API microslip_code microslip_wheel_rail_differentiate(microslip_wheel_
                                                                 size_t row_count, size_t column_count,
                                                                 double* jacobian);
 /* The patches of the state last solved, from the gauge to the field side of a left wheel: `values` gets a row of
- * `width` numbers for each, the first of MICROSLIP_WHEEL_PATCH; `count` becomes how many there are, whatever room there
+ * `width` numbers for each, the first of MICROSLIP_WHEEL_PATCH; `count` becomes how many there are, whatever space
  * is. MICROSLIP_WRONG_SIZE, and no patch, if they are more than `capacity` rows. With `values` NULL they are only
  * counted. Takes no memory unless it is refused. MICROSLIP_NO_RESULT before a state was solved. */
 MICROSLIP_API microslip_code microslip_wheel_rail_patches(const microslip_wheel_rail* wheel_rail, size_t width,
@@ -468,7 +508,7 @@ MICROSLIP_API microslip_code microslip_wheel_rail_patches(const microslip_wheel_
  * there is not. It lasts. Any thread. */
 MICROSLIP_API const char* microslip_warning(int k);
 
-/* What decides the roll angle of a rigid wheelset. */
+/* Condition that decides the roll angle of a rigid wheelset. */
 typedef enum microslip_roll_rule {
   MICROSLIP_ROLL_EQUILIBRIUM = 0, /* both wheels touch their rails */
   MICROSLIP_ROLL_NONE = 1         /* zero, as in the reference calculations of EN 15302 */

@@ -6,9 +6,9 @@
 #include "microslip/simplified/row_solver.hpp"
 #include "microslip/table/creep_force_table.hpp"
 #include "validation/models/linear_theory.hpp"
+#include "validation/models/polach.hpp"
 #include "validation/models/shen_hedrick_elkins.hpp"
 #include "validation/models/vermeulen_johnson.hpp"
-#include "validation/polach.hpp"
 
 #include <memory>
 
@@ -55,7 +55,7 @@ std::vector<TangentialModel> tangential_models() {
       {"linear theory", "Kalker 1967", true, linear_theory},
       {"linear theory, cut off at mu Fn", "Kalker 1967", true, saturated_linear_theory},
       {"Vermeulen & Johnson, without spin", "Vermeulen & Johnson 1964", false, vermeulen_johnson},
-      {"Shen, Hedrick & Elkins", "Shen, Hedrick & Elkins 1983", true, shen_hedrick_elkins},
+      {"Shen, Hedrick & Elkins", "Shen, Hedrick & Elkins 1983a", true, shen_hedrick_elkins},
       {"Polach", "Polach 1999", false, polach_forces},
       marching(fastsim, one, 10, parabolic, "1 flexibility", kalker_1982),
       marching(fastsim, three, 10, parabolic, "3 flexibilities", kalker_1982),

@@ -14,9 +14,8 @@ struct Compliances {
   double longitudinal, lateral; ///< phi and psi
 };
 
-/// By complete elliptic integrals of the complementary modulus min(a/b, b/a); for a circle pi/4 (1 - 3 nu/4) and pi/4
-/// (1
-/// - nu/4).
+/// By complete elliptic integrals of the complementary modulus min(a/b, b/a); for a circle phi = pi/4 (1 - 3 nu/4) and
+/// psi = pi/4 (1 - nu/4).
 Compliances compliances(double a, double b, double nu) {
   const auto [K, E, B, D, C] = complete_elliptic_integrals(std::min(a / b, b / a));
   if (a <= b) return {B - nu * (D - C), B - nu * (a * a) / (b * b) * C};

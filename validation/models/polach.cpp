@@ -1,4 +1,4 @@
-#include "validation/polach.hpp"
+#include "validation/models/polach.hpp"
 
 #include "microslip/simplified/creepage_coefficients.hpp"
 
