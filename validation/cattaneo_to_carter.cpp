@@ -1,9 +1,9 @@
 #include "validation/studies.hpp"
 
 #include "microslip/error.hpp"
-#include "microslip/exact/classical/marching.hpp"
 #include "microslip/rolling/accurate_contact.hpp"
 #include "validation/hertzian_solve.hpp"
+#include "validation/marching.hpp"
 #include "validation/report.hpp"
 
 #include <cmath>

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "microslip/exact/classical/tangential_problem.hpp"
-#include "microslip/progress.hpp"
 
-namespace microslip {
+namespace microslip::validation {
 
 /// When marching has reached the steady state.
 struct MarchingLimits {
   double change = 1e-6; ///< of the tractions while the contact rolls a quarter of its length, over the bound (2-norms)
   int most_steps = 10000;
-  Progress progress = {}; ///< asked after every step; the fraction is of most_steps
 };
 
 struct MarchedSolution {
@@ -24,4 +22,4 @@ struct MarchedSolution {
 MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& grid, std::span<const double> bound,
                                 TangentialInput input, const MarchingLimits& limits = {});
 
-} // namespace microslip
+} // namespace microslip::validation

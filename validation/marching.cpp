@@ -1,9 +1,9 @@
-#include "microslip/exact/classical/marching.hpp"
+#include "validation/marching.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace microslip {
+namespace microslip::validation {
 namespace {
 
 /// Steps in which the contact moves by a quarter of its length: the state changes too slowly to judge it step by step.
@@ -48,7 +48,6 @@ MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& g
     state = out.last.fields.traction;
     ++out.steps;
     if (out.last.report.status != Status::ok) return out;
-    if (limits.progress && !limits.progress(double(out.steps) / limits.most_steps)) break;
     if (out.steps % interval != 0) continue;
     out.change = relative_change(state, judged, bound);
     if (out.change <= limits.change) return out;
@@ -58,4 +57,4 @@ MarchedSolution march_to_steady(TangentialProblem& problem, const ElementGrid& g
   return out;
 }
 
-} // namespace microslip
+} // namespace microslip::validation
