@@ -1,5 +1,5 @@
 # Headers of other libraries that most sources of a target include, parsed once for all of them: of the standard library,
-# of which two thirds of the time to compile the library goes into these, and those given. None of ours: a change of
+# which are most of the time to compile the library, and those given. None of ours: a change of
 # theirs must not compile everything anew. A header that a source forgets is missed where nothing is precompiled: the
 # explorer's core and clang-tidy.
 set(MICROSLIP_COMMON_HEADERS <algorithm> <array> <cmath> <complex> <functional> <memory> <optional> <span> <string> <vector>)
