@@ -174,6 +174,49 @@ TEST_F(VariedProfiles, WhereTheRailIsInterruptedThereIsNone) {
   EXPECT_NEAR(at("-25.").patches.at(0).location.track.z / mm, 5, 0.2) << "beside it";
 }
 
+/// The share of the pressure behind x, in the track's axes.
+double share_behind(double x, const WheelOutcome& wheel) {
+  double behind = 0, all = 0;
+  for (const WheelPatch& patch : wheel.patches) {
+    const ElementGrid& grid = patch.solution->step.grid;
+    const auto& pressure = patch.solution->solution.normal.pressure;
+    for (int i = 0; i < grid.mx; ++i)
+      for (int j = 0; j < grid.my; ++j) {
+        const double p = pressure[static_cast<std::size_t>(j * grid.mx + i)];
+        all += p;
+        if (patch.grid.outer({grid.x(i), 0, 0}).x < x) behind += p;
+      }
+  }
+  return behind / all;
+}
+
+/// A blade that ends at u = -6, higher than the rail beside it: a wheel stands on the blade's end and on the rail, and
+/// the plane of the patch that both form lies where there is no blade.
+TEST_F(VariedProfiles, PartsOfAPatchMayLieWhereItsMiddleHasNoRail) {
+  const auto rail = [](double y) { return y * y / 60; };
+  const auto blade = [&](double y) { return std::min((y + 10) * (y + 10) / 60 - 0.575, rail(y)); };
+  write("beside.prr", 0, rail);
+  write("both.prr", 0, blade);
+  const auto length_to = [](const auto& z, double end) {
+    double s = 0;
+    for (double y = -20; y < end - 0.05; y += 0.1) s += std::hypot(0.1, z(y + 0.1) - z(y));
+    return std::to_string(s);
+  };
+  const std::vector<int> places = {-40, -20, -12, -6, 0, 12, 20, 40};
+  std::ofstream file(folder_ / "rail.slcs");
+  file << "0 1\n" << places.size() << "\n3\n1\n";
+  for (const int u : places) file << u << (u > -6 ? " 'beside.prr'\n" : " 'both.prr'\n");
+  for (const int u : places)
+    file << u << (u > -6 ? " -1 " + length_to(rail, -5) : " 0 " + length_to(blade, -5)) << " 99\n";
+  file.close();
+  for (const char* by : {" 0022033", " 0052033"}) {
+    const double share = share_behind(
+        -3 * mm, wheel(with(on_slices, {{" 1203000", " 1203100"}, {search, by}, {place, " 0 0 4e3 0 0 0"}})));
+    EXPECT_GT(share, 0.2) << by;
+    EXPECT_LT(share, 0.5) << by;
+  }
+}
+
 TEST_F(VariedProfiles, MistakesInSlicesAreReasons) {
   const auto reason = [&](const std::string& text) {
     std::istringstream stream(text);

@@ -39,6 +39,12 @@ struct Range {
   }
 };
 
+/// s along the rail, which a plane at this angle continues where another of the rail's slices reaches farther.
+double s_across(const ProfileCurve& rail, double y, const Placement& p, double angle) {
+  const double s = rail.nearest_s_at_y(y);
+  return p.rail_profile.varies() ? s + (y - rail.at(s).value.y) / std::cos(angle) : s;
+}
+
 /// Elements of a size from `start` on, `count` of them, that are to reach from `low` to `high` as well.
 void reach(double low, double high, double size, double& start, int& count) {
   const int before = std::max(0, static_cast<int>(std::lround((start - low) / size)));
@@ -69,7 +75,8 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
     f.grid.origin = f.reference.outer({-along, -f.s_rail, 0});
     s_grid = 0;
   }
-  const double s_low = rail.nearest_s_at_y(whole.y0) - s_grid, s_high = rail.nearest_s_at_y(whole.y1) - s_grid;
+  const double s_low = s_across(rail, whole.y0, placement, f.angle) - s_grid;
+  const double s_high = s_across(rail, whole.y1, placement, f.angle) - s_grid;
   const double x_low = whole.x0 - f.grid.origin.x, x_high = whole.x1 - f.grid.origin.x;
   if (!std::isfinite(x_low + x_high + s_low + s_high))
     throw Error("the extent of the overlap of wheel and rail is no number");
