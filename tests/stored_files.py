@@ -25,6 +25,8 @@ TOLERANCE = 1e-4  # of forces, by which a solver may change within a major versi
 COMMANDS = {
     "contact": "solve contact.toml -o {} --no-pictures", "wheel": "solve wheel.toml -o {} --no-pictures", "wheelset": "solve wheelset.toml -o {} --no-pictures",
     "nip": "solve nip.toml -o {} --no-pictures", "sweep": "sweep sweep.toml -o {}/result.h5", "profile": "profile wheel.prw -o {} --no-pictures",
+    "statistics": "statistics sweep.h5 -o {} --no-pictures", "conicity": "conicity wheel.prw 60E1 --amplitudes 1mm 7mm 1mm -o {} --no-pictures",
+    "contact_run": "run contact_run.inp -o {}", "slices": "profile wheel.slcw -o {} --no-pictures",
     "fit": "fit points.csv --case contact.toml --model coulomb -o {} --no-pictures", "response": "respond contact.toml --wavelength 10mm 1m --points 2 -o {} --no-pictures",
 }
 
@@ -82,7 +84,8 @@ def write(version):
         for name, command in COMMANDS.items():
             (made / name).mkdir()
             run(command.format(name), made)
-            shutil.copy(made / name / "result.h5", folder / f"{name}.h5")
+            (result,) = (made / name).glob("*.h5")
+            shutil.copy(result, folder / f"{name}.h5")
     known = {"tables": {path.name: columns_of(path) for path in sorted(folder.glob("*.h5"))},
              "cases": {path.name: forces_of(path) for path in sorted(folder.glob("*.toml")) if is_case(path)}}
     (folder / "columns.json").write_text(json.dumps(known, indent=1) + "\n", encoding="utf-8")
@@ -103,6 +106,13 @@ class StoredFiles(unittest.TestCase):
                     for column, (count, total) in columns.items():
                         self.assertEqual(found[column][0], count, column)
                         self.assertTrue(math.isclose(found[column][1], total, rel_tol=1e-12, abs_tol=1e-300), (column, found[column][1], total))
+
+    def test_pictures_are_drawn_of_them(self):
+        for folder, known in self.folders():
+            for name in known["tables"]:
+                with self.subTest(f"{folder.name}/{name}"), tempfile.TemporaryDirectory() as pictures:
+                    run(f"plot {folder / name} -o {pictures}", folder)
+                    self.assertTrue(list(Path(pictures).glob("*.png")))
 
     def test_cases_give_what_they_gave(self):
         for folder, known in self.folders():
