@@ -25,7 +25,7 @@ TOLERANCE = 1e-4  # of forces, by which a solver may change within a major versi
 COMMANDS = {
     "contact": "solve contact.toml -o {} --no-pictures", "wheel": "solve wheel.toml -o {} --no-pictures", "wheelset": "solve wheelset.toml -o {} --no-pictures",
     "nip": "solve nip.toml -o {} --no-pictures", "sweep": "sweep sweep.toml -o {}/result.h5", "profile": "profile wheel.prw -o {} --no-pictures",
-    "statistics": "statistics sweep.h5 -o {} --no-pictures", "conicity": "conicity wheel.prw 60E1 --amplitudes 1mm 7mm 1mm -o {} --no-pictures",
+    "statistics": "statistics sweep.h5 -o {} --no-pictures", "conicity": "conicity wheel.prw 60E1 --amplitudes 0.001 0.007 0.001 -o {} --no-pictures",
     "contact_run": "run contact_run.inp -o {}", "slices": "profile wheel.slcw -o {} --no-pictures",
     "fit": "fit points.csv --case contact.toml --model coulomb -o {} --no-pictures", "response": "respond contact.toml --wavelength 10mm 1m --points 2 -o {} --no-pictures",
 }
