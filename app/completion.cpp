@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +29,12 @@ struct Candidates {
 
 Words split(std::string_view text, char separator) {
   Words words;
-  for (const auto part : std::views::split(text, separator)) words.emplace_back(part.begin(), part.end());
+  if (text.empty()) return words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    words.emplace_back(text.substr(at, end - at));
+    at = end + 1;
+  }
   return words;
 }
 

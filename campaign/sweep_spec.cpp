@@ -205,7 +205,7 @@ std::vector<Correlation> SweepSpec::read_correlations(const io::TomlSection& cor
   const auto* table = section.get_as<toml::table>("correlations");
   if (table == nullptr) return all;
   for (const auto& [key, value] : *table)
-    correlations.at(key, [&] {
+    correlations.at(key, [&, &key = key, &value = value] { // as clang wants structured bindings
       const std::string pair(key.str());
       const std::string name = correlations.full(key) + ": ";
       const auto place = pair.find(between);

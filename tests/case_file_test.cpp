@@ -435,7 +435,7 @@ TEST(CaseFile, EveryKeyWithADimensionTakesUnits) {
     read(io::TomlSection(table, file, {}, &found));
     for (const auto& [key, unit] : io::TomlSection::units_of(found)) {
       ++count;
-      expect_words([&] { io::number_in_unit(key, "1 kg s", unit); }, "must be in ");
+      expect_words([&key = key, &unit = unit] { io::number_in_unit(key, "1 kg s", unit); }, "must be in ");
     }
   };
   check("hertzian_contact.toml", [](const io::TomlSection& root) { io::read_case(root); });

@@ -43,7 +43,7 @@ struct DenseFields {
 
 void add_pairs(const ContactStep& step, const TangentialState& p, double shift, double factor, Field& ux, Field& uy,
                Field* un) {
-  const auto& [px, py] = p.traction;
+  const Field &px = p.traction.x, &py = p.traction.y;
   for_pairs(step.bodies.material, step.grid, shift, [&](std::size_t to, std::size_t from, const Influence& a) {
     ux[to] += factor * (a.xx * px[from] + a.xy * py[from] + a.xz * p.pressure[from]);
     uy[to] += factor * (a.xy * px[from] + a.yy * py[from] + a.yz * p.pressure[from]);

@@ -202,7 +202,7 @@ TEST(ElementShape, DelayedDeformationOfTents) {
   const CombinedMaterial material{1, 0.3, 0.2};
   const double ratio = 1.7, distance = 0.8, h = 1e-3;
   Bodies late(material);
-  late.retarded = {{material, ratio, distance}};
+  late.retarded = {{material, {ratio, distance}}};
   const auto delayed_at = [&](double shift) {
     const CoupledKernel all = CoupledKernel::displacement(late, grid, {shift, 0});
     const CoupledKernel elastic = CoupledKernel::displacement(material, grid, {shift, 0});

@@ -156,7 +156,9 @@ TEST(FallingFriction, GivesTheCreepCurveAMaximum) {
   for (const auto scheme : all_schemes) {
     RowSolver solver(scheme, {});
     for (const auto& [name, make] : laws()) {
-      const auto force = [&](double creepage) { return longitudinal_force(solver, make(0.1, 0.3), creepage, 0.2); };
+      const auto force = [&solver, &make = make](double creepage) {
+        return longitudinal_force(solver, make(0.1, 0.3), creepage, 0.2);
+      };
       EXPECT_LT(force(1e-4), 0.5 * force(2e-3));
       EXPECT_GT(force(2e-3), 1.5 * force(5e-2));
     }

@@ -12,7 +12,6 @@ namespace {
 using Field = std::vector<double>;
 
 constexpr double own = 2, other = 0.5; // what an element does to itself and to each other one
-constexpr double rho = 1 / own;
 
 /// s_k = 2 p_k + 1/2 (the sum of the other elements' p), for each component.
 class SmallOperator : public SlipOperator {
@@ -68,7 +67,7 @@ TEST(FrictionEquations, TwoElementsByHand) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_DOUBLE_EQ(at.slip[k], slip[k]) << k;
 
   const double norm = equations.evaluate(at.x, at.slip, at.f);
-  // The first one adheres, |p - rho s| = 0.125 < 1, and its F is rho s. The second one slides.
+  // The first one adheres, |p - s / own| = 0.125 < 1, and its F is s / own. The second one slides.
   const double zx = -1 + 5.8 / 2, zy = 0.5 - 4.15 / 2, size = std::hypot(zx, zy);
   ASSERT_GT(size, 2);
   const Field f = {0.4, -1 - 2 * zx / size, 0.425, 0.5 - 2 * zy / size};

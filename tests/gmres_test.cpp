@@ -265,7 +265,7 @@ TEST(Gmres, SinglePrecision) {
 /// Where vectors of the basis are kept in single precision, the residual is still what it is said to be.
 TEST(Gmres, ManyUnknowns) {
   const std::size_t n = many_unknowns + 3;
-  const Gmres<double>::Product product = [n](std::span<const double> in, std::span<double> out) {
+  const Gmres<double>::Product product = [](std::span<const double> in, std::span<double> out) {
     for (std::size_t i = 0; i < n; ++i)
       out[i] = (1 + static_cast<double>(i % 97) / 97) * in[i] + 0.3 * in[(i + 1) % n] - 0.2 * in[(i + 5) % n];
   };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -13,7 +12,6 @@ namespace microslip {
 namespace {
 
 const Material steel = {82e9, 0.28}, rubber = {1e6, 0.48};
-const ViscoelasticMaterial rigid = {{std::numeric_limits<double>::infinity(), 0}};
 
 LayeredBodies equal_layers() {
   const LayeredBody body = {{{3e-4, {steel}}, {1e-3, {steel}}}, {steel}};

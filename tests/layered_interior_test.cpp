@@ -5,6 +5,7 @@
 #include "microslip/exact/halfspace/layered_influence.hpp"
 #include "microslip/interior/interior_grid.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "microslip/vec2.hpp"
 #include "tests/support/expect_error.hpp"
 #include "validation/interior_integral.hpp"
 
@@ -90,14 +91,14 @@ TEST(LayeredInterior, IsTheFourierIntegralOfTheResponse) {
       {roller, 0.19}, {roller, 0.3}, {sandwich, 0.25},           {sandwich, 1}};
   const std::vector<double> one = {1}, none = {};
   for (const auto& [body, depth] : cases)
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.12, -0.05}, {0.7, 0.4}}) {
-      const InteriorInfluence exact = validation::interior_integral(body, 0, {0.2, 0.3}, x, y, depth, 96);
+    for (const Vec2& at : {Vec2{0, 0}, {0.12, -0.05}, {0.7, 0.4}}) {
+      const InteriorInfluence exact = validation::interior_integral(body, 0, {0.2, 0.3}, at.x, at.y, depth, 96);
       const InteriorField px(body, Body::first, grid, {one, none, none}),
           py(body, Body::first, grid, {none, one, none}), pn(body, Body::first, grid, {none, none, one});
       const double displacement = 0.2 / std::min(body.top().instantaneous.shear_modulus, 1.0);
-      const auto expect_same = [&](const InteriorField& field, const InteriorState& state) {
-        EXPECT_LE(difference(state_at(field, x, y, depth), nine(state), displacement, 1), 1e-7)
-            << "depth " << depth << ", x " << x;
+      const auto expect_same = [&, &depth = depth](const InteriorField& field, const InteriorState& state) {
+        EXPECT_LE(difference(state_at(field, at.x, at.y, depth), nine(state), displacement, 1), 1e-7)
+            << "depth " << depth << ", x " << at.x;
       };
       expect_same(px, exact.px);
       expect_same(py, exact.py);

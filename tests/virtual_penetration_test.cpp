@@ -17,7 +17,7 @@ const double modulus = steel.contact_modulus();
 class Lowered {
 public:
   Lowered(const WheelRailBodies& bodies, double lateral)
-      : bodies_(bodies), nominal_(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
+      : nominal_(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel)),
         search_(bodies.rail, bodies.wheel), penetration_(bodies.rail, bodies.wheel, 8) {
     state_.lateral = lateral;
     const auto points = search_.find(place(nominal_, state_), 1e-3);
@@ -35,7 +35,6 @@ public:
   const ContactPoint& touch() const { return touch_; }
 
 private:
-  const WheelRailBodies& bodies_;
   NominalPlacement nominal_;
   ContactSearch search_;
   VirtualPenetration penetration_;

@@ -30,7 +30,7 @@ namespace {
 const std::filesystem::path reference = MICROSLIP_REFERENCE_DATA;
 const std::filesystem::path cases_folder = reference / ".." / "contact-cases";
 
-constexpr double vertical_force = 10e3, friction = 0.3;
+constexpr double friction = 0.3;
 constexpr CombinedMaterial steel{82e9, 0.28, 0};
 
 /// The state of a case in microslip's axes: y and z, and angles about them, change their sign.

@@ -146,8 +146,7 @@ WheelState<double> own_state(const Case& c, double distance) {
 class LibraryWheel {
 public:
   LibraryWheel(const Case& c, const WheelOutcome& wheel)
-      : case_(c), data_(*c.wheel_rail),
-        solver_(own_bodies(c, wheel.placement), {.theory = Theory::exact, .shape = own_shape(c)}),
+      : data_(*c.wheel_rail), solver_(own_bodies(c, wheel.placement), {.theory = Theory::exact, .shape = own_shape(c)}),
         state_(own_state(c, wheel.placement.wheel_on_axle.origin.z - c.wheel_rail->deflection.dz)) {
     if (const auto* force = std::get_if<VerticalForce>(&data_.position.vertical))
       vertical_force_ = force->fz;
@@ -202,7 +201,6 @@ private:
     });
   }
 
-  const Case& case_;
   const WheelRailData& data_;
   WheelRail solver_;
   WheelState<double> state_;
