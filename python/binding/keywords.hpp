@@ -93,7 +93,7 @@ void add_keywords(pybind11::class_<T>& of, const Keyword<T> (&keywords)[n], T (*
     of.def_property_readonly(name, get,
                              (section.empty() ? std::string(name) + " " + text : text_of_key(section, name)).c_str());
   of.def("__repr__",
-         [&keywords, make, class_name](const T& self) {
+         [&keywords, class_name](const T& self) {
            std::string out;
            for (const auto& [name, value] : keywords_of(self, keywords))
              out += (out.empty() ? "" : ", ") + name.template cast<std::string>() + "=" +
@@ -105,15 +105,14 @@ void add_keywords(pybind11::class_<T>& of, const Keyword<T> (&keywords)[n], T (*
       .def("__deepcopy__", [](const T& self, const py::dict&) { return T(self); })
       .def(
           "__eq__",
-          [&keywords, make, class_name](const T& self, const py::object& other) -> py::object {
+          [&keywords](const T& self, const py::object& other) -> py::object {
             if (!py::isinstance<T>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
             return py::bool_(
                 are_equal_dicts(keywords_of(self, keywords), keywords_of(other.cast<const T&>(), keywords)));
           },
           py::is_operator())
-      .def(py::pickle([&keywords, make, class_name](
-                          const T& self) { return py::make_tuple(state_version, keywords_of(self, keywords)); },
-                      [&keywords, make, class_name](const py::tuple& given) {
+      .def(py::pickle([&keywords](const T& self) { return py::make_tuple(state_version, keywords_of(self, keywords)); },
+                      [make, class_name](const py::tuple& given) {
                         const py::object state = checked_state(class_name, given);
                         if (!py::isinstance<py::dict>(state)) throw Error(class_name + ": is no pickled state");
                         return make(state);
