@@ -23,7 +23,7 @@ Table read_table(const std::string& csv) {
   std::istringstream stream(csv);
   io::ContactTableReader reader(stream, "name");
   Table table;
-  for (const auto name : reader.columns()) table.text.append(table.text.empty() ? "" : ",").append(name);
+  for (const std::string& name : reader.columns()) table.text.append(table.text.empty() ? "" : ",").append(name);
   io::TextChunk chunk;
   while (reader.read(chunk)) {
     const auto rows = reader.parse(chunk);

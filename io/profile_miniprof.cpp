@@ -148,7 +148,8 @@ private:
 
   std::vector<std::string> column_names() const {
     std::vector<std::string> names;
-    for (const auto name : split(key("columndef").value_or(""), ",;")) names.push_back(lower_case(name));
+    const std::string text = key("columndef").value_or("");
+    for (const auto name : split(text, ",;")) names.push_back(lower_case(name));
     return names;
   }
 
