@@ -76,7 +76,7 @@ TEST(ProfileNoise, ThatNeighboursShareHasLongWaves) {
   // Means of n errors in succession, times sqrt(n): single points scatter as before, means of many sqrt(n) times as
   // much.
   constexpr std::size_t shared = 4;
-  const auto errors = white(2000, 3);
+  const auto errors = white(2010, 3);
   std::vector<double> mean(errors.size());
   for (std::size_t k = shared; k < errors.size(); ++k)
     for (std::size_t i = 0; i < shared; ++i) mean[k] += errors[k - i] / std::sqrt(static_cast<double>(shared));

@@ -135,6 +135,10 @@ TEST(ProfileSurface, IsInterruptedWhereSlicesAreShorter) {
   const ProfileSurface surface(slices);
   EXPECT_TRUE(surface.at(0.5, 1.5));
   EXPECT_FALSE(surface.at(0.5, 4));
+  ASSERT_TRUE(surface.at(0.5, 2)) << "the last point";
+  EXPECT_NEAR(surface.at(0.5, 2)->value.z, 0.05 + 4, 1e-12);
+  EXPECT_NEAR(surface.v_at_y(0.5, 1.7).at(0), 1.7, 1e-12) << "next to the last point";
+  EXPECT_EQ(surface.v_at_y(0.5, 2), std::vector<double>{2});
   EXPECT_FALSE(surface.at(1.5, 4)) << "from slice to slice only between what both have";
   EXPECT_TRUE(surface.at(3, 2.5));
   EXPECT_TRUE(surface.at(2, 4)) << "at the slice itself";

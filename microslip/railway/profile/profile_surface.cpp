@@ -219,7 +219,8 @@ ProfilePoint ProfileSurface::point(const Interval& p, std::size_t v) const {
 std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
   const Interval p = interval_at(u);
   if (!(v >= 0 && v <= double(width_ - 1))) return {};
-  const std::size_t j = std::min(static_cast<std::size_t>(v), width_ - 2);
+  std::size_t j = std::min(static_cast<std::size_t>(v), width_ - 2);
+  if (v == double(j) && j > 0 && !holds(p, j + 1)) --j; // the last point of a surface that ends there
   if (!holds(p, j) || !holds(p, j + 1)) return {};
   const CubicBasis along(p.step, p.share), across(1, v - double(j));
   // where the surface begins or ends at a slice there is nothing on its other side
