@@ -221,7 +221,7 @@ TEST(ForceElement, FollowsTransientRolling) {
         fx += fitted.elements[e].width() * fitted.grid.dy * s.friction.traction.x[e];
       const double by_element = element.step(h, changed(at(i + 1))).fx;
       if (i < settling) continue;
-      const Complex weight = std::polar(2 / (steps * amplitude), -2 * std::numbers::pi * (i + 1) / steps);
+      const Complex weight = 2 / (steps * amplitude) * std::polar(1.0, -2 * std::numbers::pi * (i + 1) / steps);
       exact += fx * weight, linear += by_element * weight;
     }
     EXPECT_LT(std::abs(linear - exact), 0.02 * std::abs(exact)) << steps << linear << exact;

@@ -71,7 +71,7 @@ std::array<Complex, 2> oscillated(int steps, int settling, double amplitude, con
       const double angle = 2 * std::numbers::pi * i / steps;
       const std::array<double, 2> f = roll(sign * amplitude, angle);
       if (i < first) continue;
-      for (int k = 0; k < 2; ++k) out[k] += f[k] * sign * std::polar(1.0 / (steps * amplitude), -angle);
+      for (int k = 0; k < 2; ++k) out[k] += f[k] * sign / (steps * amplitude) * std::polar(1.0, -angle);
     }
   }
   return out;

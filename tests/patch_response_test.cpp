@@ -159,7 +159,7 @@ TEST(PatchResponse, ByRoughnessIsThatOfSteppingOverWaves) {
       const ContactSolution s = tangential.solve(bound, input);
       last = s.fields.traction;
       if (i < n) continue;
-      const Complex weight = sign * std::polar(1 / (n * amplitude), -angle);
+      const Complex weight = sign / (n * amplitude) * std::polar(1.0, -angle);
       f[0] += s.totals.fx * weight, f[1] += s.totals.fy * weight, f[2] += pressed.normal_force * weight;
     }
   }

@@ -207,9 +207,10 @@ TEST(ContactEdges, AreFoundWithinAFractionOfAnElementThatFalls) {
   EXPECT_LT(rms_edge_error(96), 0.016);
 }
 
-/// Whether p^2 of all four neighbours is a tenth of the element's or more.
+/// Whether it has four neighbours, and p^2 of each is a tenth of the element's or more.
 bool is_well_inside(const ElementGrid& grid, const Field& pressure, std::size_t k) {
-  const std::size_t mx = grid.mx;
+  const std::size_t mx = grid.mx, i = k % mx, j = k / mx;
+  if (i == 0 || i + 1 == mx || j == 0 || j + 1 == std::size_t(grid.my)) return false;
   const double least = std::min({pressure[k - 1], pressure[k + 1], pressure[k - mx], pressure[k + mx]});
   return least * least > 0.1 * pressure[k] * pressure[k];
 }

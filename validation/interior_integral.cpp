@@ -81,7 +81,7 @@ InteriorInfluence interior_integral(const LayeredBody& body, double speed, const
         const double angle = 2 * std::numbers::pi * d / directions, c = std::cos(angle), s = std::sin(angle);
         if (speed != 0) terms = whole_response(stack_at(body, -speed * k * c), at, k);
         const double element = sine_ratio(k * c * dx / 2) * sine_ratio(k * s * dy / 2);
-        const Complex wave = std::polar(weight * element, k * (c * x + s * y));
+        const Complex wave = weight * element * std::polar(1.0, k * (c * x + s * y));
         for (const Response& r : terms) {
           add(sum.px, 1, of_tangential(r, c, -s).turned(wave, k, c, s));
           add(sum.py, 1, of_tangential(r, s, c).turned(wave, k, c, s));

@@ -58,7 +58,7 @@ Influence layered_integral(const LayeredBody& body, double speed, const ElementS
         if (speed != 0) rest = rest_of_response(stack_at(body, -speed * k * c), k);
         double element = sine_ratio(k * c * dx / 2) * sine_ratio(k * s * dy / 2);
         if (sides.shape == ElementShape::bilinear) element *= element;
-        add(sum, 1, wave_influence(rest, std::polar(weight * element, k * (c * i * dx + s * j * dy)), c, s));
+        add(sum, 1, wave_influence(rest, weight * element * std::polar(1.0, k * (c * i * dx + s * j * dy)), c, s));
       }
     }
   return sum;

@@ -94,7 +94,7 @@ Complex transient_amplitude(int elements, int steps) {
       double fx = 0;
       for (std::size_t e = 0; e < bound.size(); ++e)
         fx += fitted.elements[e].width() * fitted.grid.dy * s.friction.traction.x[e];
-      out += sign * fx * std::polar(1 / (steps * amplitude), -angle * i);
+      out += sign * fx * std::polar(1.0, -angle * i) / (steps * amplitude);
     }
   }
   return out;
