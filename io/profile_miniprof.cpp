@@ -111,7 +111,8 @@ private:
   /// A key of the wanted profile, else of the file.
   std::optional<std::string> key(const std::string& name) const {
     for (const auto& section : {wanted_ + "Info", wanted_ + "Points", std::string("FileInfo"), std::string()})
-      if (const auto found = keys_.find(section + "/" + name); found != keys_.end()) return found->second;
+      if (const auto found = keys_.find(std::string(section).append("/").append(name)); found != keys_.end())
+        return found->second;
     return {};
   }
 

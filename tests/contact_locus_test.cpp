@@ -89,7 +89,11 @@ public:
       : middle_(draw_strip(draw, draw.between(-7, -3), draw.between(3, 7), Presence::always)),
         gauge_(draw_strip(draw, -18, middle_.first, gauge)), field_(draw_strip(draw, middle_.last, 18, field)) {
     middle_.step = 0;
-    for (double u = -60; u < 60; u += draw.between(1.5, 8)) places_.push_back(u);
+    double u = -60;
+    while (u < 60) {
+      places_.push_back(u);
+      u += draw.between(1.5, 8);
+    }
   }
 
   void write(const TemporaryFolder& folder) const {
@@ -152,7 +156,7 @@ Vec3<double> centre(const WheelPatch& patch) {
   double x = 0, y = 0, sum = 0;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
-      const double p = patch.solution->solution.normal.pressure[static_cast<std::size_t>(j * grid.mx + i)];
+      const double p = patch.solution->solution.normal.pressure[static_cast<std::size_t>(j) * grid.mx + i];
       x += p * grid.x(i);
       y += p * grid.y(j);
       sum += p;

@@ -182,7 +182,7 @@ double share_behind(double x, const WheelOutcome& wheel) {
     const auto& pressure = patch.solution->solution.normal.pressure;
     for (int i = 0; i < grid.mx; ++i)
       for (int j = 0; j < grid.my; ++j) {
-        const double p = pressure[static_cast<std::size_t>(j * grid.mx + i)];
+        const double p = pressure[static_cast<std::size_t>(j) * grid.mx + i];
         all += p;
         if (patch.grid.outer({grid.x(i), 0, 0}).x < x) behind += p;
       }
@@ -198,8 +198,10 @@ TEST_F(VariedProfiles, PartsOfAPatchMayLieWhereItsMiddleHasNoRail) {
   write("beside.prr", 0, rail);
   write("both.prr", 0, blade);
   const auto length_to = [](const auto& z, double end) {
+    constexpr double step = 0.1, start = -20;
     double s = 0;
-    for (double y = -20; y < end - 0.05; y += 0.1) s += std::hypot(0.1, z(y + 0.1) - z(y));
+    for (int k = 0; k < std::lround((end - start) / step); ++k)
+      s += std::hypot(step, z(start + (k + 1) * step) - z(start + k * step));
     return std::to_string(s);
   };
   const std::vector<int> places = {-40, -20, -12, -6, 0, 12, 20, 40};

@@ -32,8 +32,8 @@ constexpr std::string_view to_string(Unsolved reason) {
       "",
       "the state is out of range",
       "wheel and rail do not touch",
-      "no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would overlap by "
-      "more than 1/1000 of the radius",
+      ("no height bears the vertical force: friction on the flange pulls the wheel down, or the bodies would overlap "
+       "by more than 1/1000 of the radius"),
       "the vertical force jumps over the one given at this height",
       "wheel and rail touch in more than 128 patches",
       "the pressures have not converged: see the residual",
