@@ -192,13 +192,13 @@ protected:
   std::optional<bool> are_searches_alike(const std::string& text) const {
     const Outcome locus = run(text).at(0), brute = run(with(text, by_locus, by_brute_force)).at(0);
     if (locus.misses_force || brute.misses_force) return {};
-    EXPECT_NEAR(locus.wheel.value().z, brute.wheel.value().z, 0.05 * mm);
+    EXPECT_NEAR(locus.wheel.value().z, brute.wheel.value().z, 0.04 * mm);
     return are_alike(locus.wheel.value(), brute.wheel.value());
   }
 };
 
-/// Of 3,600 such rails 13 are not alike: their patch has two parts at edges, and which of them carries how much depends
-/// on micrometres.
+/// Of 3,600 such rails, with other seeds, 13 are not alike: the wheel stands on sharp ends, and which of them carries
+/// how much depends on micrometres.
 TEST_F(LocusOnSlices, FindsWhatBruteForceFindsWhereverRailsAreInterrupted) {
   constexpr int rounds = 4;
   constexpr Presence all[] = {Presence::always,        Presence::from_a_place,
@@ -223,7 +223,7 @@ TEST_F(LocusOnSlices, FindsWhatBruteForceFindsWhereverRailsAreInterrupted) {
         alike += same.value_or(false);
       }
   EXPECT_GT(compared, 0.95 * rounds * 36);
-  EXPECT_GT(alike, 0.98 * compared);
+  EXPECT_GT(alike, 0.99 * compared);
 }
 
 /// Where slices of two shapes lie close together, the splines along the rail swing far beyond both of them.

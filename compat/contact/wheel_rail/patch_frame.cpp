@@ -39,7 +39,8 @@ struct Range {
   }
 };
 
-/// s along the rail, which a plane at this angle continues where another of the rail's slices reaches farther.
+/// s along the rail; of slices, others of which may reach farther than this one, goes on in a plane at this angle.
+/// Beyond the end of a rail that does not vary there is nothing: s ends, as in CONTACT.
 double s_across(const ProfileCurve& rail, double y, const Placement& p, double angle) {
   const double s = rail.nearest_s_at_y(y);
   return p.rail_profile.varies() ? s + (y - rail.at(s).value.y) / std::cos(angle) : s;
