@@ -3,6 +3,7 @@
 #include "app/init.hpp"
 #include "app/option_text.hpp"
 #include "io/option_words.hpp"
+#include "io/text_line.hpp"
 #include "validation/study_texts.hpp"
 
 #include <algorithm>
@@ -26,17 +27,6 @@ struct Candidates {
   Words words = {};
   std::string ending = {}; ///< of the files
 };
-
-Words split(std::string_view text, char separator) {
-  Words words;
-  if (text.empty()) return words;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    words.emplace_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return words;
-}
 
 std::string replaced(const std::string& text, std::string_view what, std::string_view by) {
   std::string result;
@@ -62,7 +52,10 @@ Candidates candidates(const OptionText& option) {
   }
   if (value == "STUDY") return {.kind = Candidates::Kind::words, .words = study_names()};
   if (value == "FOLDER") return {.kind = Candidates::Kind::folders};
-  if (value.find('|') != std::string::npos) return {.kind = Candidates::Kind::words, .words = split(value, '|')};
+  if (value.find('|') != std::string::npos) {
+    const auto words = io::parts_of(value, '|');
+    return {.kind = Candidates::Kind::words, .words = Words(words.begin(), words.end())};
+  }
   const auto dot = value.find('.');
   if (dot != std::string::npos) return {.kind = Candidates::Kind::files, .ending = value.substr(dot + 1)};
   return {};

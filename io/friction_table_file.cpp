@@ -41,15 +41,11 @@ using Places = std::array<std::optional<Place>, columns.size()>;
 using Row = std::array<double, columns.size()>;
 
 /// The fields of a line, without quotes around them.
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  for (bool is_last = false; !is_last;) {
-    const auto end = line.find(separator);
-    is_last = end == std::string_view::npos;
-    std::string_view field = trimmed(line.substr(0, end));
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  std::vector<std::string_view> fields = parts_of(line, separator);
+  for (std::string_view& field : fields) {
+    field = trimmed(field);
     if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-    fields.push_back(field);
-    line.remove_prefix(is_last ? line.size() : end + 1);
   }
   return fields;
 }
@@ -141,10 +137,10 @@ FrictionTable parse_friction_table(std::string_view text, const std::string& nam
     try {
       if (!places) {
         separator = csv_separator(line);
-        places = places_of(split(line, separator));
+        places = places_of(fields_of(line, separator));
         continue;
       }
-      const Row row = row_of(split(line, separator), *places, separator != ',');
+      const Row row = row_of(fields_of(line, separator), *places, separator != ',');
       const bool is_grid = (*places)[of_pressure] || (*places)[of_temperature];
       if (!is_grid && !rows.empty() && !(row[of_velocity] > rows.back()[of_velocity]))
         throw Error(columns[of_velocity].label, row[of_velocity], columns[of_velocity].unit,

@@ -155,12 +155,12 @@ private:
   }
 
   Columns columns() const {
-    const auto text = key("columndef");
-    if (!text || text->empty()) return {};
     const auto names = column_names();
+    if (names.empty()) return {};
     const auto place = [&](std::string_view name) {
       const auto found = std::find(names.begin(), names.end(), name);
-      if (found == names.end()) lines_.fail_as_a_whole("ColumnDef = " + printable(*text) + " has no X or no Y");
+      if (found == names.end())
+        lines_.fail_as_a_whole("ColumnDef = " + printable(*key("columndef")) + " has no X or no Y");
       return static_cast<std::size_t>(found - names.begin());
     };
     return {place("x"), place("y")};
