@@ -100,6 +100,7 @@ std::vector<EllipticContact> in_one_circle(int count) {
 
 std::vector<RollingProblem> problems_of(const std::vector<EllipticContact>& contacts, const Motion& motion = {}) {
   std::vector<RollingProblem> problems;
+  problems.reserve(contacts.size());
   for (const EllipticContact& contact : contacts) problems.push_back(rolling_problem(contact, motion));
   return problems;
 }
@@ -305,7 +306,8 @@ double head_height(double y) {
 }
 
 /// A cone on such a head, in states from side to side.
-BenchRow rail_row(std::string_view name, WheelRailMethod method, std::string_view over, bool derivatives = false) {
+BenchRow rail_row(std::string_view name, const WheelRailMethod& method, std::string_view over,
+                  bool derivatives = false) {
   WheelRailBodies bodies{profile_of(ProfileRole::rail, 0.036, head_height),
                          profile_of(ProfileRole::wheel, 0.06, [](double y) { return 0.05 * y; }),
                          {},
