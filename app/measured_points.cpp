@@ -179,7 +179,7 @@ std::vector<campaign::ComparedCurve> compare_results(const std::vector<std::stri
 std::filesystem::path write_comparison(const std::vector<campaign::ComparedCurve>& curves, io::Provenance of,
                                        const std::filesystem::path& folder) {
   io::create_folder(folder);
-  const std::filesystem::path path = folder / file_name;
+  std::filesystem::path path = folder / file_name;
   of.kind = "measured_points";
   io::ResultFile file(path, of);
   io::MeasuredCurves all;
@@ -227,6 +227,7 @@ io::Json comparison_document(const std::vector<campaign::ComparedCurve>& curves)
 
 std::string comparison_text(const std::vector<campaign::ComparedCurve>& curves) {
   std::vector<std::string> lines;
+  lines.reserve(curves.size());
   for (const campaign::ComparedCurve& curve : curves)
     lines.push_back((curve.name.empty() ? "" : curve.name + ": ") +
                     comparison_text(Deviations{curve.computed.size(), curve.rms, curve.bias}));

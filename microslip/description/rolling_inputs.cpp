@@ -27,7 +27,7 @@ constexpr std::span kinds(contact_motions);
 constexpr Condition shift{"kind", kinds.first(1)}, rolling{"kind", kinds.last(2)},
     transient{"kind", kinds.subspan(1, 1)};
 
-std::vector<Input> all_inputs() {
+std::vector<Input> all_inputs() { // NOLINT(readability-function-size): a table
   return lines_of({
       {"",
        {

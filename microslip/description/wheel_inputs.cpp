@@ -16,7 +16,7 @@ namespace {
 constexpr Word inclined_friction_laws[] = {"coulomb"};
 constexpr Word sides[] = {"left", "right", "both"};
 
-std::vector<Input> all_inputs() {
+std::vector<Input> all_inputs() { // NOLINT(readability-function-size): a table
   return lines_of({
       {"",
        {

@@ -52,9 +52,10 @@ void add_chebyshev_times(const TimeRange& range, std::vector<double>& times) {
 
 std::vector<double> sample_frequencies(const std::vector<double>& times) {
   constexpr double beyond = 100, step = 0.3;
-  const double low = 1 / (beyond * times.back()), high = beyond / times.front();
+  const double low = std::log(1 / (beyond * times.back())), high = std::log(beyond / times.front());
+  const auto steps = static_cast<int>((high - low) / step);
   std::vector<double> frequencies = {0};
-  for (double at = std::log(low); at <= std::log(high); at += step) frequencies.push_back(std::exp(at));
+  for (int k = 0; k <= steps; ++k) frequencies.push_back(std::exp(low + k * step));
   return frequencies;
 }
 
