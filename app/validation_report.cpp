@@ -139,14 +139,9 @@ std::string time_text(std::time_t time) {
   return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(time));
 }
 
-/// Of all figures that are judged, so that a signature stands for these and no others.
 std::string figures_digest(const std::vector<StudyRecord>& records) {
   std::string lines;
-  for (const auto& record : records)
-    for (const auto& figure : record.figures)
-      if (figure.met)
-        lines += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", record.study->name, figure.section, figure.name,
-                             figure.computed, figure.expected, *figure.met ? "met" : "not met");
+  for (const auto& record : records) lines += validation::signed_lines(record.study->name, record.figures);
   return io::sha256(lines);
 }
 
@@ -282,9 +277,9 @@ constexpr const char* method = R"(<h2>3. Method and tolerances</h2>
 <p>A study computes figures and prints each beside the published one, or beside the bound that it must keep to. What a
 figure must keep to is a constant of the program, so it is fixed before the run and cannot follow the result; it stands
 beside the figure in section 7. A figure is <b>met</b> or <b>NOT MET</b>. One that is not met for a reason that the
-documentation gives, and keeps to the limit stated there, is a <b>known limit</b>. Figures without a verdict, such as
-times, are shown for comparison only. The command above, given to the same program on the same files, repeats the
-report.</p>
+documentation gives, and keeps to the limit stated there, is a <b>known limit</b>. Figures without a verdict are shown for
+comparison only. Ratios of times are judged, but differ from run to run and are no part of the digest of the figures. The
+command above, given to the same program on the same files, repeats the report and this digest.</p>
 )";
 
 /// At the foot of every printed page, so that none can be exchanged.

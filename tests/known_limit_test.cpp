@@ -56,6 +56,24 @@ TEST(KnownLimit, ExcusesNothingBeyondIt) {
   EXPECT_NE(bad.text.find(" NOT MET\n"), std::string::npos) << bad.text;
 }
 
+/// A report's digest repeats where times do not.
+TEST(Report, SignsWhatComesOutTheSameEachTime) {
+  const auto lines = [](double ratio, double error) {
+    std::ostringstream out;
+    std::vector<Figure> figures;
+    Report report(out, &figures);
+    report.bounded_time("longest time", "{:.0f}", ratio, "at most 100", {.bound = "at most 200", .page = "limits.md"});
+    report.bounded("largest error", "{:.2f}", error, "<= 0.1");
+    report.remark("share", "1 %", "-", "not judged");
+    EXPECT_TRUE(report.all_as_stated());
+    EXPECT_EQ(figures.size(), 3u);
+    return signed_lines("hertz", figures);
+  };
+  EXPECT_EQ(lines(90, 0.05), "hertz\t\tlargest error\t0.05\t<= 0.1\tmet\n");
+  EXPECT_EQ(lines(150, 0.05), lines(90, 0.05));
+  EXPECT_NE(lines(90, 0.06), lines(90, 0.05));
+}
+
 /// The pages that studies name for known limits have the words "known limit", in the printed block or their text.
 TEST(KnownLimit, IsOnThePageThatIsNamed) {
   namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-// The strips that tell the table level what a patch's shape changes.
+// The strips that tell the theory table what a patch's shape changes.
 
 #include "microslip/railway/rows/row_strips.hpp"
 

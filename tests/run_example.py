@@ -44,7 +44,7 @@ BUILT = {"c/*.c": "c_{stem}", "fortran/*.f90": "fortran_{stem}", "libcontact/*.f
 
 # What a separate test runs, in a script that names the file; and what takes minutes, which the figures of a page run.
 ELSEWHERE = {"matlab/*.m": "c/tests/mex_test.m", "libcontact/wheel_forces.c": "compat/libcontact/tests/octave.sh",
-             "wheelset/wheelset_on_profiles.cpp": "docs/wheelset-on-track.md", "wheelset/wheelset_levels.cpp": "docs/wheelset-on-track.md",
+             "wheelset/wheelset_on_profiles.cpp": "docs/wheelset-on-track.md", "wheelset/wheelset_theories.cpp": "docs/wheelset-on-track.md",
              "adapters/dytsi/critical_speed.cpp": "examples/adapters/dytsi/tests/bogies_test.sh",
              "adapters/dytsi/plot.py": "examples/adapters/dytsi/critical_speeds.sh",
              "adapters/dytsi/critical_speeds.sh": "docs/making/images.py",

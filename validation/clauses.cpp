@@ -76,7 +76,7 @@ constexpr std::array trust = {
     Clause{"6.2", "100,000 random wheels far beyond service: failures and contradictions", "random-wheels"},
     Clause{"6.3", "3,220 cases by the exact theory: failures, steps", "exact-test-set"},
     Clause{"6.4", "Second order of the exact theory, and its estimate of the error", "second-order"},
-    Clause{"6.5", "Fast theories of a wheel beside the exact one, largest jumps", "wheel-levels"},
+    Clause{"6.5", "Fast theories of a wheel beside the exact one, largest jumps", "wheel-theories"},
     Clause{"6.6", "Planes, curved and conformal patches beside finer ones", "wheel-surfaces"},
     Clause{"6.7", "Creep-force table beside the exact theory", "creep-table"},
     Clause{"6.8", "Creep-force table on patches that are not elliptic", "creep-table-patches"},

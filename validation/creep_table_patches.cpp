@@ -202,7 +202,7 @@ struct Errors {
 
 struct Comparison {
   std::size_t patches = 0, unsolved = 0;
-  std::array<Errors, 5> errors = {Errors{"table level: ellipse and strips"}, Errors{"ellipse by moments, the table's"},
+  std::array<Errors, 5> errors = {Errors{"theory table: ellipse and strips"}, Errors{"ellipse by moments, the table's"},
                                   Errors{"ellipse by area and extent"}, Errors{"exact theory on SDEC's shape"},
                                   Errors{"FASTSIM2 on the rows"}};
 

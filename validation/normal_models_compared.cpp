@@ -41,8 +41,8 @@ std::vector<Level> levels_of(double poisson_ratio) {
     return Level{fmt::format("exact theory, {0} x {0}", elements),
                  {.theory = Theory::exact, .shape = PatchShape::curved, .elements = elements}};
   };
-  return {{"level fastsim2", {.fields = true}},
-          {"level table",
+  return {{"theory fastsim2", {.fields = true}},
+          {"theory table",
            {.theory = Theory::table,
             .table = std::make_shared<const CreepForceTable>(io::read_creep_table(io::shipped_creep_table()),
                                                              poisson_ratio)}},
@@ -218,7 +218,7 @@ void print_pressed(Report& report, const std::string& pair, const Outcomes& outc
   report.line(head + "  worst peak at");
   using P = PressedNumbers;
   for (const Method& m : methods) {
-    if (m.name == "level table") continue; // pressed as fastsim2 is
+    if (m.name == "theory table") continue; // pressed as fastsim2 is
     const Errors peak = errors_of(outcomes, m.pressed, &P::peak),
                  lowering = errors_of(outcomes, m.pressed, &P::lowering);
     report.line(fmt::format("{:<34} {:4}  {}  {}  {}  {}  {}  {}", m.name, outcomes.size() - lowering.count(),
@@ -276,7 +276,7 @@ void print_times(Report& report, const Outcomes& outcomes, const std::vector<Lev
     return median(all);
   };
   const double unit = of([](const Outcome& o) { return o.level_seconds[fastsim2]; });
-  report.heading("median processor time of a rolling wheel over that of the level fastsim2");
+  report.heading("median processor time of a rolling wheel over that of the theory fastsim2");
   const auto line = [&](const std::string& name, double seconds) {
     report.line(fmt::format("{:<42} {:8.2f}", name, seconds / unit));
   };
@@ -295,7 +295,7 @@ void judge(Report& report, const Outcomes& outcomes, const std::vector<Level>& l
     report.bounded(levels[level].name + ": rms of the force", "{:.4f}", e.statistics().rms, bound);
     report.count(levels[level].name + ": states without a result", long(outcomes.size() - e.count()), 0);
   };
-  report.heading("The library's levels over all pairs");
+  report.heading("The library's theories over all pairs");
   rms(table, "at most 0.015");
   rms(first_exact, "at most 0.006");
   rms(first_exact + 1, "at most 0.002");

@@ -272,8 +272,8 @@ bool run_random_wheels(const StudyOptions& options, std::ostream& out) {
   double ratio = 0;
   for (std::size_t k = 0; k < sums.size(); ++k)
     ratio = std::max(ratio, add_times(report, pairs[k / theories.size()].name, names[k % theories.size()], sums[k]));
-  report.bounded("longest processor time over the median of its line", "{:.0f}", ratio, "at most 100",
-                 {.bound = "at most 1000", .page = "accuracy-wheel-states.md"});
+  report.bounded_time("longest processor time over the median of its line", "{:.0f}", ratio, "at most 100",
+                      {.bound = "at most 1000", .page = "accuracy-wheel-states.md"});
   if (options.thorough) {
     report.heading("States without a solution, and the slowest ones");
     for (const Remarkable& one : total.remarkable) report.line(line_of(one, pairs[one.group.pair].name));

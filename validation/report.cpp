@@ -24,6 +24,15 @@ bool keeps_to(std::string_view bound, double value) {
 
 } // namespace
 
+std::string signed_lines(std::string_view study, const std::vector<Figure>& figures) {
+  std::string lines;
+  for (const Figure& figure : figures)
+    if (figure.met && !figure.is_time)
+      lines += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", study, figure.section, figure.name, figure.computed,
+                           figure.expected, *figure.met ? "met" : "not met");
+  return lines;
+}
+
 void Report::heading(std::string_view text) {
   fmt::print(out_, "\n{}\n", text);
   section_ = text;
@@ -56,6 +65,13 @@ void Report::bounded(std::string_view name, std::string_view format, double valu
   known_limit(name, fmt::format(fmt::runtime(format), value), bound, known);
 }
 
+void Report::bounded_time(std::string_view name, std::string_view format, double value, std::string_view bound,
+                          const KnownLimit& known) {
+  is_time_ = true;
+  bounded(name, format, value, bound, known);
+  is_time_ = false;
+}
+
 void Report::near(std::string_view name, std::string_view format, double value, std::string_view expected,
                   double tolerance) {
   figure(name, fmt::format(fmt::runtime(format), value), expected, std::abs(value - number_in(expected)) <= tolerance);
@@ -77,6 +93,7 @@ void Report::remark(std::string_view name, std::string_view computed, std::strin
 }
 
 void Report::keep(Figure figure) {
+  figure.is_time = is_time_;
   if (figures_ != nullptr) figures_->push_back(std::move(figure));
 }
 

@@ -15,7 +15,12 @@ struct Figure {
   std::optional<bool> met; ///< none: it is shown but not judged
   std::string remark = {}; ///< why it is not, or the known limit that a figure that is not met keeps to
   bool is_known = false;   ///< not met, for a reason that the documentation gives, and within the limit stated there
+  bool is_time = false;    ///< another one each time
 };
+
+/// A line for each figure of a study that a signature stands for: those that are judged and come out the same each
+/// time.
+std::string signed_lines(std::string_view study, const std::vector<Figure>& figures);
 
 /// What a figure that misses its mark keeps to all the same, and the page of the documentation that says why it does.
 struct KnownLimit {
@@ -42,6 +47,9 @@ public:
   /// The same; a value that misses the bound may keep to a known limit.
   void bounded(std::string_view name, std::string_view format, double value, std::string_view bound,
                const KnownLimit& known);
+  /// The same for a time, or a ratio of times.
+  void bounded_time(std::string_view name, std::string_view format, double value, std::string_view bound,
+                    const KnownLimit& known);
   /// A value printed by `format` that must differ from the one expected by no more than `tolerance`.
   void near(std::string_view name, std::string_view format, double value, std::string_view expected, double tolerance);
   /// The same where the one expected is printed by a format of its own.
@@ -60,6 +68,7 @@ private:
   std::ostream& out_;
   std::vector<Figure>* figures_;
   std::string section_ = {};
+  bool is_time_ = false; ///< of the next figure
   bool all_as_stated_ = true;
 };
 

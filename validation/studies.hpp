@@ -162,9 +162,9 @@ bool run_vehicle(const StudyOptions& options, std::ostream& out);
 /// of slow and quick loads.
 bool run_viscoelastic_cylinders(const StudyOptions& options, std::ostream& out);
 
-/// The study `wheel-levels`: forces of a wheel by the fast theories and on coarse elements beside the exact theory on
+/// The study `wheel-theories`: forces of a wheel by the fast theories and on coarse elements beside the exact theory on
 /// fine ones, in random states of new and worn profiles; and the largest jump of each, found by bisection.
-bool run_wheel_levels(const StudyOptions& options, std::ostream& out);
+bool run_wheel_theories(const StudyOptions& options, std::ostream& out);
 
 /// The study `wheel-rail`: a wheel on a rail in sweeps through contact jumps, in 100,000 random states, its derivatives
 /// beside differences, and the energy that it loses, on profiles of the examples and, where they are there, measured

@@ -52,7 +52,7 @@ constexpr std::array all_studies = {
     study("temperature", run_temperature),
     study("vehicle", run_vehicle),
     study("viscoelastic-cylinders", run_viscoelastic_cylinders),
-    study("wheel-levels", run_wheel_levels),
+    study("wheel-theories", run_wheel_theories),
     study("wheel-rail", run_wheel_rail),
     study("wheel-surfaces", run_wheel_surfaces),
 };

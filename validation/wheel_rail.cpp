@@ -266,8 +266,8 @@ bool robustness(Report& report, const std::vector<Pair>& all, Theory theory, int
   std::nth_element(total.times.begin(), total.times.begin() + static_cast<long>(total.times.size() / 2),
                    total.times.end());
   const double ratio = total.slowest / total.times[total.times.size() / 2];
-  report.bounded("longest processor time over the median", "{:.0f}", ratio, "at most 100",
-                 {.bound = "at most 200", .page = "accuracy-wheel-states.md"});
+  report.bounded_time("longest processor time over the median", "{:.0f}", ratio, "at most 100",
+                      {.bound = "at most 200", .page = "accuracy-wheel-states.md"});
   return true;
 }
 

@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// Throws Error for a shape of patches that the level does not have, with this text before the message.
+/// Throws Error for a shape of patches that the theory does not have, with this text before the message.
 void require_shape(const WheelRailMethod& method, const std::string& name = "shape");
 /// Throws Error for layers out of range, and for a method that cannot have them.
 void require_layers(const std::optional<LayeredBodies>& layered, const WheelRailMethod& method);

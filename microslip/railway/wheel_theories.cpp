@@ -14,7 +14,7 @@ namespace {
 void require_nothing(const WheelRailMethod&) {}
 
 void require_table(const WheelRailMethod& method) {
-  if (!method.table) throw Error("table: the level \"table\" needs a creep-force table, and none is given");
+  if (!method.table) throw Error("table: the theory \"table\" needs a creep-force table, and none is given");
   if (method.table->direction() != RollingDirection::forward)
     throw Error("table: must be one for rolling forward; the other direction is its mirror image");
   if (method.fields) throw Error("fields: a creep-force table has none; the theories fastsim2 and exact do");

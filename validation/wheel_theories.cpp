@@ -236,7 +236,7 @@ bool jumps(Report& report, const std::vector<ProfilePair>& pairs, const StudyOpt
 
 } // namespace
 
-bool run_wheel_levels(const StudyOptions& options, std::ostream& out) {
+bool run_wheel_theories(const StudyOptions& options, std::ostream& out) {
   const std::vector<ProfilePair> pairs = worn_pairs();
   Report report(out, options.figures);
   if (!accuracy(report, pairs, options, part_of(options.progress, 0, 0.3))) return false;

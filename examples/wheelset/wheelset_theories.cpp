@@ -1,7 +1,7 @@
 // The wheelset on real profiles with each theory of its contacts: what a simulated second costs, and the limit cycle
 // between the flanges at 66 m/s.
 //
-//   wheelset_levels PROFILES TABLE [DURATION [ELEMENTS]]     PROFILES: where s1002.prw and 60e1.prr are; TABLE: a
+//   wheelset_theories PROFILES TABLE [DURATION [ELEMENTS]]     PROFILES: where s1002.prw and 60e1.prr are; TABLE: a
 //                                                            creep-force table; DURATION [s] of the exact theory, which
 //                                                            starts in the table's limit cycle, none: 0.3; ELEMENTS of
 //                                                            it across a patch, none: 24
@@ -91,7 +91,7 @@ int main(int count, char** arguments) {
     if (duration > 0) run_theory("exact", bodies, {.theory = Theory::exact, .elements = elements}, &end, duration, 4);
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "wheelset_levels: %s\n", error.what());
+    std::fprintf(stderr, "wheelset_theories: %s\n", error.what());
     return 1;
   }
 }
