@@ -108,6 +108,8 @@ bool is_amplitude(double value) noexcept {
 
 WheelsetSearch& wheelset_of(microslip_wheel_rail& wheel_rail) {
   const io::WheelRailCase& input = *wheel_rail.input;
+  for (const io::PlacedProfile* profile : {&input.rail, &input.wheel})
+    io::require_one_section(profile->report, profile->surface, "a search for the contacts of a wheelset");
   const WheelsetSearch::Side side{input.rail.profile, input.wheel.profile};
   if (!wheel_rail.wheelset)
     wheel_rail.wheelset = std::make_unique<WheelsetSearch>(input.track, input.wheelset, side, side);

@@ -34,8 +34,11 @@ const std::vector<std::string_view>& CsvLine::split(std::string_view line) {
   };
   csv_parser* const parser = &parser_->parser;
   const auto length = csv_parse(parser, line.data(), line.size(), add_field, nullptr, this);
-  if (length != line.size() || csv_fini(parser, add_field, nullptr, this) != 0)
+  if (length != line.size() || csv_fini(parser, add_field, nullptr, this) != 0) {
+    // It still holds what it has read of the field, which would come before the next line's.
+    parser_ = std::make_unique<Parser>(static_cast<char>(csv_get_delim(parser)));
     throw Error("a quote is not closed or inside a field");
+  }
   fields_.clear();
   std::size_t begin = 0;
   for (const auto end : ends_) {

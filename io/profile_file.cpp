@@ -111,6 +111,7 @@ private:
   }
 
   double unit_by_width() {
+    if (file_.points.empty()) fail("has no points within its bounds");
     const auto [left, right] = std::minmax_element(file_.points.begin(), file_.points.end(),
                                                    [](const auto& a, const auto& b) { return a.y < b.y; });
     const double width = right->y - left->y;

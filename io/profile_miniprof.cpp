@@ -53,10 +53,12 @@ private:
     }
   }
 
-  /// An = that does not stand in a comment.
+  /// An = that stands neither in a comment nor in a remark behind numbers.
   static bool is_key(std::string_view line) {
     const auto sign = line.find('=');
-    return sign != std::string_view::npos && sign > 0 && line.find_first_of("!%") > sign;
+    if (sign == std::string_view::npos || sign == 0 || line.find_first_of("!%") < sign) return false;
+    const auto words = split(line.substr(0, sign), ",;");
+    return words.size() < 2 || !parse_number(words[0]) || !parse_number(words[1]);
   }
 
   bool has_points() const { return !rows_.empty(); }

@@ -49,6 +49,13 @@ SlicedProfile read_sliced_profile(const std::filesystem::path& path, ProfileFile
   }
 }
 
+void require_one_section(const ProfileReport& report, const std::shared_ptr<const ProfileSurface>& surface,
+                         std::string_view what) {
+  if (surface)
+    throw Error(report.source + ": " + std::string(what) +
+                " needs the same profile all along, not slices of one that varies");
+}
+
 PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options) {
   if (!names_slices(path)) return {read_profile(path, options), {}};
   SlicedProfile sliced = read_sliced_profile(path, options);

@@ -29,6 +29,11 @@ struct PlacedProfile : PreparedProfile {
 /// Reads either kind of file, as read_profile and read_sliced_profile do.
 PlacedProfile read_placed_profile(const std::filesystem::path& path, const ProfileFileOptions& options = {});
 
+/// Throws Error for a profile with a surface: it varies along the track or around the wheel, and `what` would see its
+/// first slice alone.
+void require_one_section(const ProfileReport& report, const std::shared_ptr<const ProfileSurface>& surface,
+                         std::string_view what);
+
 /// Profiles by file and options, each read once, for a reader that is called again and again. It keeps the last four.
 class ProfileFiles {
 public:

@@ -98,6 +98,18 @@ void expect_all(const std::filesystem::path& result_file, const std::filesystem:
   EXPECT_GT(compared, 20u);
 }
 
+/// Half a field of a line that is refused came before the next one's: 2 and 0.5 made 20.5.
+TEST(CsvLine, ForgetsALineThatItRefuses) {
+  for (const char* bad : {"1,2\"x,3", "\"1,2,3", "1,\"2\"x,3"}) {
+    io::CsvLine line;
+    EXPECT_THROW(line.split(bad), Error) << bad;
+    EXPECT_EQ(line.split("0.5,\"0,4\",1"), (std::vector<std::string_view>{"0.5", "0,4", "1"})) << bad;
+    io::CsvLine semicolons(';');
+    EXPECT_THROW(semicolons.split(bad), Error) << bad;
+    EXPECT_EQ(semicolons.split("0,5;4"), (std::vector<std::string_view>{"0,5", "4"})) << bad;
+  }
+}
+
 TEST(CsvTables, SortNumbersFieldsPointsAndCurves) {
   const TemporaryFolder folder;
   {

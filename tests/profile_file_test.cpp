@@ -118,6 +118,8 @@ TEST(ProfileFile, SimpackShiftsThenTurnsThenBoundsThenMirrors) {
   EXPECT_GE(bounded.profile.at(0).value.y, -10e-3);
   EXPECT_NEAR(bounded.profile.at(bounded.profile.length()).value.y * 1e3, head().back().y, 1e-3);
   EXPECT_TRUE(is_named(bounded.report.steps, "bound.y: dropped"));
+  EXPECT_EQ(message_of(simpack("bound.y.min = 100\nbound.y.max = 200\n", rows(head(), 1, 1)), "rail.prr"),
+            "rail.prr: has no points within its bounds");
   const auto clipped =
       io::parse_profile(simpack("units.len.f = 1000\nbound.z.min = -1\nbound.z.max = 10\n", rows(head(), 1, -1)), "x");
   EXPECT_NEAR(clipped.profile.at(0).value.z, -10e-3, 1e-12);
@@ -152,7 +154,7 @@ TEST(ProfileFile, WhatFollowsMiniprofsNumbersIsARemark) {
     return table.replace(table.find('\n'), 1, remark + "\n");
   };
   const auto table = rows(head(), -1, 1);
-  for (const std::string remark : {" added", " x 1 2", " \xb5m", " 1 2 a"}) {
+  for (const std::string remark : {" added", " x 1 2", " \xb5m", " 1 2 a", " R=13", " of = 1"}) {
     const auto prepared = io::parse_profile("Rail=low\n\n" + remarked(table, remark), "a.ban");
     expect_points(prepared.profile, head(), remark);
     EXPECT_TRUE(is_named(prepared.report.steps, "left out the text behind the numbers of 1 line"));

@@ -2,9 +2,11 @@
 
 #include "c/tests/c_wheel_rows.hpp"
 #include "tests/support/case_text.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -110,6 +112,27 @@ TEST(CWheelRailBadInput, EveryContactOfAWheelsetIsWritten) {
                                         contacts.width(), contacts.data(), status.data(), &error),
             MICROSLIP_INVALID_OPTION);
   EXPECT_EQ(std::string(error.text), "yaw = 1e+300 [rad]: must be in [-1, 1]");
+}
+
+/// Contacts of a wheelset are searched for with one profile all along: the first of several slices would be another
+/// rail.
+TEST(CWheelRailBadInput, ProfilesThatVaryHaveNoContactsOfAWheelset) {
+  const TemporaryFolder folder;
+  const std::string rail = MICROSLIP_SOURCE_DIR "/examples/profiles/60e1.prr";
+  std::ofstream(folder / "rail.slcs") << "0 1000\n2\n0\n1\n-1 '" << rail << "'\n1 '" << rail << "'\n";
+  const CWheelRailCase pair(with(wheel_rail_text, rail, (folder / "rail.slcs").string()));
+  ASSERT_EQ(pair.code, MICROSLIP_OK) << pair.error.text;
+  const double lateral = 0.003, amplitude = 0.003;
+  Rows contacts(MICROSLIP_WHEELSET_CONTACT, 1);
+  double conicity = 0;
+  microslip_error error = {};
+  EXPECT_EQ(microslip_wheelset_contacts(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 0, 1, &lateral, contacts.width(),
+                                        contacts.data(), nullptr, &error),
+            MICROSLIP_INVALID_INPUT);
+  EXPECT_NE(std::string(error.text).find("needs the same profile all along"), std::string::npos) << error.text;
+  EXPECT_EQ(
+      microslip_equivalent_conicity(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 1.5, 1, &amplitude, &conicity, &error),
+      MICROSLIP_INVALID_INPUT);
 }
 
 TEST(CWheelRailBadInput, EveryConicityIsWritten) {

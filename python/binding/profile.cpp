@@ -134,6 +134,7 @@ double curvature(const CurvePoint& p) {
 }
 
 void write(const ProfileValue& self, const py::object& path) {
+  io::require_one_section(self.report(), self.surface, "a profile's file");
   const std::string name = path_from(path);
   const auto format = io::format_of_ending(name, self.profile().role());
   io::OutputFile file(name);

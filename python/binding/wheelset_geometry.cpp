@@ -63,6 +63,9 @@ std::unique_ptr<WheelsetGeometry> make_geometry(const Track& track, const Profil
                                                 const std::optional<ProfileValue>& right_wheel,
                                                 double contact_distance) {
   require_positive("contact_distance", contact_distance, "m");
+  for (const ProfileValue* profile :
+       {&rail, &wheel, right_rail ? &*right_rail : &rail, right_wheel ? &*right_wheel : &wheel})
+    io::require_one_section(profile->report(), profile->surface, "WheelsetGeometry");
   auto made = std::make_unique<WheelsetGeometry>(WheelsetGeometry{
       track,
       wheelset,

@@ -1,5 +1,6 @@
 """A rigid wheelset on rails from Python: closed forms of cones and arcs, maps, sides that differ, refusals."""
 
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -35,7 +36,24 @@ def s1002(**options):
                                       wheel=wheel, **options)
 
 
+def varied_rail(folder):
+    """60E1 in two slices along the track."""
+    file = Path(folder) / "rail.slcs"
+    file.write_text(f"0 1000\n2\n0\n1\n0 '{PROFILES}/60e1.prr'\n1 '{PROFILES}/60e1.prr'\n")
+    return microslip.read_profile(file)
+
+
 class WheelsetGeometryTest(unittest.TestCase):
+    def test_profiles_that_vary_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rail = varied_rail(folder)
+            for right in ({}, {"right_rail": rail}):
+                with self.assertRaisesRegex(ValueError, "rail.slcs|60e1.prr: WheelsetGeometry needs the same profile all along"):
+                    cones(rail=head() if right else rail, **right)
+            with self.assertRaisesRegex(ValueError, "a profile's file needs the same profile all along"):
+                rail.write(Path(folder) / "written.prr")
+            self.assertFalse((Path(folder) / "written.prr").exists())
+
     def test_cones_have_the_difference_of_their_inclination(self):
         lateral, yaw = np.array([-4e-3, 0.0, 2e-3]), np.array([[0.0], [0.01]])
         found = cones().contact(lateral, yaw, roll="none")
