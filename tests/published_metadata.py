@@ -38,7 +38,7 @@ class PublishedMetadata(unittest.TestCase):
 
     def test_paper_has_the_length_of_its_journal(self):
         words = len(re.sub(r"^---.*?^---", "", text_of("paper/paper.md"), flags=re.DOTALL | re.MULTILINE).split())
-        self.assertTrue(250 <= words <= 1000, words)
+        self.assertTrue(750 <= words <= 1750, words)
 
 
 if __name__ == "__main__":
