@@ -158,6 +158,64 @@ TEST(ProfileSurface, KinksCutItIntoSections) {
   EXPECT_GT(std::abs(smooth.at(0.5, 4.5)->value.z - 0.5), 1e-2);
 }
 
+/// Where one field begins and the other ends; both are curved there, and vary along the track.
+const Field before_kink = [](double u, double v) {
+  return ProfilePoint{v + 0.1 * u * std::sin(v), 0.2 * (v - 5) * (v - 7) * (1 + 0.3 * std::cos(u))};
+};
+const Field behind_kink = [](double u, double v) {
+  return ProfilePoint{5 + 0.1 * u * std::sin(5) + 0.5 * (v - 5) + 0.03 * u * (v - 5) * (v - 5),
+                      std::expm1(0.4 * (v - 5)) * std::cos(u)};
+};
+
+std::vector<SurfaceSlice> bent_slices() {
+  return slices_of([](double u, double v) { return v <= 5 ? before_kink(u, v) : behind_kink(u, v); },
+                   {0, 0.8, 1.5, 2.6, 3.4}, 11);
+}
+
+void expect_same(const ProfileSurface& a, const ProfileSurface& b, double u, double v) {
+  const auto p = a.at(u, v), q = b.at(u, v);
+  ASSERT_TRUE(p && q) << u << " " << v;
+  for (const auto part : {&SurfacePoint::value, &SurfacePoint::du, &SurfacePoint::dv, &SurfacePoint::duu,
+                          &SurfacePoint::duv, &SurfacePoint::dvv}) {
+    EXPECT_NEAR(((*p).*part).y, ((*q).*part).y, 1e-13) << u << " " << v;
+    EXPECT_NEAR(((*p).*part).z, ((*q).*part).z, 1e-13) << u << " " << v;
+  }
+}
+
+/// On either side of a kink the surface and its derivatives are those of that side alone.
+TEST(ProfileSurface, SidesOfAKinkKnowNothingOfEachOther) {
+  for (const SliceMethod method : {SliceMethod::interpolating, SliceMethod::approximating}) {
+    const auto slices = bent_slices();
+    auto left = slices, right = slices;
+    for (SurfaceSlice& slice : left) slice.points.resize(6);
+    for (SurfaceSlice& slice : right) {
+      slice.points.erase(slice.points.begin(), slice.points.begin() + 5);
+      slice.first = 5;
+    }
+    const ProfileSurface whole(slices, {method, {5}, {}}), before(left, {method, {}, {}}),
+        behind(right, {method, {}, {}});
+    for (const double u : {0.0, 0.3, 1.5, 2.1, 3.4}) {
+      for (const double v : {0.0, 3.5, 4.0, 4.5, 4.999}) expect_same(whole, before, u, v);
+      for (const double v : {5.0, 5.001, 5.5, 6.0, 9.3, 10.0}) expect_same(whole, behind, u, v);
+    }
+  }
+}
+
+/// The plane before a kink stays plane beside slices that begin at the kink.
+TEST(ProfileSurface, SlicesThatBeginAtAKinkDoNotBendWhatIsBeforeIt) {
+  auto slices = slices_of(
+      [](double, double v) {
+        return ProfilePoint{v, v <= 5 ? 0 : 0.5 * (v - 5) * (v - 5)};
+      },
+      {0, 1, 2, 3, 4}, 11);
+  slices[0].points.erase(slices[0].points.begin(), slices[0].points.begin() + 5);
+  slices[0].first = 5;
+  const ProfileSurface surface(slices, {SliceMethod::interpolating, {5}, {}});
+  for (const double v : {3.7, 4.5, 4.9}) EXPECT_NEAR(surface.at(1.5, v)->value.z, 0, 1e-14) << v;
+  for (const double v : {5.5, 6.5}) EXPECT_NEAR(surface.at(0.5, v)->value.z, 0.5 * (v - 5) * (v - 5), 1e-13) << v;
+  EXPECT_FALSE(surface.at(0.5, 4.5));
+}
+
 /// Of order five; the slices leave a gap at pi that is as wide as their distances.
 TEST(ProfileSurface, AWheelIsClosed) {
   const Field polygon = [](double u, double v) { return ProfilePoint{v, 0.1 * std::cos(5 * u)}; };

@@ -91,7 +91,7 @@ ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions 
     throw Error("profile surface: " + std::to_string(slices_.size()) + " slices of " + std::to_string(width_) +
                 " points: must be at most 4000000 in all");
   if (options_.is_wheel) close_wheel();
-  nodes_.resize(slices_.size() * width_);
+  number_nodes();
   make_splines_across();
   make_splines_along();
 }
@@ -135,58 +135,79 @@ ProfileSurface ProfileSurface::in_units(double of_u, double of_y, double of_z) c
   return out;
 }
 
+void ProfileSurface::number_nodes() {
+  std::vector<bool> cut(width_);
+  for (const std::size_t kink : options_.kinks)
+    if (kink > 0 && kink + 1 < width_) cut[kink] = true;
+  std::size_t number = 0;
+  for (std::size_t v = 0; v < width_; ++v, ++number) {
+    if (cut[v]) ++number;
+    numbers_.push_back(number);
+  }
+  nodes_.resize(slices_.size() * number);
+}
+
 void ProfileSurface::make_splines_across() {
   for (std::size_t k = 0; k < slices_.size(); ++k) {
     const SurfaceSlice& slice = slices_[k];
-    for (std::size_t j = 0; j < slice.points.size(); ++j) node(k, slice.first + j).value = slice.points[j];
-    std::vector<std::size_t> ends;
-    for (const std::size_t kink : options_.kinks)
-      if (kink > slice.first && kink < slice.last()) ends.push_back(kink);
-    ends.push_back(slice.last());
+    for (std::size_t v = slice.first; v <= slice.last(); ++v)
+      node(k, ending(v)).value = node(k, beginning(v)).value = slice.points[v - slice.first];
     std::size_t begin = slice.first;
-    for (const std::size_t end : ends) {
-      const std::size_t n = end - begin + 1;
-      std::vector<double> steps(n - 1, 1), values(n), second(n);
-      for (double ProfilePoint::*c : coordinates) {
-        for (std::size_t j = 0; j < n; ++j) values[j] = node(k, begin + j).value.*c;
-        not_a_knot_spline(steps, values, second);
-        for (std::size_t j = 0; j < n; ++j) node(k, begin + j).vv.*c = second[j];
+    for (std::size_t v = begin + 1; v <= slice.last(); ++v)
+      if (v == slice.last() || is_kink(v)) {
+        make_spline_across(k, begin, v);
+        begin = v;
       }
-      begin = end;
-    }
   }
 }
 
-/// Over each row of slices that have the same v without interruption.
+/// Over the points of a section.
+void ProfileSurface::make_spline_across(std::size_t slice, std::size_t first_v, std::size_t last_v) {
+  const std::size_t n = last_v - first_v + 1, first = beginning(first_v);
+  std::vector<double> steps(n - 1, 1), values(n), second(n);
+  for (double ProfilePoint::*c : coordinates) {
+    for (std::size_t j = 0; j < n; ++j) values[j] = node(slice, first + j).value.*c;
+    not_a_knot_spline(steps, values, second);
+    for (std::size_t j = 0; j < n; ++j) node(slice, first + j).vv.*c = second[j];
+  }
+}
+
+/// The derivatives on one side of a kink are there where slices have the section on that side.
 void ProfileSurface::make_splines_along() {
+  for (std::size_t v = 0; v < width_; ++v)
+    for (std::size_t number = ending(v); number <= beginning(v); ++number) {
+      const std::size_t low = number < beginning(v) ? v - 1 : v, high = number > ending(v) ? v + 1 : v;
+      make_splines_along(number, v, v, &Node::value, &Node::uu);
+      make_splines_along(number, low, high, &Node::vv, &Node::uuvv);
+    }
+}
+
+/// Over each row of slices that have points from `low` to `high` without interruption.
+void ProfileSurface::make_splines_along(std::size_t number, std::size_t low, std::size_t high,
+                                        ProfilePoint Node::*value, ProfilePoint Node::*derivative) {
+  const auto holds = [&](std::size_t k) { return slices_[k].holds(low) && slices_[k].holds(high); };
   std::vector<double> u, steps, values, second;
-  const auto spline = [&](std::size_t first, std::size_t last, std::size_t v, auto value, auto derivative) {
+  for (std::size_t first = 0; first < slices_.size(); ++first) {
+    if (!holds(first)) continue;
+    std::size_t last = first;
+    while (last + 1 < slices_.size() && holds(last + 1)) ++last;
     const std::size_t n = last - first + 1;
-    values.resize(n), second.resize(n);
+    u.clear(), steps.clear(), values.resize(n), second.resize(n);
+    for (std::size_t k = first; k <= last; ++k) u.push_back(slices_[k].u);
+    for (std::size_t k = 1; k < n; ++k) steps.push_back(u[k] - u[k - 1]);
     for (double ProfilePoint::*c : coordinates) {
-      for (std::size_t k = 0; k < n; ++k) values[k] = node(first + k, v).*value.*c;
+      for (std::size_t k = 0; k < n; ++k) values[k] = node(first + k, number).*value.*c;
       if (options_.method == SliceMethod::approximating)
         approximate(u, values, second);
       else
         not_a_knot_spline(steps, values, second);
       for (std::size_t k = 0; k < n; ++k) {
-        node(first + k, v).*value.*c = values[k];
-        node(first + k, v).*derivative.*c = second[k];
+        node(first + k, number).*value.*c = values[k];
+        node(first + k, number).*derivative.*c = second[k];
       }
     }
-  };
-  for (std::size_t v = 0; v < width_; ++v)
-    for (std::size_t first = 0; first < slices_.size(); ++first) {
-      if (!slices_[first].holds(v)) continue;
-      std::size_t last = first;
-      while (last + 1 < slices_.size() && slices_[last + 1].holds(v)) ++last;
-      u.clear(), steps.clear();
-      for (std::size_t k = first; k <= last; ++k) u.push_back(slices_[k].u);
-      for (std::size_t k = 1; k < u.size(); ++k) steps.push_back(u[k] - u[k - 1]);
-      spline(first, last, v, &Node::value, &Node::uu);
-      spline(first, last, v, &Node::vv, &Node::uuvv);
-      first = last;
-    }
+    first = last;
+  }
 }
 
 ProfileSurface::Interval ProfileSurface::interval_at(double u) const {
@@ -210,9 +231,10 @@ bool ProfileSurface::holds(const Interval& p, std::size_t v) const {
 }
 
 ProfilePoint ProfileSurface::point(const Interval& p, std::size_t v) const {
-  if (p.share == 0) return node(p.k, v).value;
-  if (p.share == 1) return node(p.k + 1, v).value;
-  const Node &a = node(p.k, v), &b = node(p.k + 1, v);
+  const std::size_t number = beginning(v);
+  if (p.share == 0) return node(p.k, number).value;
+  if (p.share == 1) return node(p.k + 1, number).value;
+  const Node &a = node(p.k, number), &b = node(p.k + 1, number);
   return combined(CubicBasis(p.step, p.share).value, a.value, b.value, a.uu, b.uu);
 }
 
@@ -226,7 +248,8 @@ std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
   // where the surface begins or ends at a slice there is nothing on its other side
   const auto has = [&](std::size_t k) { return k < slices_.size() && slices_[k].holds(j) && slices_[k].holds(j + 1); };
   const std::size_t first = has(p.k) ? p.k : p.k + 1, second = has(p.k + 1) ? p.k + 1 : p.k;
-  const Node &a0 = node(first, j), &a1 = node(first, j + 1), &b0 = node(second, j), &b1 = node(second, j + 1);
+  const Node *a = &node(first, beginning(j)), *b = &node(second, beginning(j)); // the next ones end the interval
+  const Node &a0 = a[0], &a1 = a[1], &b0 = b[0], &b1 = b[1];
   const bool inside = !p.is_beyond && first != second;
   const auto over_u = [&](const std::array<double, 4>& f) {
     return std::array{combined(f, a0.value, b0.value, a0.uu, b0.uu), combined(f, a1.value, b1.value, a1.uu, b1.uu),

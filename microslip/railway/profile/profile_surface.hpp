@@ -59,7 +59,7 @@ public:
   ProfileSurface in_units(double of_u, double of_y, double of_z) const;
 
   /// Nothing where the surface is interrupted or v lies beyond it. Continuous second derivatives in u and v except for
-  /// the ends in u and kinks. Cost O(log slices).
+  /// the ends in u and kinks, at which derivatives are those of the section behind. Cost O(log slices).
   std::optional<SurfacePoint> at(double u, double v) const;
   /// The points at whole v; empty where the surface is interrupted. Cost O(points of a slice).
   SurfaceSlice section(double u) const;
@@ -77,7 +77,8 @@ public:
   double greatest_y() const { return greatest_y_; }
 
 private:
-  /// A point of a slice with the splines' second derivatives along u, along v, and of these along u.
+  /// A point of a slice with the splines' second derivatives along u, along v, and of these along u. A kink has two of
+  /// them in succession, one that ends the section before it and one that begins the section behind it.
   struct Node {
     ProfilePoint value, uu, vv, uuvv;
   };
@@ -89,11 +90,21 @@ private:
   };
 
   void close_wheel();
+  void number_nodes();
   void make_splines_across();
+  void make_spline_across(std::size_t slice, std::size_t first_v, std::size_t last_v);
   void make_splines_along();
+  void make_splines_along(std::size_t number, std::size_t low, std::size_t high, ProfilePoint Node::*value,
+                          ProfilePoint Node::*derivative);
   Interval interval_at(double u) const;
-  const Node& node(std::size_t slice, std::size_t v) const { return nodes_[slice * width_ + v]; }
-  Node& node(std::size_t slice, std::size_t v) { return nodes_[slice * width_ + v]; }
+  /// Numbers of the nodes in a slice with which the section before a v ends and the one behind it begins.
+  std::size_t ending(std::size_t v) const { return v == 0 ? 0 : beginning(v - 1) + 1; }
+  std::size_t beginning(std::size_t v) const { return numbers_[v]; }
+  bool is_kink(std::size_t v) const { return ending(v) != beginning(v); }
+  const Node& node(std::size_t slice, std::size_t number) const {
+    return nodes_[slice * (numbers_.back() + 1) + number];
+  }
+  Node& node(std::size_t slice, std::size_t number) { return nodes_[slice * (numbers_.back() + 1) + number]; }
   bool holds(const Interval& interval, std::size_t v) const;
   ProfilePoint point(const Interval& interval, std::size_t v) const;
 
@@ -102,6 +113,7 @@ private:
   std::size_t width_ = 0;
   bool ascends_ = true; ///< y of all slices
   double least_y_ = 0, greatest_y_ = 0;
+  std::vector<std::size_t> numbers_; ///< of the node with which the interval behind a v begins
   std::vector<Node> nodes_;
 };
 
