@@ -264,6 +264,59 @@ TEST(ProfileSurface, FindsWhereTheSectionHasAHeight) {
   EXPECT_NEAR(twice[1], (pi - std::asin(0.8)) / 0.3, 1e-4);
 }
 
+/// All v at which a section crosses y, from a walk in small steps.
+std::vector<double> walked(const ProfileSurface& surface, double u, double y) {
+  constexpr double step = 1e-2;
+  std::vector<double> found;
+  double before = surface.at(u, 0)->value.y - y;
+  for (int k = 1; k <= std::lround(double(surface.last_v()) / step); ++k) {
+    const double now = surface.at(u, k * step)->value.y - y;
+    if (before * now < 0) found.push_back((k - 0.5) * step);
+    before = now;
+  }
+  return found;
+}
+
+/// Slices from y = -4 on whose middle part has these widths; z falls by 0.1 from point to point there.
+std::vector<SurfaceSlice> parts_of_widths(const std::vector<double>& widths) {
+  std::vector<SurfaceSlice> slices;
+  for (const double width : widths) {
+    slices.push_back({static_cast<double>(slices.size()), 0, {}});
+    auto& points = slices.back().points;
+    for (int k = 0; k <= 4; ++k) points.push_back({k - 4.0, 0});
+    for (int k = 1; k <= 4; ++k) points.push_back({width * k / 4, -0.1 * k});
+    for (int k = 1; k <= 4; ++k) points.push_back({width + k, 1});
+  }
+  return slices;
+}
+
+void expect_all_found(const ProfileSurface& surface, double u, double y) {
+  const auto found = surface.v_at_y(u, y), expected = walked(surface, u, y);
+  ASSERT_EQ(found.size(), expected.size()) << u << " " << y;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_NEAR(found[k], expected[k], 1e-2) << u << " " << y;
+    EXPECT_NEAR(surface.at(u, found[k])->value.y, y, 1e-12) << u << " " << y;
+  }
+}
+
+/// y ascends from point to point of each slice. Between slices the spline along the track makes the part that becomes
+/// narrow at once narrower than nothing, and where distances change at once the spline across folds between points.
+TEST(ProfileSurface, FindsAllOfASectionThatFoldsBetweenItsPoints) {
+  const ProfileSurface folded(parts_of_widths({10, 10, 10, 0.5, 0.5, 0.5}));
+  const auto three = folded.v_at_y(3.5, -0.1);
+  ASSERT_EQ(three.size(), 3u);
+  EXPECT_NEAR(folded.at(3.5, three[0])->value.z, 0.006, 1e-3);
+  EXPECT_NEAR(folded.at(3.5, three[1])->value.z, -0.075, 1e-3);
+  EXPECT_NEAR(folded.at(3.5, three[2])->value.z, 0.548, 1e-3);
+  EXPECT_EQ(folded.v_at_y(5, 0.13).size(), 3u);
+  const ProfileSurface smoothed(parts_of_widths({10, 10, 10, 0.5, 0.5, 0.5}), {SliceMethod::approximating, {}, {}});
+  for (const double u : {0.0, 2.5, 3.1, 3.5, 3.6, 5.0})
+    for (const double y : {-3.3, -0.1, 0.03, 0.05, 0.13, 0.37, 2.0}) {
+      expect_all_found(folded, u, y);
+      expect_all_found(smoothed, u, y);
+    }
+}
+
 TEST(ProfileSurface, RefusesWhatIsNoSurface) {
   EXPECT_THROW(ProfileSurface({}), Error);
   const auto slices = slices_of([](double, double v) { return ProfilePoint{v, 0}; }, {0, 0}, 4);

@@ -1,6 +1,7 @@
 #include "microslip/railway/profile/profile_surface.hpp"
 
 #include "microslip/error.hpp"
+#include "microslip/numerics/cubic_roots.hpp"
 #include "microslip/numerics/not_a_knot_spline.hpp"
 
 #include <algorithm>
@@ -32,6 +33,24 @@ ProfilePoint combined(const std::array<double, 4>& factor, const ProfilePoint& a
   return {factor[0] * a.y + factor[1] * b.y + factor[2] * c.y + factor[3] * d.y,
           factor[0] * a.z + factor[1] * b.z + factor[2] * c.z + factor[3] * d.z};
 }
+
+/// y over one interval of v, as a cubic from its ends' values and second derivatives.
+struct CubicOfV {
+  double start, end, first_slope, last_slope, first_bend, last_bend;
+
+  explicit CubicOfV(const std::array<ProfilePoint, 4>& c)
+      : start(c[0].y), end(c[1].y), first_slope(end - start - (2 * c[2].y + c[3].y) / 6),
+        last_slope(end - start + (c[2].y + 2 * c[3].y) / 6), first_bend(c[2].y), last_bend(c[3].y) {}
+
+  /// It lies between the least and the greatest of its coefficients in Bernstein's basis.
+  bool may_reach(double y) const {
+    const auto [least, greatest] = std::minmax({start, start + first_slope / 3, end - last_slope / 3, end});
+    return least <= y && y <= greatest;
+  }
+  CubicRoots roots(double y) const {
+    return cubic_roots({start - y, first_slope, first_bend / 2, (last_bend - first_bend) / 6}, 0, 1);
+  }
+};
 
 /// A cubic B-spline with knots at u, and control points there: its values and second derivatives at the knots. Beyond
 /// the ends knots and control points go on along straight lines.
@@ -83,7 +102,6 @@ ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions 
     for (std::size_t j = 0; j < slice.points.size(); ++j) {
       least_y_ = std::min(least_y_, slice.points[j].y);
       greatest_y_ = std::max(greatest_y_, slice.points[j].y);
-      ascends_ = ascends_ && (j == 0 || slice.points[j].y > slice.points[j - 1].y);
     }
   }
   constexpr std::size_t most_points = 4'000'000;
@@ -94,6 +112,7 @@ ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions 
   number_nodes();
   make_splines_across();
   make_splines_along();
+  find_where_y_ascends();
 }
 
 /// Repeats the first and the last slices beyond one turn, so that the splines pass over its end.
@@ -210,6 +229,46 @@ void ProfileSurface::make_splines_along(std::size_t number, std::size_t low, std
   }
 }
 
+void ProfileSurface::find_where_y_ascends() {
+  y_ascends_.assign(slices_.size(), true);
+  for (std::size_t k = 0; k < slices_.size(); ++k)
+    for (std::size_t v = 0; v + 1 < width_ && y_ascends_[k]; ++v) y_ascends_[k] = y_ascends_in(k, v);
+}
+
+/// Whether a slice has points at v and v + 1.
+bool ProfileSurface::has_patch(std::size_t slice, std::size_t v) const {
+  return slice < slices_.size() && slices_[slice].holds(v) && slices_[slice].holds(v + 1);
+}
+
+/// Of two slices at least one of which has it: where the surface begins or ends at a slice there is nothing on its
+/// other side.
+ProfileSurface::Patch ProfileSurface::patch(std::size_t slice, std::size_t v) const {
+  const std::size_t before = has_patch(slice, v) ? slice : slice + 1,
+                    behind = has_patch(slice + 1, v) ? slice + 1 : slice;
+  return {&node(before, beginning(v)), &node(behind, beginning(v))};
+}
+
+/// y and z at v and v + 1, then their second derivatives along v there.
+std::array<ProfilePoint, 4> ProfileSurface::Patch::over_u(const std::array<double, 4>& f) const {
+  const Node &a0 = before[0], &a1 = before[1], &b0 = behind[0], &b1 = behind[1];
+  return {combined(f, a0.value, b0.value, a0.uu, b0.uu), combined(f, a1.value, b1.value, a1.uu, b1.uu),
+          combined(f, a0.vv, b0.vv, a0.uuvv, b0.uuvv), combined(f, a1.vv, b1.vv, a1.uuvv, b1.uuvv)};
+}
+
+/// Whether dy/dv is positive all over a patch, as it is if its coefficients in Bernstein's basis are: y may fold
+/// between slices on which it ascends.
+bool ProfileSurface::y_ascends_in(std::size_t slice, std::size_t v) const {
+  if (!has_patch(slice, v) && !has_patch(slice + 1, v)) return true;
+  const Patch p = patch(slice, v);
+  const double h = p.is_between() ? slices_[slice + 1].u - slices_[slice].u : 0, bend = h * h / 18;
+  const std::array<double, 4> along[] = {
+      {1, 0, 0, 0}, {2.0 / 3, 1.0 / 3, -2 * bend, -bend}, {1.0 / 3, 2.0 / 3, -bend, -2 * bend}, {0, 1, 0, 0}};
+  return std::ranges::all_of(along, [&](const std::array<double, 4>& factor) {
+    const CubicOfV c(p.over_u(factor));
+    return c.first_slope > 0 && c.first_slope + c.first_bend / 2 > 0 && c.last_slope > 0;
+  });
+}
+
 ProfileSurface::Interval ProfileSurface::interval_at(double u) const {
   Interval p;
   p.u = u;
@@ -245,29 +304,20 @@ std::optional<SurfacePoint> ProfileSurface::at(double u, double v) const {
   if (v == double(j) && j > 0 && !holds(p, j + 1)) --j; // the last point of a surface that ends there
   if (!holds(p, j) || !holds(p, j + 1)) return {};
   const CubicBasis along(p.step, p.share), across(1, v - double(j));
-  // where the surface begins or ends at a slice there is nothing on its other side
-  const auto has = [&](std::size_t k) { return k < slices_.size() && slices_[k].holds(j) && slices_[k].holds(j + 1); };
-  const std::size_t first = has(p.k) ? p.k : p.k + 1, second = has(p.k + 1) ? p.k + 1 : p.k;
-  const Node *a = &node(first, beginning(j)), *b = &node(second, beginning(j)); // the next ones end the interval
-  const Node &a0 = a[0], &a1 = a[1], &b0 = b[0], &b1 = b[1];
-  const bool inside = !p.is_beyond && first != second;
-  const auto over_u = [&](const std::array<double, 4>& f) {
-    return std::array{combined(f, a0.value, b0.value, a0.uu, b0.uu), combined(f, a1.value, b1.value, a1.uu, b1.uu),
-                      combined(f, a0.vv, b0.vv, a0.uuvv, b0.uuvv), combined(f, a1.vv, b1.vv, a1.uuvv, b1.uuvv)};
-  };
+  const Patch part = patch(p.k, j);
   const auto over_v = [](const std::array<double, 4>& f, const std::array<ProfilePoint, 4>& c) {
     return combined(f, c[0], c[1], c[2], c[3]);
   };
-  const auto values = over_u(along.value);
+  const auto values = part.over_u(along.value);
   SurfacePoint s;
   s.value = over_v(across.value, values);
   s.dv = over_v(across.first, values);
   s.dvv = over_v(across.second, values);
-  if (inside) {
-    const auto rates = over_u(along.first);
+  if (!p.is_beyond && part.is_between()) {
+    const auto rates = part.over_u(along.first);
     s.du = over_v(across.value, rates);
     s.duv = over_v(across.first, rates);
-    s.duu = over_v(across.value, over_u(along.second));
+    s.duu = over_v(across.value, part.over_u(along.second));
   }
   for (const ProfileWave& wave : options_.waves) {
     const double angle = wave.wavenumber * u + wave.phase, rate = wave.amplitude * wave.wavenumber;
@@ -301,39 +351,31 @@ std::vector<double> ProfileSurface::v_at_y(double u, double y) const {
   if (p.share == 1) first = slices_[p.k + 1].first, last = slices_[p.k + 1].last();
   std::vector<double> found;
   if (first >= last) return found;
-  const auto add_root_in = [&](std::size_t j) {
-    double low = double(j), high = low + 1;
-    const double start = at(u, low)->value.y - y, end = at(u, high)->value.y - y;
-    if (start == 0 && (found.empty() || found.back() != low)) found.push_back(low);
-    if (start * end >= 0) {
-      if (end == 0) found.push_back(high);
-      return;
+  if (y_ascends_[p.k]) {
+    if (y < point(p, first).y || y > point(p, last).y) return found;
+    while (last - first > 1) {
+      const std::size_t middle = (first + last) / 2;
+      (point(p, middle).y <= y ? first : last) = middle;
     }
-    double v = low + start / (start - end);
-    for (int step = 0; step < 60; ++step) {
-      const SurfacePoint s = *at(u, v);
-      const double difference = s.value.y - y;
-      if (difference == 0) break;
-      ((difference < 0) == (start < 0) ? low : high) = v;
-      double next = v - difference / s.dv.y;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const double change = std::abs(next - v);
-      v = next;
-      if (change < 1e-14 * (1 + std::abs(v))) break;
-    }
-    found.push_back(v);
-  };
-  if (!ascends_) {
-    for (std::size_t j = first; j < last; ++j) add_root_in(j);
-    return found;
   }
-  if (y < point(p, first).y || y > point(p, last).y) return found;
-  while (last - first > 1) {
-    const std::size_t middle = (first + last) / 2;
-    (point(p, middle).y <= y ? first : last) = middle;
-  }
-  add_root_in(first);
+  for (std::size_t v = first; v < last; ++v) add_v_at_y(p, v, y, found);
   return found;
+}
+
+/// Adds those from v to v + 1.
+void ProfileSurface::add_v_at_y(const Interval& p, std::size_t v, double y, std::vector<double>& found) const {
+  constexpr double least_distance = 1e-9;
+  const CubicOfV cubic(patch(p.k, v).over_u(CubicBasis(p.step, p.share).value));
+  if (!cubic.may_reach(y)) return;
+  const auto add = [&, low = static_cast<double>(v)](double t) {
+    if (found.empty() || low + t > found.back() + least_distance) found.push_back(low + t);
+  };
+  const double start = cubic.start - y, end = cubic.end - y;
+  if (start == 0) add(0);
+  const CubicRoots roots = cubic.roots(y);
+  for (const double t : roots) add(t);
+  if (roots.count == 0 && start * end < 0) add(std::abs(start) < std::abs(end) ? 0 : 1); // one that rounding lost
+  if (end == 0) add(1);
 }
 
 } // namespace microslip

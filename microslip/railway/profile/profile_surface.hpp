@@ -2,6 +2,7 @@
 
 #include "microslip/railway/profile/profile.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -63,7 +64,8 @@ public:
   std::optional<SurfacePoint> at(double u, double v) const;
   /// The points at whole v; empty where the surface is interrupted. Cost O(points of a slice).
   SurfaceSlice section(double u) const;
-  /// The v at which the section has this y, ascending. Cost O(points of a slice), O(log points) where y ascends.
+  /// All v at which the section has this y, ascending; those closer than 1e-9 to one another once. Cost O(points of a
+  /// slice), O(log points) where y ascends from slice to slice, in between, too.
   std::vector<double> v_at_y(double u, double y) const;
 
   const std::vector<std::size_t>& kinks() const { return options_.kinks; }
@@ -82,6 +84,14 @@ private:
   struct Node {
     ProfilePoint value, uu, vv, uuvv;
   };
+  /// The surface between v and v + 1 from one slice to the next: the former's nodes and the latter's, at both v.
+  struct Patch {
+    const Node* before = nullptr;
+    const Node* behind = nullptr;
+
+    bool is_between() const { return before != behind; }
+    std::array<ProfilePoint, 4> over_u(const std::array<double, 4>& factor) const;
+  };
   /// Interval between the slices k and k + 1, or the last one.
   struct Interval {
     std::size_t k = 0;
@@ -91,6 +101,7 @@ private:
 
   void close_wheel();
   void number_nodes();
+  void find_where_y_ascends();
   void make_splines_across();
   void make_spline_across(std::size_t slice, std::size_t first_v, std::size_t last_v);
   void make_splines_along();
@@ -105,16 +116,20 @@ private:
     return nodes_[slice * (numbers_.back() + 1) + number];
   }
   Node& node(std::size_t slice, std::size_t number) { return nodes_[slice * (numbers_.back() + 1) + number]; }
+  bool has_patch(std::size_t slice, std::size_t v) const;
+  Patch patch(std::size_t slice, std::size_t v) const;
+  bool y_ascends_in(std::size_t slice, std::size_t v) const;
+  void add_v_at_y(const Interval& interval, std::size_t v, double y, std::vector<double>& found) const;
   bool holds(const Interval& interval, std::size_t v) const;
   ProfilePoint point(const Interval& interval, std::size_t v) const;
 
   std::vector<SurfaceSlice> slices_;
   SurfaceOptions options_;
   std::size_t width_ = 0;
-  bool ascends_ = true; ///< y of all slices
   double least_y_ = 0, greatest_y_ = 0;
   std::vector<std::size_t> numbers_; ///< of the node with which the interval behind a v begins
   std::vector<Node> nodes_;
+  std::vector<bool> y_ascends_; ///< from each slice to the next, whatever u and v
 };
 
 } // namespace microslip
