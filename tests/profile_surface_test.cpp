@@ -231,6 +231,20 @@ TEST(ProfileSurface, AWheelIsClosed) {
   EXPECT_EQ(part.at(2, 1)->value.z, part.at(1, 1)->value.z);
 }
 
+/// Also where slices at both ends are the same one, and of a wheel that is not closed.
+TEST(ProfileSurface, AWheelTellsTheEndsOfTheSlicesThatItWasGiven) {
+  const Field round = [](double, double v) { return ProfilePoint{v, 0}; };
+  SurfaceOptions options;
+  options.is_wheel = true;
+  for (const std::vector<double>& u :
+       {equal_steps(-pi, 35 * pi / 36, 36), equal_steps(-pi, pi, 36), equal_steps(-1, 2, 5)}) {
+    const ProfileSurface wheel(slices_of(round, u, 4), options);
+    EXPECT_EQ(wheel.first_u(), u.front());
+    EXPECT_EQ(wheel.last_u(), u.back());
+    EXPECT_EQ(wheel.in_units(1, 1e3, -1e3).last_u(), u.back());
+  }
+}
+
 TEST(ProfileSurface, WavesAreAddedToTheHeight) {
   const auto flat = slices_of([](double, double v) { return ProfilePoint{v, 1}; }, {0, 1}, 4);
   const ProfileSurface surface(flat, {SliceMethod::interpolating, {}, {{0.2, 3, 0.5}, {0.1, 7, 0}}});

@@ -91,6 +91,16 @@ class ProfileTest(unittest.TestCase):
         with self.assertRaises(FileNotFoundError):
             microslip.read_profile("S102")
 
+    def test_slices_have_an_extent(self):
+        """That of the slices a file names, in a turn that they close as well."""
+        self.assertIsNone(microslip.Profile(*head(), kind="rail").extent)
+        microslip.Profile(*flanged(), kind="wheel").write(self.folder / "wheel.prw")
+        angles = np.radians(np.linspace(-180, 170, 36))
+        slices = "".join(f"{angle} 'wheel.prw'\n" for angle in angles)
+        (self.folder / "wheel.slcw").write_text(f"0 1\n{angles.size}\n0\n1\n{slices}")
+        wheel = microslip.read_profile(self.folder / "wheel.slcw")
+        np.testing.assert_allclose(wheel.extent, (angles[0], angles[-1]), atol=1e-12)
+
     def test_dimensions(self):
         wheel = microslip.Profile(*flanged(), kind="wheel")
         dimensions = wheel.wheel_dimensions()

@@ -195,6 +195,27 @@ TEST_P(Wheels, HaveRailsThatVary) {
   EXPECT_EQ(profile_values(6, {1e-9}), Values{CNTC_err_other});
 }
 
+/// A round wheel of 12 slices around it: without a range its slices from the first to the last, not what closes it.
+TEST_P(Wheels, WithoutARangeRunOverTheSlicesOfAWheel) {
+  constexpr double first = -3;
+  std::ofstream list(folder_.path() / "round.slcw");
+  list << "0 1\n12\n0\n1\n";
+  for (int k = 0; k < 12; ++k) list << first + 0.5 * k << " 'round.prw'\n";
+  list.close();
+  std::ofstream slice(folder_.path() / "round.prw");
+  slice << "header.begin\n version = 1\n type = 1\nheader.end\nspline.begin\n units.len.f = 1000.\n point.begin\n";
+  for (int y = 20; y >= -20; --y) slice << y << " 0\n";
+  slice << " point.end\nspline.end\n";
+  slice.close();
+  ASSERT_EQ(set_profile(1, (folder_.path() / "round.slcw").string(), 1), 0) << library_.log();
+  for (const int task : {7, 8}) {
+    const Values along = profile_values(task, {0.25, 1}, 1);
+    ASSERT_EQ(along.size(), 3u * 23u) << task;
+    EXPECT_NEAR(along[0], first, 1e-12);
+    EXPECT_NEAR(along[22], first + 5.5, 1e-12);
+  }
+}
+
 TEST_P(Wheels, TellTheHeightThatTheForceHasLedTo) {
   ASSERT_EQ(set_wheel_state(1, 3), 0);
   ASSERT_EQ(calculate(1), 0);

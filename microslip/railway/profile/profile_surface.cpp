@@ -96,6 +96,7 @@ void check(const std::vector<SurfaceSlice>& slices) {
 ProfileSurface::ProfileSurface(std::vector<SurfaceSlice> slices, SurfaceOptions options)
     : slices_(std::move(slices)), options_(std::move(options)) {
   check(slices_);
+  last_given_ = slices_.size() - 1;
   least_y_ = greatest_y_ = slices_.front().points.front().y;
   for (const SurfaceSlice& slice : slices_) {
     width_ = std::max(width_, slice.last() + 1);
@@ -136,6 +137,7 @@ void ProfileSurface::close_wheel() {
   }
   slices_.insert(slices_.begin(), before.begin(), before.end());
   slices_.insert(slices_.end(), behind.begin(), behind.end());
+  first_given_ += count, last_given_ += count;
 }
 
 ProfileSurface ProfileSurface::in_units(double of_u, double of_y, double of_z) const {
@@ -273,7 +275,7 @@ ProfileSurface::Interval ProfileSurface::interval_at(double u) const {
   Interval p;
   p.u = u;
   if (options_.is_wheel) u = std::remainder(u, turn);
-  const double clamped = std::clamp(u, first_u(), last_u());
+  const double clamped = std::clamp(u, slices_.front().u, slices_.back().u);
   p.is_beyond = clamped != u;
   if (slices_.size() == 1) return p;
   const auto above = std::upper_bound(slices_.begin(), slices_.end(), clamped,

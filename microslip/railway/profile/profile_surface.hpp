@@ -69,8 +69,9 @@ public:
   std::vector<double> v_at_y(double u, double y) const;
 
   const std::vector<std::size_t>& kinks() const { return options_.kinks; }
-  double first_u() const { return slices_.front().u; }
-  double last_u() const { return slices_.back().u; }
+  /// Those of the slices that were given, for wheels [rad]; what closes a wheel beyond them does not count.
+  double first_u() const { return slices_[first_given_].u; }
+  double last_u() const { return slices_[last_given_].u; }
   /// The greatest v anywhere; v begins at 0.
   std::size_t last_v() const { return width_ - 1; }
 
@@ -123,7 +124,8 @@ private:
   bool holds(const Interval& interval, std::size_t v) const;
   ProfilePoint point(const Interval& interval, std::size_t v) const;
 
-  std::vector<SurfaceSlice> slices_;
+  std::vector<SurfaceSlice> slices_;             ///< by ascending u
+  std::size_t first_given_ = 0, last_given_ = 0; ///< of these, the others repeat them beyond a turn
   SurfaceOptions options_;
   std::size_t width_ = 0;
   double least_y_ = 0, greatest_y_ = 0;
