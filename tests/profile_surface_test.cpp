@@ -245,6 +245,24 @@ TEST(ProfileSurface, AWheelTellsTheEndsOfTheSlicesThatItWasGiven) {
   }
 }
 
+/// Wherever they begin, whatever turn an angle counts.
+TEST(ProfileSurface, SlicesOfAWheelMayBeginAnywhere) {
+  const Field eccentric = [](double u, double v) { return ProfilePoint{v, 0.1 * std::cos(u)}; };
+  SurfaceOptions options;
+  options.is_wheel = true;
+  for (const double first : {-pi, -1.0, 0.0, 2.0, 11.0}) {
+    const ProfileSurface wheel(slices_of(eccentric, equal_steps(first, first + 35 * pi / 18, 36), 4), options);
+    for (const double u : equal_steps(-14, 14, 281)) {
+      EXPECT_NEAR(wheel.at(u, 1)->value.z, 0.1 * std::cos(u), 1e-6) << first << " " << u;
+      EXPECT_NEAR(wheel.at(u, 1)->du.z, -0.1 * std::sin(u), 1e-5) << first << " " << u;
+    }
+  }
+  const ProfileSurface part(slices_of(eccentric, equal_steps(2, 4, 9), 4), options);
+  EXPECT_NEAR(part.at(3.5 - 2 * pi, 1)->value.z, part.at(3.5, 1)->value.z, 1e-15);
+  for (const double u : {4.5, 6.0, -0.3}) EXPECT_EQ(part.at(u, 1)->value.z, part.at(4, 1)->value.z) << u;
+  for (const double u : {1.5, 0.0, 6.5}) EXPECT_EQ(part.at(u, 1)->value.z, part.at(2, 1)->value.z) << u;
+}
+
 TEST(ProfileSurface, WavesAreAddedToTheHeight) {
   const auto flat = slices_of([](double, double v) { return ProfilePoint{v, 1}; }, {0, 1}, 4);
   const ProfileSurface surface(flat, {SliceMethod::interpolating, {}, {{0.2, 3, 0.5}, {0.1, 7, 0}}});

@@ -271,10 +271,14 @@ bool ProfileSurface::y_ascends_in(std::size_t slice, std::size_t v) const {
   });
 }
 
+double ProfileSurface::in_turn_of_slices(double angle) const {
+  return angle - turn * std::rint((angle - (first_u() + last_u()) / 2) / turn);
+}
+
 ProfileSurface::Interval ProfileSurface::interval_at(double u) const {
   Interval p;
   p.u = u;
-  if (options_.is_wheel) u = std::remainder(u, turn);
+  if (options_.is_wheel) u = in_turn_of_slices(u);
   const double clamped = std::clamp(u, slices_.front().u, slices_.back().u);
   p.is_beyond = clamped != u;
   if (slices_.size() == 1) return p;

@@ -47,7 +47,8 @@ struct SurfaceOptions {
 /// tensor product of cubic splines y(u, v), z(u, v): not-a-knot in v through the points of each slice, and along u over
 /// those of equal v as SliceMethod says. Where a slice lacks a v the surface is interrupted: it reaches from slice to
 /// slice only between v that both of them have. Before the first and after the last slice it goes on as they are; a
-/// wheel whose slices leave no gap wider than twice their widest distance is closed.
+/// wheel whose slices leave no gap wider than twice their widest distance is closed. Its u may count any turns: what is
+/// meant is the angle within half a turn of the middle of its slices.
 ///
 /// Lengths may have any unit, z may point up or down.
 class ProfileSurface {
@@ -108,6 +109,7 @@ private:
   void make_splines_along();
   void make_splines_along(std::size_t number, std::size_t low, std::size_t high, ProfilePoint Node::*value,
                           ProfilePoint Node::*derivative);
+  double in_turn_of_slices(double angle) const;
   Interval interval_at(double u) const;
   /// Numbers of the nodes in a slice with which the section before a v ends and the one behind it begins.
   std::size_t ending(std::size_t v) const { return v == 0 ? 0 : beginning(v - 1) + 1; }
