@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -63,15 +64,20 @@ double relative_power(const RelativeForces& f, const EllipticContact& contact) {
 struct ModelErrors {
   ErrorStatistics fx, fy, mz, power, force_in_part;
   std::size_t worst = 0; ///< the case with the largest error of the force
+  int unsolved = 0;      ///< contacts
   double seconds = 0;    ///< a contact
 };
 
 ModelErrors errors_of(const TangentialModel& model, const std::vector<EllipticContact>& contacts,
                       const Reference& reference) {
   Results results;
-  const double begin = thread_time();
-  for (const EllipticContact& contact : contacts) results.push_back(relative(model.forces(contact), contact));
   ModelErrors out;
+  const double begin = thread_time();
+  for (const EllipticContact& contact : contacts) {
+    const ContactForces forces = model.forces(contact);
+    out.unsolved += !is_solved(forces.status);
+    results.push_back(relative(forces, contact));
+  }
   out.seconds = (thread_time() - begin) / double(contacts.size());
   const auto of = [&](double RelativeForces::*component) {
     std::vector<double> e = differences(results, reference.limit, component);
@@ -106,12 +112,35 @@ void print_row(Report& report, const TangentialModel& model, const ModelErrors& 
                           e.power.rms, e.force_in_part.rms, place_of(worst)));
 }
 
+const ModelErrors& of_model(std::string_view name, const std::vector<TangentialModel>& models,
+                            const std::vector<ModelErrors>& errors) {
+  const auto named = std::find_if(models.begin(), models.end(), [&](const auto& model) { return model.name == name; });
+  return errors.at(static_cast<std::size_t>(named - models.begin()));
+}
+
+/// What the documentation claims of models, as bounds of rms errors over mu Fn.
+struct Claim {
+  std::string_view model, fx, fy;
+};
+constexpr Claim claims[] = {{"FASTSIM2, blended, 10 x 10", "<= 0.012", "<= 0.023"},
+                            {"creep-force table", "<= 0.0005", "<= 0.0005"},
+                            {"exact theory, second order, 24 x 24", "<= 0.001", "<= 0.001"}};
+
+void judge(Report& report, const std::vector<TangentialModel>& models, const std::vector<ModelErrors>& errors) {
+  report.heading("rms errors over mu Fn of all contacts");
+  for (const Claim& claim : claims) {
+    const ModelErrors& e = of_model(claim.model, models, errors);
+    report.bounded(fmt::format("{}: Fx", claim.model), "{:.4f}", e.fx.rms, claim.fx);
+    report.bounded(fmt::format("{}: Fy", claim.model), "{:.4f}", e.fy.rms, claim.fy);
+  }
+  int unsolved = 0;
+  for (const ModelErrors& e : errors) unsolved += e.unsolved;
+  report.count("contacts that a model leaves unsolved", unsolved, 0);
+}
+
 /// Times of contacts one after the other, over that of FASTSIM2 as it is used most.
 void print_times(Report& report, const std::vector<TangentialModel>& models, const std::vector<ModelErrors>& errors) {
-  const auto unit = std::find_if(models.begin(), models.end(), [](const TangentialModel& m) {
-    return m.name == "FASTSIM2, 3 flexibilities, 10 x 10";
-  });
-  const double of_unit = errors[static_cast<std::size_t>(unit - models.begin())].seconds;
+  const double of_unit = of_model("FASTSIM2, 3 flexibilities, 10 x 10", models, errors).seconds;
   report.heading("processor time of a contact over that of FASTSIM2 on 10 x 10");
   for (std::size_t k = 0; k < models.size(); ++k)
     report.line(fmt::format("  {:<50} {:8.2f}", models[k].name, errors[k].seconds / of_unit));
@@ -160,6 +189,7 @@ bool run_models(const StudyOptions& options, std::ostream& out) {
     if (options.progress && !options.progress(0.8 + 0.2 * double(errors.size()) / double(models.size()))) return false;
   }
   for (std::size_t k = 0; k < models.size(); ++k) print_row(report, models[k], errors[k], cases[errors[k].worst]);
+  judge(report, models, errors);
   print_times(report, models, errors);
   write_picture(options, models, errors);
   return report.all_as_stated();
