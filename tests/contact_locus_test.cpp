@@ -2,6 +2,7 @@
 
 #include "paths.hpp"
 #include "tests/contact_profile_folder.hpp"
+#include "tests/support/numbers.hpp"
 #include "validation/contact_output.hpp"
 
 #include <algorithm>
@@ -238,6 +239,22 @@ TEST_F(LocusOnSlices, DoesNotReachForHillsFarFromTheWheel) {
   const std::string text = with(first_wheel, {{" 1203000", " 1200100"}, {"'rail.prr'", "'rail.slcs'"}});
   for (const char* at : {" 6. 0 5000. 0 0 0", " 8. 3. 5000. 0 .01 0", " 7. -3. 5000. 0 -.01 0"})
     EXPECT_EQ(are_searches_alike(with(text, " 0 0 .16 0 0 0", at)), std::optional(true)) << at;
+}
+
+/// A rail that begins between two points of the wheel's profile: no overlap with its edge is lost.
+TEST_F(LocusOnSlices, ReachesTheRailsEdgeBetweenPointsOfTheWheel) {
+  const double edge = -5.37;
+  write_at("rail.prr", 0, equal_steps(edge, 20, 255), [](double y) { return y * y / 400; });
+  std::ofstream file(folder_ / "rail.slcs");
+  file << "0 1\n4\n0\n1\n-40 'rail.prr'\n-10 'rail.prr'\n10 'rail.prr'\n40 'rail.prr'\n";
+  file.close();
+  const std::string on_rail = with(first_wheel, " 0 0 .16 0 0 0", " 0 -7.5 .2 0 0 0");
+  for (const int points : {21, 41}) {
+    write_at("wheel.prw", 1, equal_steps(20, -20, points), [](double y) { return -convex(y); });
+    const double rail = run(on_rail).at(0).wheel.value().track.force.z;
+    const double slices = run(with(on_rail, "'rail.prr'", "'rail.slcs'")).at(0).wheel.value().track.force.z;
+    EXPECT_NEAR(slices / rail, 1, 0.01) << points;
+  }
 }
 
 /// CONTACT's example of a wheel on a crossing, at 35 places across the track.

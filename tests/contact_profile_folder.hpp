@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/contact_input_cases.hpp"
+#include "tests/support/numbers.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -28,14 +29,17 @@ protected:
   }
 
   void write(const std::string& name, int type, const std::function<double(double)>& z) const {
+    write_at(name, type, type == 0 ? equal_steps(-20, 20, 401) : equal_steps(20, -20, 401), z);
+  }
+
+  /// With points at these y.
+  void write_at(const std::string& name, int type, const std::vector<double>& places,
+                const std::function<double(double)>& z) const {
     std::ofstream file(folder_ / name);
     file.precision(15);
     file << "header.begin\n version = 1\n type = " << type << "\nheader.end\nspline.begin\n units.len.f = 1000.\n";
     file << " point.begin\n";
-    for (int k = 0; k <= 400; ++k) {
-      const double y = type == 0 ? -20 + 0.1 * k : 20 - 0.1 * k;
-      file << y << " " << z(y) << "\n";
-    }
+    for (const double y : places) file << y << " " << z(y) << "\n";
     file << " point.end\nspline.end\n";
   }
 

@@ -233,8 +233,8 @@ struct Trace {
 /// The contact locus over a rail made of slices, circle by circle.
 class LocusOnSlices {
 public:
-  /// Where it jumps from one part of the rail to another it has steps of `step` [m] over the wheel's profile, and is
-  /// straight, so that it stays within the wheel.
+  /// Where it jumps from one part of the rail to another, and where the rail begins or ends across the track, it has
+  /// steps of `step` [m] over the wheel's profile, and is straight, so that it stays within the wheel.
   LocusOnSlices(const Placement& p, const PointRange& range, double step) : p_(p), step_(step) {
     for (std::size_t k = range.first; k <= range.last; ++k) {
       const double s = p.wheel_profile.curve->s_of(k);
@@ -261,7 +261,8 @@ private:
 
   void go_on_to(double s, const Point& point) {
     constexpr double far = 1e-3; // [m]
-    const bool jumps = !s_.empty() && std::abs(point.on_wheel.x - wheel_.points.back().x) > far;
+    const bool begins = point.on_rail && piece_.points.empty(), ends = !point.on_rail && !piece_.points.empty();
+    const bool jumps = !s_.empty() && (begins || ends || std::abs(point.on_wheel.x - wheel_.points.back().x) > far);
     if (jumps && s - s_.back() > step_) {
       const double middle = 0.5 * (s_.back() + s);
       go_on_to(middle, next_to_rail(middle));
