@@ -7,6 +7,7 @@
 #include "tests/support/numbers.hpp"
 #include "tests/support/steel.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -41,6 +42,23 @@ protected:
       write(files.back(), 0, [&](double y) { return z(u[k], y); });
     }
     write_slices("rail.slcs", u, files);
+  }
+
+  /// A rail that ends at y = -5 from u = `end` on, and is wider before: there it has a blade.
+  void write_with_blade(const std::function<double(double)>& both, const std::function<double(double)>& beside,
+                        int end) {
+    write("both.prr", 0, both);
+    write("beside.prr", 0, beside);
+    const auto length = [](const std::function<double(double)>& z) { // up to there
+      double s = 0;
+      for (int k = 0; k < 150; ++k) s += std::hypot(0.1, z(-20 + 0.1 * (k + 1)) - z(-20 + 0.1 * k));
+      return std::to_string(s);
+    };
+    const std::vector<int> places = {-40, -20, -12, end, end + 4, 12, 20, 40};
+    std::ofstream file(folder_ / "rail.slcs");
+    file << "0 1\n" << places.size() << "\n3\n1\n";
+    for (const int u : places) file << u << (u > end ? " 'beside.prr'\n" : " 'both.prr'\n");
+    for (const int u : places) file << u << (u > end ? " -1 " + length(beside) : " 0 " + length(both)) << " 99\n";
   }
 
   WheelOutcome wheel(const std::string& text) { return run(text).at(0).wheel.value(); }
@@ -195,28 +213,33 @@ double share_behind(double x, const WheelOutcome& wheel) {
 TEST_F(VariedProfiles, PartsOfAPatchMayLieWhereItsMiddleHasNoRail) {
   const auto rail = [](double y) { return y * y / 60; };
   const auto blade = [&](double y) { return std::min((y + 10) * (y + 10) / 60 - 0.575, rail(y)); };
-  write("beside.prr", 0, rail);
-  write("both.prr", 0, blade);
-  const auto length_to = [](const auto& z, double end) {
-    constexpr double step = 0.1, start = -20;
-    double s = 0;
-    for (int k = 0; k < std::lround((end - start) / step); ++k)
-      s += std::hypot(step, z(start + (k + 1) * step) - z(start + k * step));
-    return std::to_string(s);
-  };
-  const std::vector<int> places = {-40, -20, -12, -6, 0, 12, 20, 40};
-  std::ofstream file(folder_ / "rail.slcs");
-  file << "0 1\n" << places.size() << "\n3\n1\n";
-  for (const int u : places) file << u << (u > -6 ? " 'beside.prr'\n" : " 'both.prr'\n");
-  for (const int u : places)
-    file << u << (u > -6 ? " -1 " + length_to(rail, -5) : " 0 " + length_to(blade, -5)) << " 99\n";
-  file.close();
+  write_with_blade(blade, rail, -6);
   for (const char* by : {" 0022033", " 0052033"}) {
     const double share = share_behind(
         -3 * mm, wheel(with(on_slices, {{" 1203000", " 1203100"}, {search, by}, {place, " 0 0 4e3 0 0 0"}})));
     EXPECT_GT(share, 0.2) << by;
     EXPECT_LT(share, 0.5) << by;
   }
+}
+
+/// How far apart regions of overlap are does not depend on whether there is rail beyond them.
+TEST_F(VariedProfiles, RegionsAtTheEndOfABladeFormAPatchByBothSearches) {
+  const auto smooth = [](double a, double b, double share) {
+    const double t = std::clamp(share, 0., 1.);
+    return a + (b - a) * t * t * (3 - 2 * t);
+  };
+  const auto both = [&](double y) {
+    if (y < -11) return smooth(5, -0.3, (y + 13) / 2);
+    if (y < -7.5) return smooth(-0.3, 1, (y + 8) / 0.5);
+    return smooth(1, 0, (y + 5.5) / 0.5);
+  };
+  write_with_blade(
+      both, [](double) { return 0.; }, -4);
+  const std::string text = with(on_slices, {{place, " 0 -5. .2 0 0 0"}, {"8. 4.", "8. .5"}});
+  const WheelOutcome locus = wheel(text), brute = wheel(with(text, search, " 0052033"));
+  EXPECT_EQ(locus.patches.size(), 1u);
+  EXPECT_EQ(brute.patches.size(), 1u);
+  EXPECT_NEAR(brute.track.force.z / locus.track.force.z, 1, 0.02);
 }
 
 TEST_F(VariedProfiles, MistakesInSlicesAreReasons) {

@@ -160,7 +160,14 @@ GapSurface::Box GapSurface::box_around(int i, int j, double depth) const {
           std::min(box.j1 + 1, ny_ - 1)};
 }
 
-GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
+/// Of a row beyond the overlap, or, where the rail has ended before it, of the last one before it, seen from a row that
+/// has rail.
+double GapSurface::rail_height(int i, int beyond, int from) const {
+  while (beyond != from && !(rail_at(i, beyond).z < no_gap)) beyond += beyond < from ? 1 : -1;
+  return rail_at(i, beyond).z;
+}
+
+GapRegion GapSurface::region(const Box& box, int i_least, int j_least, double depth) const {
   GapRegion r;
   for (int j = box.j0; j <= box.j1; ++j)
     for (int i = box.i0; i <= box.i1; ++i) {
@@ -181,8 +188,8 @@ GapRegion GapSurface::region(const Box& box, int middle, double depth) const {
   r.x1 = along(box.i1);
   r.y0 = y_[across(box.j0)];
   r.y1 = y_[across(box.j1)];
-  r.z0 = rail_at(middle, box.j0).z;
-  r.z1 = rail_at(middle, box.j1).z;
+  r.z0 = rail_height(i_least, box.j0, j_least);
+  r.z1 = rail_height(i_least, box.j1, j_least);
   return r;
 }
 
@@ -199,7 +206,7 @@ std::vector<GapRegion> GapSurface::regions(double depth) const {
   for (const auto& [i, j] : local_minima(gap_, nx_, depth)) {
     if (std::any_of(taken.begin(), taken.end(), [i = i, j = j](const Box& b) { return b.holds(i, j); })) continue;
     taken.push_back(box_around(i, j, depth));
-    found.push_back(region(taken.back(), i, depth));
+    found.push_back(region(taken.back(), i, j, depth));
   }
   return found;
 }

@@ -38,7 +38,8 @@ private:
   void find_roller(const Placement& placement, const ProfileCurve& rail);
   void find_rail(const Placement& placement, const ProfileCurve& rail);
   Box box_around(int i, int j, double depth) const;
-  GapRegion region(const Box& box, int middle, double depth) const;
+  double rail_height(int i, int beyond, int from) const;
+  GapRegion region(const Box& box, int i_least, int j_least, double depth) const;
 
   int nx_ = 0, ny_ = 0;
   double dx_ = 0; ///< of the elements
