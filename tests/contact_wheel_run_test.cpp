@@ -709,6 +709,25 @@ protected:
            "\n 15.875 0 1435.1 0\n 'site_b_hr.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1347.4 0 444.\n"
            " 'worn_high_mileage.prw' 0 1. 0.\n" +
            wheelset;
+TEST_F(WheelOnPlane, BruteForceWithTooFewRowsIsRefused) {
+  const std::string brute = with(first_wheel, " 0022033", " 0052033");
+  for (const int points : {2, 3}) {
+    write_at("few.prr", 0, equal_steps(-20, 20, points), [](double) { return 0.; });
+    const auto reasons = refusal(with(brute, "'rail.prr'", "'few.prr'"));
+    ASSERT_EQ(reasons.size(), 1u) << points;
+    EXPECT_EQ(reasons[0].find("RFNAME: the rail's profile has " + std::to_string(points) + " points: brute force"), 0u)
+        << reasons[0];
+  }
+  write_at("four.prr", 0, equal_steps(-20, 20, 4), [](double) { return 0.; });
+  const auto force = [&](const std::string& text) { return run(text).at(0).wheel.value().track.force.z; };
+  EXPECT_NEAR(force(with(brute, "'rail.prr'", "'four.prr'")) / force(first_wheel), 1, 1e-6);
+  for (const auto& [ds, rows] : {std::pair("100", "1"), {"30", "2"}})
+    EXPECT_EQ(refusal(with(brute, " .2 .2 1.", std::string(" .2 ") + ds + " 1.")),
+              std::vector<std::string>{std::string("DS = ") + ds + " mm: the contact is searched by brute force at " +
+                                       rows +
+                                       " rows across the rail, must be at least 3: DS must be at most 26.5333 mm"});
+}
+
   }
 
   static std::vector<Outcome> run(const std::string& text) { return outcomes_of(text, profiles_ / "a.inp"); }

@@ -4,9 +4,11 @@
 #include "compat/contact/wheel_rail/search_thresholds.hpp"
 #include "compat/contact/wheel_rail/surface_mesh.hpp"
 #include "compat/contact/wheel_rail/varied_profile.hpp"
+#include "microslip/error.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace microslip::contact_program {
@@ -37,12 +39,21 @@ SurfaceMesh lower_side(const Placement& p, int slices, bool steep) {
 }
 
 /// From the second to the last but one point of a rail's profile; of slices as far within all of them.
-std::pair<double, double> extent_across(const Placement& p, const ProfileCurve& rail) {
+std::pair<double, double> inner_extent(const Placement& p, const ProfileCurve& rail) {
   const auto& points = rail.points();
   const std::pair inner = {points[1].y, points[points.size() - 2].y};
   if (!p.rail_profile.varies()) return inner;
   const auto [least, greatest] = whole_extent(p, rail); // without as much at its ends
   return {least + inner.first - rail.least_y(), greatest + inner.second - rail.greatest_y()};
+}
+
+/// The same where it has a width.
+std::pair<double, double> extent_across(const Placement& p, const ProfileCurve& rail) {
+  const auto [least, greatest] = inner_extent(p, rail);
+  if (greatest > least) return {least, greatest};
+  throw Error("RFNAME: the rail's profile has " + std::to_string(rail.points().size()) +
+              " points: brute force searches the contact from the second to the last but one, which must lie further "
+              "across the track; at least 4 points are needed");
 }
 
 } // namespace
@@ -53,6 +64,7 @@ GapSurface::GapSurface(const Placement& p, const ProfileCurve& rail, const Patch
   const double dy = (steep ? SearchThresholds::step_across_steep : SearchThresholds::step_across) * sizes.ds;
   const double steps = std::floor((y1 - y0) / dy + 1e-9), columns = columns_along(p, dx_, steep);
   require_few_points(columns, steps + 1, sizes, p.radius);
+  require_rows(steps + 1, (y1 - y0) * sizes.ds / dy, sizes);
   nx_ = static_cast<int>(columns);
   ny_ = static_cast<int>(steps) + 1;
   SurfaceMesh wheel = p.wheel_profile.varies() ? varied_lower_side(p, nx_) : lower_side(p, nx_, steep);

@@ -21,4 +21,12 @@ void require_few_points(double along, double across, const PatchRules& sizes, do
               short_number(SearchThresholds::most_on_grid));
 }
 
+void require_rows(double rows, double widest, const PatchRules& sizes) {
+  constexpr int least = SearchThresholds::least_rows;
+  if (rows >= least) return;
+  throw Error("DS = " + short_number(sizes.ds / mm) + " mm: the contact is searched by brute force at " +
+              short_number(rows) + " rows across the rail, must be at least " + short_number(least) +
+              ": DS must be at most " + short_number(widest / (least - 1) / mm) + " mm");
+}
+
 } // namespace microslip::contact_program

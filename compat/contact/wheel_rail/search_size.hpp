@@ -8,5 +8,8 @@ namespace microslip::contact_program {
 /// across the track, on which a wheel of this radius [m] is searched by brute force.
 void require_few_points(double on_line, const PatchRules& sizes);
 void require_few_points(double along, double across, const PatchRules& sizes, double radius);
+/// Throws Error for a search by brute force with fewer rows across the rail than the least gap and the curvature there
+/// are found from; `widest` is the DS that would give one step [m].
+void require_rows(double rows, double widest, const PatchRules& sizes);
 
 } // namespace microslip::contact_program

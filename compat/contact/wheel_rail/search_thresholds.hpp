@@ -30,6 +30,8 @@ struct SearchThresholds {
 
   /// Points at most of the gap's line over the locus and of its grid of brute force, which take seconds. Ours.
   static constexpr double most_on_line = 2e6, most_on_grid = 2e7;
+  /// Rows of that grid at least, which the curvature across the rail is found from. Ours.
+  static constexpr int least_rows = 3;
 
   /// Exponent of the factor with which parts of a patch act on each other.
   static constexpr double blending = 0.8;
