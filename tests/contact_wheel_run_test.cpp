@@ -250,6 +250,35 @@ TEST_F(WheelOnPlane, TractionsGoOnFromCaseToCase) {
   EXPECT_NEAR(twice / once, 1, 1e-4);
 }
 
+/// How far the elements reach back to the last contact has a limit, beyond which the two count as not feeling each
+/// other.
+TEST_F(WheelOnPlane, AShiftFarFromTheLastContactBeginsAnew) {
+  const std::string shift = with(first_wheel, {{" 1203000", " 1201000"}, {" 100. 0 0 0 0 -1. ", " .001 0 0 0 0 0 "}});
+  const auto cases = [&](const std::string& s) {
+    return run(shift + " 1 MODULE\n 1001000\n 0111002\n 0100331\n " + s + " 0 .16 0 0 0\n .001 0 0 0 0 0\n");
+  };
+  const auto near = cases("100.");
+  EXPECT_GT(near[1].wheel->track.force.x, 1.01 * near[0].wheel->track.force.x) << "the elements reach back";
+  EXPECT_TRUE(near[1].notes.empty());
+  for (const char* far : {"1e5", "-1e5"}) {
+    const auto forces = cases(far);
+    EXPECT_NEAR(forces[1].wheel->track.force.x / forces[0].wheel->track.force.x, 1, 1e-6) << far;
+    EXPECT_LT(forces[1].wheel->patches.at(0).solution->step.grid.count(), 1e4) << far;
+    ASSERT_EQ(forces[1].notes.size(), 1u) << far;
+    EXPECT_EQ(forces[1].notes[0].find("the last contact is so far away along the track that elements do not reach"),
+              0u);
+  }
+}
+
+TEST_F(WheelOnPlane, ElementsThatReachBackToTheLastContactHaveALimit) {
+  const std::string shift = with(first_wheel, {{" 1203000", " 1201000"}, {" 100. 0 0 0 0 -1. ", " .001 0 0 0 0 0 "}});
+  const std::string finer = " 1 MODULE\n 1001000\n 0121002\n 0100331\n 5e-3 5e-3 1. 90d 8. 4.\n 0 0 .01 0 0 0\n"
+                            " .001 0 0 0 0 0\n";
+  const auto reasons = run_cases(shift + finer, file()).at(1).outcome.reasons;
+  ASSERT_EQ(reasons.size(), 1u);
+  EXPECT_EQ(reasons[0].find("the patch and the last case's contact, from which it goes on, cover "), 0u) << reasons[0];
+}
+
 /// Two crests under a cylinder: two patches, or one by other rules. What has been shifted stays when they become one
 /// and two again.
 TEST_F(WheelOnPlane, TractionsStayAsPatchesMergeAndSplit) {
@@ -685,6 +714,25 @@ TEST_F(WheelOnPlane, SearchesOfPointsWithoutNumberAreRefused) {
       << of_shift[0];
 }
 
+TEST_F(WheelOnPlane, BruteForceWithTooFewRowsIsRefused) {
+  const std::string brute = with(first_wheel, " 0022033", " 0052033");
+  for (const int points : {2, 3}) {
+    write_at("few.prr", 0, equal_steps(-20, 20, points), [](double) { return 0.; });
+    const auto reasons = refusal(with(brute, "'rail.prr'", "'few.prr'"));
+    ASSERT_EQ(reasons.size(), 1u) << points;
+    EXPECT_EQ(reasons[0].find("RFNAME: the rail's profile has " + std::to_string(points) + " points: brute force"), 0u)
+        << reasons[0];
+  }
+  write_at("four.prr", 0, equal_steps(-20, 20, 4), [](double) { return 0.; });
+  const auto force = [&](const std::string& text) { return run(text).at(0).wheel.value().track.force.z; };
+  EXPECT_NEAR(force(with(brute, "'rail.prr'", "'four.prr'")) / force(first_wheel), 1, 1e-6);
+  for (const auto& [ds, rows] : {std::pair("100", "1"), {"30", "2"}})
+    EXPECT_EQ(refusal(with(brute, " .2 .2 1.", std::string(" .2 ") + ds + " 1.")),
+              std::vector<std::string>{std::string("DS = ") + ds + " mm: the contact is searched by brute force at " +
+                                       rows +
+                                       " rows across the rail, must be at least 3: DS must be at most 26.5333 mm"});
+}
+
 TEST_F(WheelOnPlane, WhatIsNotSupportedIsNamed) {
   EXPECT_EQ(refusal(with(first_wheel, " 0022033", " 0072033")),
             std::vector<std::string>{"D = 7 (patches at the first point of contact)"});
@@ -709,25 +757,6 @@ protected:
            "\n 15.875 0 1435.1 0\n 'site_b_hr.prr' 0 1. 0.\n 0 0 0 0 0 0\n 1347.4 0 444.\n"
            " 'worn_high_mileage.prw' 0 1. 0.\n" +
            wheelset;
-TEST_F(WheelOnPlane, BruteForceWithTooFewRowsIsRefused) {
-  const std::string brute = with(first_wheel, " 0022033", " 0052033");
-  for (const int points : {2, 3}) {
-    write_at("few.prr", 0, equal_steps(-20, 20, points), [](double) { return 0.; });
-    const auto reasons = refusal(with(brute, "'rail.prr'", "'few.prr'"));
-    ASSERT_EQ(reasons.size(), 1u) << points;
-    EXPECT_EQ(reasons[0].find("RFNAME: the rail's profile has " + std::to_string(points) + " points: brute force"), 0u)
-        << reasons[0];
-  }
-  write_at("four.prr", 0, equal_steps(-20, 20, 4), [](double) { return 0.; });
-  const auto force = [&](const std::string& text) { return run(text).at(0).wheel.value().track.force.z; };
-  EXPECT_NEAR(force(with(brute, "'rail.prr'", "'four.prr'")) / force(first_wheel), 1, 1e-6);
-  for (const auto& [ds, rows] : {std::pair("100", "1"), {"30", "2"}})
-    EXPECT_EQ(refusal(with(brute, " .2 .2 1.", std::string(" .2 ") + ds + " 1.")),
-              std::vector<std::string>{std::string("DS = ") + ds + " mm: the contact is searched by brute force at " +
-                                       rows +
-                                       " rows across the rail, must be at least 3: DS must be at most 26.5333 mm"});
-}
-
   }
 
   static std::vector<Outcome> run(const std::string& text) { return outcomes_of(text, profiles_ / "a.inp"); }

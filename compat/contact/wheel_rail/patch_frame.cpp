@@ -46,19 +46,44 @@ double s_across(const ProfileCurve& rail, double y, const Placement& p, double a
   return p.rail_profile.varies() ? s + (y - rail.at(s).value.y) / std::cos(angle) : s;
 }
 
-/// Elements of a size from `start` on, `count` of them, that are to reach from `low` to `high` as well.
-void reach(double low, double high, double size, double& start, int& count) {
-  const int before = std::max(0, static_cast<int>(std::lround((start - low) / size)));
-  const int behind = std::max(0, static_cast<int>(std::lround((high - start) / size)) - count);
-  start -= before * size;
-  count += before + behind;
+/// Whether elements are enlarged until there are less than NPOT_MAX, `most`.
+bool is_limited(GridOrigin origin, int most) {
+  return origin == GridOrigin::reference && most >= SearchThresholds::least_limit;
+}
+
+/// Elements along an axis; their number may be greater than any that is allowed.
+struct Row {
+  double start = 0, count = 0;
+};
+
+/// Elements of a size from `start` on, `count` of them, and as many more as reach from `low` to `high` as well.
+Row reaching(double low, double high, double size, double start, int count) {
+  const double before = std::max(0.0, std::round((start - low) / size));
+  const double behind = std::max(0.0, std::round((high - start) / size) - count);
+  return {start - before * size, count + before + behind};
 }
 
 } // namespace
 
-void cover(PatchFrame& frame, const PatchBox& box) {
-  reach(box.x0, box.x1, frame.dx, frame.x0, frame.mx);
-  reach(box.s0, box.s1, frame.ds, frame.s0, frame.my);
+double most_elements(GridOrigin origin, int most) {
+  return is_limited(origin, most) ? SearchThresholds::most_asked_for : SearchThresholds::most_elements;
+}
+
+bool cover(PatchFrame& frame, const PatchBox& box, double most) {
+  const Row x = reaching(box.x0, box.x1, frame.dx, frame.x0, frame.mx);
+  const Row s = reaching(box.s0, box.s1, frame.ds, frame.s0, frame.my);
+  const double elements = x.count * s.count;
+  if (!(elements <= most)) {
+    if (box.x1 < frame.x0 || box.x0 > frame.x1()) return false;
+    throw Error("the patch and the last case's contact, from which it goes on, cover " + short_number(elements) +
+                " elements with DX = " + short_number(frame.dx / mm) + ", DS = " + short_number(frame.ds / mm) +
+                " mm: must be at most " + short_number(most) + "; larger elements are fewer");
+  }
+  frame.x0 = x.start;
+  frame.mx = static_cast<int>(x.count);
+  frame.s0 = s.start;
+  frame.my = static_cast<int>(s.count);
+  return true;
 }
 
 PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,
@@ -85,13 +110,12 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   f.ds = sizes.ds;
   Range x(x_low, x_high, f.dx), s(std::min(s_low, s_high), std::max(s_low, s_high), f.ds);
   constexpr int few = SearchThresholds::few_elements;
-  const bool limited = origin == GridOrigin::reference && most >= SearchThresholds::least_limit;
-  while (limited && double(x.count) * s.count >= most && (x.count > few || s.count > few)) {
+  while (is_limited(origin, most) && double(x.count) * s.count >= most && (x.count > few || s.count > few)) {
     if (x.count > few) x = Range(x_low, x_high, f.dx *= 2);
     if (s.count > few) s = Range(std::min(s_low, s_high), std::max(s_low, s_high), f.ds *= 2);
   }
   const double elements = double(x.count) * s.count;
-  const double allowed = limited ? SearchThresholds::most_asked_for : SearchThresholds::most_elements;
+  const double allowed = most_elements(origin, most);
   if (!(elements <= allowed))
     throw Error("wheel and rail overlap over " + short_number((x_high - x_low) / mm) + " x " +
                 short_number((s_high - s_low) / mm) + " mm, " + short_number(elements) +

@@ -48,15 +48,20 @@ struct PatchBox {
   double x0 = 0, x1 = 0, s0 = 0, s1 = 0;
 };
 
-/// Lets the elements reach far enough to cover a box as well.
-void cover(PatchFrame& frame, const PatchBox& box);
-
 /// Alignment of the elements of successive cases.
 enum class GridOrigin {
   reference, ///< an element's centre is at the reference
   moving,    ///< fixed across the rail, and along the track to the wheelset: transient rolling
   fixed,     ///< fixed on the rail: shifts
 };
+
+/// Elements that a patch may have, `most` being NPOT_MAX.
+double most_elements(GridOrigin origin, int most);
+
+/// Lets the elements reach far enough to cover a box as well. Where that takes more than `most`, a box that lies apart
+/// from them along the track is left out, and the result false: so far away its tractions deform next to nothing here.
+/// For another one throws Error.
+bool cover(PatchFrame& frame, const PatchBox& box, double most);
 
 /// `rail` in track coordinates, `place` is S_WS. Elements are doubled until there are less than `most`.
 PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, const ProfileCurve& rail,

@@ -457,19 +457,31 @@ WheelPatch WheelRailSolver::solve_patch(const Case& right, const PatchFrame& fra
   return patch;
 }
 
+/// Elements reach back to where the patches that they go on from were in contact; notes on what is too far away.
+std::vector<std::string> WheelRailSolver::reach_back(std::vector<PatchFrame>& frames, const Case& right) const {
+  const double most = most_elements(origin_of(right.digits), right.solver.npot_max);
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    for (const Part& part : tracks_[k].parts) {
+      const auto& contact = origins_[part.origin].contact;
+      if (!contact) continue;
+      const double low = std::max(contact->s0, part.low), high = std::min(contact->s1, part.high);
+      if (!cover(frames[k], {contact->x0, contact->x1, low, high}, most))
+        append_new(notes,
+                   {"the last contact is so far away along the track that elements do not reach back to it: what "
+                    "its tractions deform here is left out"});
+    }
+  return notes;
+}
+
 Outcome WheelRailSolver::solve_at(const Case& right, WheelGeometry& geometry, double z, const Progress& progress) {
   ++effort_.geometry;
   std::vector<PatchFrame> frames = geometry.patches(z);
   const Placement placement = geometry.placement(z);
   follow(frames, right.digits);
-  for (std::size_t k = 0; k < frames.size(); ++k)
-    for (const Part& part : tracks_[k].parts) {
-      const auto& contact = origins_[part.origin].contact;
-      if (contact)
-        cover(frames[k], {contact->x0, contact->x1, std::max(contact->s0, part.low), std::min(contact->s1, part.high)});
-    }
-  for (PatchFrame& frame : frames) geometry.bend(frame, z);
   Outcome outcome;
+  append_new(outcome.notes, reach_back(frames, right));
+  for (PatchFrame& frame : frames) geometry.bend(frame, z);
   WheelOutcome wheel;
   wheel.z = z;
   wheel.near_misses = geometry.near_misses(z);

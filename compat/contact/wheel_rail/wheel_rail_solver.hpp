@@ -78,6 +78,7 @@ private:
   std::optional<Vec3<double>> force_before(const std::vector<PatchFrame>& frames, std::size_t k,
                                            Continuation from) const;
   void follow(const std::vector<PatchFrame>& frames, const Digits& digits);
+  std::vector<std::string> reach_back(std::vector<PatchFrame>& frames, const Case& right) const;
 
   std::vector<std::pair<ProfileRecord, ProfileShape>> profiles_;
   RailPlacer rail_placer_;
