@@ -60,6 +60,37 @@ TEST(ContactPatchRules, PartsThatAreFarApartDoNotActOnEachOther) {
   EXPECT_GT(patches[0].factors[1], 0);
 }
 
+/// Two of 2 x 2 mm at nearly the same y, one of them 3 mm behind the other along the track.
+std::vector<GapRegion> one_behind_the_other() {
+  auto regions = regions_at({0, 0.1});
+  regions[1].x0 = 4, regions[1].x1 = 6;
+  return regions;
+}
+
+TEST(ContactPatchRules, OfRegionsAtTheSameYOnlyTheDistanceAlongTheTrackCounts) {
+  PatchRules d = rules();
+  d.d_comb = 3.01;
+  const auto patches = make_patches(one_behind_the_other(), d);
+  ASSERT_EQ(patches.size(), 1u);
+  EXPECT_EQ(patches[0].parts.size(), 1u);
+  d.d_comb = 1, d.d_sep = 2.99;
+  EXPECT_EQ(make_patches(one_behind_the_other(), d).size(), 2u);
+}
+
+/// No line along the track separates them.
+TEST(ContactPatchRules, RegionsAtTheSameYAreNoSeparateParts) {
+  PatchRules d = rules();
+  d.d_comb = 1;
+  auto regions = one_behind_the_other();
+  regions.push_back(regions_at({5}).front()); // beside both
+  const auto patches = make_patches(regions, d);
+  ASSERT_EQ(patches.size(), 1u);
+  ASSERT_EQ(patches[0].parts.size(), 2u);
+  EXPECT_EQ(patches[0].parts[1].x0, -1);
+  EXPECT_EQ(patches[0].parts[1].x1, 6);
+  EXPECT_EQ(patches[0].whole.y1, 6);
+}
+
 TEST(ContactPatchRules, FramesTurnBeforePatchesJoin) {
   const auto patches = make_patches(regions_at({0, 12}), rules()); // 10 mm apart, halfway from 8 to 12
   ASSERT_EQ(patches.size(), 2u);

@@ -4,13 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace microslip::contact_program {
 namespace {
 
+/// Between two intervals, whose ends may have any order.
+double between(std::pair<double, double> a, std::pair<double, double> b) {
+  const auto [a0, a1] = std::minmax({a.first, a.second});
+  const auto [b0, b1] = std::minmax({b.first, b.second});
+  return std::max({0.0, a0 - b1, b0 - a1});
+}
+
+/// Whether one lies behind the other along the track, at the same y.
+bool overlap_across(const GapRegion& field, const GapRegion& gauge) {
+  return field.y0 < gauge.y1;
+}
+
 /// Between the boxes of two regions, the first one nearer to the field.
 double distance(const GapRegion& field, const GapRegion& gauge) {
-  const double x = std::max({0.0, field.x0 - gauge.x1, gauge.x0 - field.x1});
+  const double x = between({field.x0, field.x1}, {gauge.x0, gauge.x1});
+  if (overlap_across(field, gauge)) return std::hypot(x, between({field.z0, field.z1}, {gauge.z0, gauge.z1}));
   return std::hypot(x, field.y0 - gauge.y1, field.z0 - gauge.z1);
 }
 
@@ -41,6 +55,17 @@ void combine(std::vector<GapRegion>& regions, const PatchRules& rules) {
     regions[k] = united(regions[k], regions[k + 1]);
     regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(k) + 1);
   }
+}
+
+/// As a part of its own, from the last one of which a line along the track separates it; where there is no such line,
+/// as one with it.
+void add(PatchRegion& patch, const GapRegion& region) {
+  patch.whole = united(patch.whole, region);
+  GapRegion& last = patch.parts.back();
+  if (overlap_across(last, region))
+    last = united(last, region);
+  else
+    patch.parts.push_back(region);
 }
 
 void find_factors(PatchRegion& patch, const PatchRules& rules) {
@@ -76,8 +101,7 @@ std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const Patc
   std::vector<PatchRegion> patches;
   for (const GapRegion& region : regions) {
     if (!patches.empty() && may_join(patches.back().whole, region, rules.d_sep, rules)) {
-      patches.back().whole = united(patches.back().whole, region);
-      patches.back().parts.push_back(region);
+      add(patches.back(), region);
     } else {
       patches.push_back({region, {region}, {}});
     }

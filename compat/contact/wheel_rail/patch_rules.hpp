@@ -17,7 +17,9 @@ struct PatchRegion {
 
 /// CONTACT's rules, from the field side to the gauge side: regions up to D_COMB apart whose angles differ by at most
 /// A_SEP become one; of what is then up to D_SEP apart a patch is made, whose parts act on each other by
-/// ((D_SEP - distance)/(D_SEP - D_COMB))^0.8; patches up to D_TURN apart are turned towards their mean angle.
+/// ((D_SEP - distance)/(D_SEP - D_COMB))^0.8; patches up to D_TURN apart are turned towards their mean angle. Ours is
+/// that regions at the same y, one behind the other along the track, are one instead of two parts: parts are separated
+/// by lines along the track.
 std::vector<PatchRegion> make_patches(std::vector<GapRegion> regions, const PatchRules& rules);
 
 } // namespace microslip::contact_program
