@@ -242,6 +242,22 @@ TEST_F(VariedProfiles, RegionsAtTheEndOfABladeFormAPatchByBothSearches) {
   EXPECT_NEAR(brute.track.force.z / locus.track.force.z, 1, 0.02);
 }
 
+/// A dip of 3 mm between two contacts: the plane of the patch that both form is at their height, not at the dip's,
+/// where the wheel would slide by its depth over the radius.
+TEST_F(VariedProfiles, APatchOnBothSidesOfADipLiesAtTheHeightOfItsContacts) {
+  write("dip.prr", 0, [](double y) { return convex(y) + 3; });
+  const std::vector<double> places = {-40, -20, -3.5, -2.5, -1.5, -1, 0, 1, 1.5, 2.5, 3.5, 20, 40};
+  std::vector<std::string> files;
+  for (const double u : places) files.emplace_back(std::abs(u) < 1.4 ? "dip.prr" : "convex.prr");
+  write_slices("rail.slcs", places, files, "2");
+  const std::string brute = with(on_slices, search, " 0052033");
+  const WheelOutcome two = wheel(with(brute, "8. 4.", ".1 .05")), one = wheel(with(brute, "8. 4.", "20. 19."));
+  ASSERT_EQ(two.patches.size(), 2u);
+  ASSERT_EQ(one.patches.size(), 1u);
+  EXPECT_NEAR(one.patches[0].location.track.z / mm, two.patches[0].location.track.z / mm, 1e-3);
+  EXPECT_LT(std::abs(one.track.force.x), 0.05 * 0.3 * one.track.force.z);
+}
+
 TEST_F(VariedProfiles, MistakesInSlicesAreReasons) {
   const auto reason = [&](const std::string& text) {
     std::istringstream stream(text);

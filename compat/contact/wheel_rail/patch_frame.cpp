@@ -93,7 +93,7 @@ PatchFrame lay_out_patch(const PatchRegion& patch, const Placement& placement, c
   f.s_rail = rail.nearest_s_at_y(whole.y);
   const ProfilePoint at = rail.at(f.s_rail).value;
   f.angle = off_vertical(whole.angle);
-  f.reference = {{whole.x, at.y, height_at(at.z, whole.x, placement)}, rotation_about_x(f.angle)};
+  f.reference = {{whole.x, at.y, height_at(at.z + patch.below_section, whole.x, placement)}, rotation_about_x(f.angle)};
   f.grid = f.reference;
   double s_grid = f.s_rail;
   if (origin != GridOrigin::reference) {

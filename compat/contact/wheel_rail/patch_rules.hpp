@@ -13,6 +13,9 @@ struct PatchRegion {
   std::vector<GapRegion> parts; ///< from the field side to the gauge side
   /// Weight with which parts i and j act on each other, 1 on themselves; index i count + j.
   std::vector<double> factors;
+  /// How far the rail in the regions' centres lies below the section at their mean, weighted as that [m]: not 0 where
+  /// the rail varies between them.
+  double below_section = 0;
 };
 
 /// CONTACT's rules, from the field side to the gauge side: regions up to D_COMB apart whose angles differ by at most

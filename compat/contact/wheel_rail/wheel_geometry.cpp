@@ -9,6 +9,28 @@
 
 namespace microslip::contact_program {
 
+namespace {
+
+bool contains(const GapRegion& whole, const GapRegion& part) {
+  return part.x0 >= whole.x0 && part.x1 <= whole.x1 && part.y0 >= whole.y0 && part.y1 <= whole.y1;
+}
+
+/// PatchRegion::below_section of what these regions form on a rail made of slices.
+double below_section(const Placement& p, const GapRegion& whole, const ProfileCurve& section,
+                     const std::vector<GapRegion>& regions) {
+  const auto height = [](const ProfileCurve& rail, double y) { return rail.at(rail.nearest_s_at_y(y)).value.z; };
+  double sum = 0, weight = 0;
+  for (const GapRegion& region : regions) {
+    if (!contains(whole, region)) continue;
+    weight += region.weight;
+    if (const auto own = rail_section(p, region.x))
+      sum += region.weight * (height(*own, region.y) - height(section, region.y));
+  }
+  return weight > 0 ? sum / weight : 0;
+}
+
+} // namespace
+
 double place_on_track(const WheelRailData& data) {
   return data.digits.is_roller() ? 0 : data.position.s;
 }
@@ -68,9 +90,13 @@ std::shared_ptr<const ProfileCurve> WheelGeometry::rail_at(double x) const {
 std::vector<PatchFrame> WheelGeometry::patches(double z) {
   const Placement placed = placement(z);
   std::vector<PatchFrame> frames;
-  for (const PatchRegion& patch : make_patches(regions(z), data_.grid))
-    frames.push_back(lay_out_patch(patch, placed, *rail_at(patch.whole.x), data_.grid, origin_, place_on_track(data_),
-                                   most_elements_));
+  const std::vector<GapRegion> overlap = regions(z);
+  for (PatchRegion& patch : make_patches(overlap, data_.grid)) {
+    const auto rail = rail_at(patch.whole.x);
+    if (placed_at_zero_.rail_profile.varies())
+      patch.below_section = below_section(placed_at_zero_, patch.whole, *rail, overlap);
+    frames.push_back(lay_out_patch(patch, placed, *rail, data_.grid, origin_, place_on_track(data_), most_elements_));
+  }
   if (data_.search == ContactSearch::conformal)
     for (PatchFrame& frame : frames) CurvedPatch(frame, placed, *rail_in_track_).choose_rows(frame);
   return frames;
