@@ -57,6 +57,7 @@ const std::map<std::string, double> thresholds = {
     {"wheel's radius at most", WheelsetDimensions::greatest_radius / mm},
     {"points across the track over the locus at most", S::most_on_line},
     {"points of brute force at most", S::most_on_grid},
+    {"rows of brute force at least", S::least_rows},
     {"depth of the wheel in the rail, times its radius", S::deepest},
     {"weight with which parts act on each other, exponent", S::blending},
     {"element sizes are doubled until there are less than NPOT_MAX, from which on", S::least_limit},
