@@ -132,6 +132,7 @@ CoupledFrictionSolution CoupledContact::solve_on(const GridPart& part, const Con
               coefficients = part.cut(friction.coefficients);
   std::vector<std::array<Field, 3>> there;
   std::vector<CoupledFrictionStart> begins;
+  there.reserve(starts.size()), begins.reserve(starts.size());
   for (const CoupledFrictionStart& start : starts)
     there.push_back({part.cut(start.px), part.cut(start.py), part.cut(start.pressure)});
   for (const auto& [px, py, pressure] : there) begins.push_back({px, py, pressure});

@@ -14,9 +14,11 @@ namespace {
 
 /// Calls at(v) with slip velocities [m/s] between which no law falls much steeper than at them.
 template <class At> void for_velocities(const FrictionLaw& law, At at) {
-  constexpr double lowest = 1e-4, highest = 1e4, ratio = 1.6; // over those of the laws
+  constexpr double lowest = 1e-4, ratio = 1.6; // over those of the laws
+  constexpr int count = 40;                    // up to 1e4
   const auto around = [&](double velocity) {
-    for (double v = lowest; v < highest; v *= ratio) at(v * velocity);
+    double v = lowest;
+    for (int k = 0; k < count; ++k, v *= ratio) at(v * velocity);
   };
   if (law.table() == nullptr) {
     for (const FrictionTerm& term : law.terms()) around(term.half_velocity);

@@ -71,7 +71,7 @@ private:
 };
 
 /// Numbers of `count` elements, by components, from blocks of them; and up to a block more.
-using Block = std::array<std::array<double, 2 * farthest>, 3>;
+using Block = std::array<std::array<double, std::size_t{2} * farthest>, 3>;
 template <class Of> void fill(int count, std::size_t c, Block& out, const Of& of) {
   for (int k = 0; k < count; k += static_cast<int>(Product::lanes)) of(k).store(&out[c][k]);
 }

@@ -37,11 +37,13 @@ HertzianRolling::HertzianRolling(int mx, int my) {
     mx = (mx + 1) / 2, my = (my + 1) / 2;
 }
 
-/// Makes the levels from one on, down to the coarsest.
-std::unique_ptr<NestedRolling> HertzianRolling::nested(std::size_t level, const Progress& progress) const {
-  auto coarser = level + 1 < of_circle_.size() ? nested(level + 1, progress) : nullptr;
-  return std::make_unique<NestedRolling>(material_, stretched(of_circle_[level], a_, b_), std::move(coarser), progress,
-                                         plans_);
+/// Makes all levels, the coarsest one first.
+std::unique_ptr<NestedRolling> HertzianRolling::nested(const Progress& progress) const {
+  std::unique_ptr<NestedRolling> rolling;
+  for (std::size_t level = of_circle_.size(); level-- > 0;)
+    rolling = std::make_unique<NestedRolling>(material_, stretched(of_circle_[level], a_, b_), std::move(rolling),
+                                              progress, plans_);
+  return rolling;
 }
 
 void HertzianRolling::prepare(double a, double b, const CombinedMaterial& material, const Progress& progress) {
@@ -58,7 +60,7 @@ void HertzianRolling::prepare(double a, double b, const CombinedMaterial& materi
     else
       on_level->renew(material, std::move(contact), progress);
   }
-  rolling_ = rolling ? std::move(rolling) : nested(0, progress);
+  rolling_ = rolling ? std::move(rolling) : nested(progress);
 }
 
 SecondOrderSolution HertzianRolling::solve(const EllipticContact& contact, std::optional<double> force_x,

@@ -41,7 +41,7 @@ public:
                                         double wavenumber, double tolerance, const Progress& progress = {});
 
 private:
-  std::unique_ptr<NestedRolling> nested(std::size_t level, const Progress& progress) const;
+  std::unique_ptr<NestedRolling> nested(const Progress& progress) const;
 
   TransformPlans plans_;
   std::vector<FittedContact> of_circle_; ///< of the radius 1; the finest one, and coarser ones
