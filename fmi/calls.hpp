@@ -15,6 +15,8 @@ namespace microslip::fmi {
 using Stages = std::initializer_list<Stage>;
 constexpr Stages anywhere = {Stage::instantiated, Stage::initialization, Stage::stepping,
                              Stage::event,        Stage::continuous,     Stage::terminated};
+constexpr Stages anywhere_or_failed = {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::event,
+                                       Stage::continuous,   Stage::terminated,     Stage::error};
 constexpr Stages readable = {Stage::initialization, Stage::stepping, Stage::event, Stage::continuous,
                              Stage::terminated};
 constexpr Stages writable = {Stage::instantiated, Stage::initialization, Stage::stepping, Stage::event,

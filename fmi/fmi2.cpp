@@ -118,9 +118,7 @@ fmi2Status fmi2Terminate(fmi2Component instance) {
 }
 
 fmi2Status fmi2Reset(fmi2Component instance) {
-  if (!instance) return fmi2Error;
-  static_cast<Unit*>(instance)->reset();
-  return fmi2OK;
+  return in_stage(instance, __func__, anywhere_or_failed, [](Unit& unit) { unit.reset(); });
 }
 
 fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference vr[], size_t count, fmi2Real values[]) {

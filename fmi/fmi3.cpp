@@ -159,9 +159,7 @@ fmi3Status fmi3Terminate(fmi3Instance instance) {
 }
 
 fmi3Status fmi3Reset(fmi3Instance instance) {
-  if (!instance) return fmi3Error;
-  static_cast<Unit*>(instance)->reset();
-  return fmi3OK;
+  return in_stage(instance, __func__, anywhere_or_failed, [](Unit& unit) { unit.reset(); });
 }
 
 REFUSED(fmi3EnterConfigurationMode, "the unit has no structural parameters")

@@ -89,9 +89,18 @@ static void require_struct(int count, const mxArray* arguments[], int at, const 
   if (count <= at || !mxIsStruct(arguments[at]) || mxGetNumberOfElements(arguments[at]) != 1) fail(what);
 }
 
-/* An argument that is a whole number, or what stands for it. */
-static int whole(int count, const mxArray* arguments[], int at, int otherwise) {
-  return count > at ? (int)*numbers(arguments[at], "a number of cells") : otherwise;
+static double one_number(const mxArray* value, const char* name) {
+  if (mxGetNumberOfElements(value) != 1) mexErrMsgIdAndTxt("microslip:size", "%s must be one number", name);
+  return *numbers(value, name);
+}
+
+/* An argument that is a number of cells, or what stands for it. */
+static int cells(int count, const mxArray* arguments[], int at, int otherwise) {
+  double given;
+  if (count <= at) return otherwise;
+  given = one_number(arguments[at], "a number of cells");
+  if (!(given >= -1e6 && given <= 1e6) || given != (int)given) fail("mx and my must be whole numbers");
+  return (int)given;
 }
 
 static mxArray* hertz(int count, const mxArray* arguments[]) {
@@ -109,7 +118,7 @@ static mxArray* hertz(int count, const mxArray* arguments[]) {
       mexErrMsgIdAndTxt("microslip:size", "bodies.%s must be two numbers", body_fields[k].name);
     memcpy(number_at(&bodies, &body_fields[k]), numbers(values, body_fields[k].name), 2 * sizeof(double));
   }
-  check(microslip_hertz_from_load(&bodies, *numbers(arguments[2], "normal_force"), &found, &error), &error);
+  check(microslip_hertz_from_load(&bodies, one_number(arguments[2], "normal_force"), &found, &error), &error);
   for (k = 0; k < COUNT(hertz_fields); ++k) names[k] = hertz_fields[k].name;
   result = mxCreateStructMatrix(1, 1, (int)COUNT(hertz_fields), names);
   for (k = 0; k < COUNT(hertz_fields); ++k)
@@ -192,7 +201,7 @@ static mxArray* solve_contacts(int count, const mxArray* arguments[]) {
   contact_count = mxGetNumberOfElements(shape);
   check_contacts(contact_count, contacts);
   forces = mxCalloc(contact_count ? contact_count : 1, sizeof *forces);
-  solve_simplified(whole(count, arguments, 2, 10), whole(count, arguments, 3, 10), contact_count, contacts, forces);
+  solve_simplified(cells(count, arguments, 2, 10), cells(count, arguments, 3, 10), contact_count, contacts, forces);
   for (j = 0; j < COUNT(force_fields); ++j) names[j] = force_fields[j].name;
   names[COUNT(force_fields)] = "status";
   result = mxCreateStructMatrix(1, 1, (int)COUNT(names), names);
@@ -210,13 +219,15 @@ static mxArray* solve_contacts(int count, const mxArray* arguments[]) {
 static mxArray* solve_case(int count, const mxArray* arguments[]) {
   microslip_error error;
   mxArray* result;
-  char *text, *json;
+  microslip_code code;
+  char *text, *json = NULL;
   if (count != 2 || !mxIsChar(arguments[1]))
     fail("microslip('solve_case', case): case must be the text of a case file");
   text = mxArrayToString(arguments[1]);
-  check(microslip_solve_case(text, "case", &json, &error), &error);
+  code = microslip_solve_case(text, "case", &json, &error);
   result = mxCreateString(json ? json : "");
   microslip_free_text(json);
+  check(code, &error);
   return result;
 }
 
