@@ -40,14 +40,37 @@ using Places = std::array<std::optional<Place>, columns.size()>;
 /// Slip velocity, pressure, temperature and coefficient; 0 for a column that there is not.
 using Row = std::array<double, columns.size()>;
 
+/// Where fields end in a line: at separators outside quotes and at its end. Throws Error for a quote left open.
+std::vector<std::size_t> field_ends(std::string_view line, char separator) {
+  std::vector<std::size_t> ends;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') is_quoted = !is_quoted;
+    if (line[i] == separator && !is_quoted) ends.push_back(i);
+  }
+  if (is_quoted) throw Error("a quote is not closed");
+  ends.push_back(line.size());
+  return ends;
+}
+
 /// The fields of a line, without quotes around them.
 std::vector<std::string_view> fields_of(std::string_view line, char separator) {
-  std::vector<std::string_view> fields = parts_of(line, separator);
-  for (std::string_view& field : fields) {
-    field = trimmed(field);
+  std::vector<std::string_view> fields;
+  std::size_t begin = 0;
+  for (const std::size_t end : field_ends(line, separator)) {
+    std::string_view field = trimmed(line.substr(begin, end - begin));
     if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+    fields.push_back(field);
+    begin = end + 1;
   }
   return fields;
+}
+
+/// A field too many may be what a decimal comma has cut off, as in `0,0,35`.
+void require_fields(std::size_t found, std::size_t wanted, char separator) {
+  if (found == wanted) return;
+  throw Error(std::to_string(found) + (found == 1 ? " field, not " : " fields, not ") + std::to_string(wanted) +
+              (found > wanted && separator == ',' ? "; decimal commas need semicolons between fields" : ""));
 }
 
 Places places_of(const std::vector<std::string_view>& headings) {
@@ -81,7 +104,6 @@ Row row_of(const std::vector<std::string_view>& fields, const Places& places, bo
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (!places[k]) continue;
     const auto& [name, label, unit, least, largest] = columns[k];
-    if (places[k]->field >= fields.size()) throw Error(std::string(label) + ": has no number");
     row[k] = csv_number(label, fields[places[k]->field], decimal_comma);
     if (!places[k]->unit.empty()) row[k] = number_in_unit(label, shortest_text(row[k]) + " " + places[k]->unit, unit);
     require_between(label, row[k], unit, least, largest);
@@ -129,6 +151,7 @@ FrictionGrid grid_of(std::vector<Row> rows, const Places& places) {
 FrictionTable parse_friction_table(std::string_view text, const std::string& name) {
   std::optional<Places> places;
   char separator = ',';
+  std::size_t width = 0;
   std::vector<Row> rows;
   text = csv_start(text, name);
   for (std::size_t number = 1; !text.empty(); ++number) {
@@ -137,10 +160,14 @@ FrictionTable parse_friction_table(std::string_view text, const std::string& nam
     try {
       if (!places) {
         separator = csv_separator(line);
-        places = places_of(fields_of(line, separator));
+        const auto headings = fields_of(line, separator);
+        places = places_of(headings);
+        width = headings.size();
         continue;
       }
-      const Row row = row_of(fields_of(line, separator), *places, separator != ',');
+      const auto fields = fields_of(line, separator);
+      require_fields(fields.size(), width, separator);
+      const Row row = row_of(fields, *places, separator != ',');
       const bool is_grid = (*places)[of_pressure] || (*places)[of_temperature];
       if (!is_grid && !rows.empty() && !(row[of_velocity] > rows.back()[of_velocity]))
         throw Error(columns[of_velocity].label, row[of_velocity], columns[of_velocity].unit,

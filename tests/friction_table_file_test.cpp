@@ -37,7 +37,7 @@ TEST(FrictionTableFile, NamesLineAndColumnOfWhatIsWrong) {
   };
   refused(head + "1, -0.1\n", "mu.csv:3: column coefficient = -0.1 [-]: must be in [0, 10]");
   refused(head + "\n1, 0.3\n1, 0.2\n", "mu.csv:5: column slip_velocity = 1 [m/s]: must be above the one before, 1");
-  refused(head + "1\n", "mu.csv:3: column coefficient: has no number");
+  refused(head + "1\n", "mu.csv:3: 1 field, not 2");
   refused(head + "1, much\n", "mu.csv:3: column coefficient: \"much\" is not a number");
   refused(head, "mu.csv: must have a line with the columns slip_velocity and coefficient and at least 2 with numbers");
   refused("", "mu.csv: must have a line with the columns slip_velocity and coefficient and at least 2 with numbers");
@@ -47,6 +47,27 @@ TEST(FrictionTableFile, NamesLineAndColumnOfWhatIsWrong) {
   refused("coefficient, coefficient\n", "mu.csv:1: column coefficient: is there twice");
   EXPECT_NE(error_of([] { parse("slip_velocity [kg], coefficient\n"); }).find("mu.csv:1: column slip_velocity"),
             std::string::npos);
+}
+
+TEST(FrictionTableFile, RefusesRowsWithOtherNumbersOfFieldsThanTheHeadings) {
+  const auto refused = [](const std::string& text, const std::string& message) {
+    EXPECT_EQ(error_of([&] { parse(text); }), "mu.csv:2: " + message);
+  };
+  // A zero as coefficient would pass for frictionless.
+  refused("slip_velocity,coefficient\n0,0,35\n1,0,30\n",
+          "3 fields, not 2; decimal commas need semicolons between fields");
+  refused("slip_velocity,coefficient\n0,0.35,junk\n1,0.30\n",
+          "3 fields, not 2; decimal commas need semicolons between fields");
+  refused("slip_velocity;coefficient\n0;0,35;1\n1;0,30\n", "3 fields, not 2");
+  refused("slip_velocity,coefficient,note\n0,0.35\n1,0.30\n", "2 fields, not 3");
+}
+
+TEST(FrictionTableFile, KeepsSeparatorsInQuotesInTheirFields) {
+  EXPECT_EQ(parse("note,slip_velocity,coefficient\n\"dry, clean\",0,0.4\n\"a \"\"b\"\",\",0.1,\"0.35\"\n,2,0.2\n"),
+            wanted);
+  const std::string head = "slip_velocity,coefficient\n";
+  EXPECT_EQ(error_of([&] { parse(head + "0,\"0,35\"\n"); }), "mu.csv:2: column coefficient: \"0,35\" is not a number");
+  EXPECT_EQ(error_of([&] { parse(head + "0,\"0.35\n"); }), "mu.csv:2: a quote is not closed");
 }
 
 TEST(FrictionTableFile, ReadsGridsOfPressuresAndTemperaturesInAnyOrder) {
