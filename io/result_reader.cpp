@@ -3,7 +3,6 @@
 #include "io/result_writer.hpp"
 #include "microslip/error.hpp"
 
-#include <array>
 #include <functional>
 #include <numeric>
 
@@ -49,20 +48,30 @@ template <class Result> Result ResultReader::check(Result result, const std::str
   return result;
 }
 
+/// The name that `ask` writes to a buffer of a size, once it has said with no buffer how long the name is.
+template <class Ask> std::string ResultReader::name_by(const Ask& ask, const std::string& path) const {
+  std::string name(static_cast<std::size_t>(check(ask(nullptr, std::size_t{0}), path)), '\0');
+  check(ask(name.data(), name.size() + 1), path);
+  return name;
+}
+
 void ResultReader::find_members(hid_t group, const std::string& path) {
   find_attributes(group, path);
   H5G_info_t info{};
   check(H5Gget_info(group, &info), path);
   for (hsize_t i = 0; i < info.nlinks; ++i) {
-    std::array<char, 256> name{};
-    check(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(), H5P_DEFAULT), path);
+    const std::string name = name_by(
+        [&](char* buffer, std::size_t size) {
+          return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, buffer, size, H5P_DEFAULT);
+        },
+        path);
     std::string member_path = path;
-    member_path.append(path.empty() ? "" : "/").append(name.data());
-    const Hdf5Handle member(check(H5Oopen(group, name.data(), H5P_DEFAULT), member_path), H5Oclose);
+    member_path.append(path.empty() ? "" : "/").append(name);
+    const Hdf5Handle member(check(H5Oopen(group, name.c_str(), H5P_DEFAULT), member_path), H5Oclose);
     if (H5Iget_type(member.get()) == H5I_GROUP)
       find_members(member.get(), member_path);
     else
-      datasets_.push_back(describe(member.get(), path, name.data()));
+      datasets_.push_back(describe(member.get(), path, name));
   }
 }
 
@@ -73,9 +82,9 @@ void ResultReader::find_attributes(hid_t group, const std::string& path) {
         check(H5Aopen_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, static_cast<hsize_t>(i), H5P_DEFAULT, H5P_DEFAULT),
               path),
         H5Aclose);
-    std::array<char, 256> name{};
-    check(H5Aget_name(attribute.get(), name.size(), name.data()), path);
-    attributes_.push_back({path, name.data(), attribute_text(attribute.get(), path)});
+    const std::string name =
+        name_by([&](char* buffer, std::size_t size) { return H5Aget_name(attribute.get(), size, buffer); }, path);
+    attributes_.push_back({path, name, attribute_text(attribute.get(), path)});
   }
 }
 

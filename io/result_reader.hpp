@@ -42,6 +42,7 @@ public:
 
 private:
   template <class Result> Result check(Result result, const std::string& path) const;
+  template <class Ask> std::string name_by(const Ask& ask, const std::string& path) const;
   void find_members(hid_t group, const std::string& path);
   void find_attributes(hid_t group, const std::string& path);
   StoredDataset describe(hid_t dataset, const std::string& group, const std::string& name) const;

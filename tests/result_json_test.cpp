@@ -44,6 +44,23 @@ TEST(ResultJson, HasGroupsUnitsAndAttributes) {
                                               "exact/limit/error": "mu Fn"})"));
 }
 
+TEST(ResultJson, HasNamesOfAnyLength) {
+  // Sweeps name groups by all the parameters that vary together.
+  const TemporaryFolder folder;
+  for (const std::size_t length : {255, 256, 300, 5000}) {
+    const std::string group(length, 'g'), dataset(length, 'd'), attribute(length, 'a');
+    {
+      io::ResultFile file(folder / "r.h5", {});
+      file.scalar(group + "/" + dataset, 2.5, "m", "a number");
+      file.attribute(group, attribute, "a text");
+      file.commit();
+    }
+    const auto json = io::result_json(folder / "r.h5");
+    EXPECT_EQ(json.at(group).at(dataset), 2.5) << length;
+    EXPECT_EQ(json.at(group).at(attribute), "a text") << length;
+  }
+}
+
 TEST(ResultJson, RefusesAFormatOfLaterVersions) {
   const TemporaryFolder folder;
   {
