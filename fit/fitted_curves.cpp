@@ -92,8 +92,9 @@ double FittedCurves::bias() const {
 std::optional<io::CaseInputs> FittedCurves::inputs() const {
   if (best.model.is_formula()) return std::nullopt;
   std::vector<double> values(best.model.parameters().size());
+  // The friction of the runs comes first, that of the first run before the others, which may have a blank name.
   for (const FittedParameter& one : best.parameters)
-    if (one.run.empty() || one.run == curves.runs.front()) values[one.of_model] = rounded(one.value);
+    if (one.of_model > 0 || &one == &best.parameters.front()) values[one.of_model] = rounded(one.value);
   return best.model.inputs(values);
 }
 

@@ -4,6 +4,7 @@
 #include "fit/curve_bands.hpp"
 #include "fit/curve_evaluator.hpp"
 #include "fit/curve_fit.hpp"
+#include "fit/fitted_curves.hpp"
 #include "fit/further_measurements.hpp"
 #include "fit/student.hpp"
 
@@ -198,6 +199,19 @@ TEST(CreepCurveFit, GivesEveryRunAFrictionAndSpeedsTheRatio) {
   EXPECT_EQ(fit.parameters[1].run, "1");
   EXPECT_FALSE(fit.parameters[2].is_held); // the ratio, from two speeds
   EXPECT_NEAR(fit.parameters[2].value, 0.5, 5e-3);
+}
+
+TEST(CreepCurveFit, CasesGetTheFrictionOfTheFirstRunBesideOneWithoutAName) {
+  const CurveModel model(CurveShape::clean, "coulomb", contact());
+  auto curves = points_at(5e-4, 0.02, 10, {10, 10});
+  const auto first = curve_of(model, {0.4, 0.2}, curves);
+  for (auto names : {std::vector<std::string>{"A", ""}, {"", "A"}, {"A", "B"}}) {
+    curves = first;
+    curves.runs = names;
+    const auto inputs = fit_creep_curves(curves, {model}, {}).inputs();
+    ASSERT_TRUE(inputs);
+    EXPECT_NEAR(std::get<double>(*inputs->get("friction.coefficient")), 0.4, 1e-3) << names.front();
+  }
 }
 
 TEST(CreepCurveFit, HubersLossBearsOutliers) {
