@@ -479,7 +479,9 @@ void check_files(const BatchArguments& arguments) {
   if (is_standard(arguments.output) && arguments.json) throw Error("--json needs a file for --output");
   for (const fs::path& file : {arguments.output, arguments.errors})
     if (!is_standard(file)) io::require_other_file(file, input_file(arguments));
-  if (arguments.errors == arguments.output) throw Error("--errors and --output must be different files");
+  if (arguments.errors == arguments.output ||
+      io::is_same_output(output_file(arguments.errors), output_file(arguments.output)))
+    throw Error("--errors and --output must be different files");
 }
 
 int batch(const BatchArguments& arguments) {

@@ -184,6 +184,19 @@ void require_other_file(const std::filesystem::path& output, const std::filesyst
     throw Error(output.string() + ": is the input, which the output would replace; name another file");
 }
 
+bool is_same_output(const std::filesystem::path& one, const std::filesystem::path& other) {
+  for (const auto* path : {&one, &other})
+    if (path->empty() || named_descriptor(path->string()) >= 0 || is_special(*path)) return false;
+  const auto target = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(follow_links(path)));
+  };
+  try {
+    return target(one) == target(other);
+  } catch (const std::filesystem::filesystem_error&) {
+    return false; // opening them says why
+  }
+}
+
 void require_writable_folder(const std::filesystem::path& path) {
   std::filesystem::path there = path.empty() ? "." : path;
   std::error_code error;

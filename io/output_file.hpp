@@ -43,6 +43,10 @@ void remove_temporary_files() noexcept;
 /// Error if both names are of one file, which the output would replace.
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);
 
+/// True if both names are of one file, there or not yet, of which the second OutputFile would replace the first. What
+/// is written directly takes both.
+bool is_same_output(const std::filesystem::path& one, const std::filesystem::path& other);
+
 /// Creates a folder and those above it; Error if that is impossible.
 void create_folder(const std::filesystem::path& path);
 /// Error if that could not be done, or nothing be written there: for saying so before long work. Nothing is left.

@@ -617,7 +617,15 @@ TEST(Program, BatchNeverReplacesItsInput) {
     expect_refused(folder, std::string("batch ") + files, "is the input, which the output would replace");
     EXPECT_EQ(contents(folder / "in.csv"), text);
   }
-  expect_refused(folder, "batch in.csv -o out.csv --errors out.csv", "must be different files");
+  std::filesystem::create_symlink("same.csv", folder / "same_link.csv");
+  std::filesystem::create_symlink("new.csv", folder / "new_link.csv");
+  std::filesystem::create_directory_symlink(".", folder / "here");
+  save(folder / "same.csv", "old\n");
+  for (const auto* files : {"out.csv --errors out.csv", "out.csv --errors ./out.csv", "here/out.csv --errors out.csv",
+                            "same.csv --errors same_link.csv", "new.csv --errors new_link.csv"})
+    expect_refused(folder, std::string("batch in.csv -o ") + files, "must be different files");
+  EXPECT_EQ(contents(folder / "same.csv"), "old\n");
+  EXPECT_EQ(run_program(folder, "batch in.csv -o /dev/null --errors /dev/stdout").exit_code, 0);
   expect_refused(folder, "batch in.csv -o - --json", "--json needs a file for --output");
 }
 
