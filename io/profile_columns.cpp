@@ -65,14 +65,9 @@ bool is_heading(std::string_view field) {
 struct Heading {
   std::string name;
   std::optional<double> unit = {}; ///< length [m]
+  std::string unknown_unit = {};   ///< what is in brackets and no unit of length
+  bool is_square = false;          ///< the bracket; round ones may have any remark
 };
-
-std::optional<double> unit_named(std::string_view word) {
-  if (word == "mm") return 1e-3;
-  if (word == "m") return 1;
-  if (word == "in" || word == "inch" || word == "inches") return 0.0254;
-  return {};
-}
 
 Heading heading_of(std::string_view field) {
   Heading heading{lower_case(unquoted(trimmed(field)))};
@@ -80,7 +75,10 @@ Heading heading_of(std::string_view field) {
   const auto bracket = whole.find_first_of("[("), end = whole.find_first_of("[( _");
   if (end == std::string_view::npos) return heading;
   const auto unit = whole.substr((bracket == std::string_view::npos ? end : bracket) + 1);
-  heading.unit = unit_named(trimmed(unit.substr(0, unit.find_first_of("])"))));
+  const std::string word(trimmed(unit.substr(0, unit.find_first_of("])"))));
+  heading.unit = length_named(word);
+  if (bracket != std::string_view::npos && !heading.unit) heading.unknown_unit = word;
+  heading.is_square = bracket != std::string_view::npos && whole[bracket] == '[';
   heading.name.resize(end);
   return heading;
 }
@@ -115,6 +113,7 @@ struct ColumnOrder {
   std::size_t y = 0, z = 1;
   std::optional<double> unit = {}; ///< length [m]
   bool is_known = false;           ///< by headings or by an option
+  std::string unknown_unit = {};   ///< what stands in the place of one
 
   std::size_t needed() const { return std::max(y, z) + 1; }
 };
@@ -150,7 +149,12 @@ ColumnOrder order_of_headings(const ProfileLines& lines, std::string_view line) 
   if (!lateral || !vertical) return {};
   const auto unit = headings[*lateral].unit;
   if (unit != headings[*vertical].unit) lines.fail("the headings give y and z different units");
-  return {.y = *lateral, .z = *vertical, .unit = unit, .is_known = true};
+  const std::string& of_y = headings[*lateral].unknown_unit;
+  return {.y = *lateral,
+          .z = *vertical,
+          .unit = unit,
+          .is_known = true,
+          .unknown_unit = of_y.empty() ? headings[*vertical].unknown_unit : of_y};
 }
 
 /// The unit of headings whose order is known already, or of a line of units below them.
@@ -158,9 +162,18 @@ std::optional<double> unit_of_line(std::string_view line, const ColumnOrder& ord
   const auto units = headings_of(line);
   if (!order.is_known || units.size() < order.needed()) return {};
   const auto unit = [&](std::size_t column) {
-    return units[column].unit ? units[column].unit : unit_named(units[column].name);
+    return units[column].unit ? units[column].unit : length_named(units[column].name);
   };
   return unit(order.y) == unit(order.z) ? unit(order.y) : std::nullopt;
+}
+
+/// What such a line has in square brackets for y or z, if that is no unit of length.
+std::string unknown_unit_of_line(std::string_view line, const ColumnOrder& order) {
+  const auto units = headings_of(line);
+  if (!order.is_known || units.size() < order.needed()) return {};
+  for (const std::size_t column : {order.y, order.z})
+    if (units[column].is_square && !units[column].unknown_unit.empty()) return units[column].unknown_unit;
+  return {};
 }
 
 /// Whether the points lie on their side: the ends of wheels and rails are further apart in y than in z.
@@ -227,8 +240,12 @@ private:
       order_.unit = unit;
       return;
     }
+    if (const auto unknown = unknown_unit_of_line(line, order_); !unknown.empty())
+      file_.stated_unit = {unknown, lines_.place()};
     if (is_stated_) return;
-    if (const auto order = order_of_headings(lines_, line); order.is_known) order_ = order;
+    const auto order = order_of_headings(lines_, line);
+    if (order.is_known) order_ = order;
+    if (!order.unknown_unit.empty()) file_.stated_unit = {order.unknown_unit, lines_.place()};
   }
 
   void add_point(const Row& row) {

@@ -4,6 +4,7 @@
 #include "io/nearest_word.hpp"
 #include "io/profile_formats.hpp"
 #include "io/text_line.hpp"
+#include "io/units.hpp"
 #include "microslip/error.hpp"
 #include "microslip/railway/profile/report_text.hpp"
 #include "microslip/railway/profile/standard_profile.hpp"
@@ -104,10 +105,21 @@ private:
   void scale_points() {
     require_positive("scale", options_.scale, "-");
     if (options_.unit) require_positive("unit", *options_.unit, "m");
-    const double unit = options_.unit ? *options_.unit : file_.unit ? *file_.unit : unit_by_width();
+    const double unit = options_.unit ? *options_.unit : file_.unit ? *file_.unit : stated_unit();
     report_.unit = unit * options_.scale;
     for (auto& p : file_.points) p = {p.y * report_.unit, p.z * report_.unit};
     if (options_.scale != 1) report_.steps.push_back("scaled by " + digits(options_.scale));
+  }
+
+  /// A guess would hide that the file states something else.
+  double stated_unit() {
+    if (!file_.stated_unit) return unit_by_width();
+    const auto& [word, place] = *file_.stated_unit;
+    if (const auto length = length_named(word)) return *length;
+    std::vector<std::string_view> names;
+    for (const OfferedUnit& one : offered_units("m")) names.push_back(one.name);
+    throw Error(place + ": " + printable(word) + " is no known unit of length: must be " + listed(names) +
+                "; or give the unit, which goes before the file's");
   }
 
   double unit_by_width() {
@@ -242,7 +254,7 @@ bool ProfileLines::next() {
 }
 
 void ProfileLines::fail(const std::string& text) const {
-  throw Error(name_ + ":" + std::to_string(number_) + ": " + text);
+  throw Error(place() + ": " + text);
 }
 
 void ProfileLines::fail_as_a_whole(const std::string& text) const {
@@ -277,6 +289,16 @@ std::string lower_case(std::string_view text) {
   for (char& c : result)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return result;
+}
+
+std::optional<double> length_named(std::string_view word) {
+  std::string name = lower_case(word);
+  if (name == "inch" || name == "inches") name = "in";
+  for (const std::string_view micro : {"\u00b5", "\u03bc"})
+    if (name.starts_with(micro)) name.replace(0, micro.size(), "u");
+  for (const OfferedUnit& one : offered_units("m"))
+    if (one.name == name) return one.to_si(1);
+  return {};
 }
 
 std::string_view unquoted(std::string_view text) {

@@ -9,11 +9,17 @@
 
 namespace microslip::io {
 
+/// Unit of length that a file states by a word.
+struct StatedUnit {
+  std::string word, place; ///< place: file and line
+};
+
 /// Contents of a file: points in its axes and unit, after what the file itself asks for, and what it says about them.
 struct ProfileFile {
   std::string comment = {};
   std::optional<ProfileRole> role = {};
-  std::optional<double> unit = {}; ///< length [m] of the unit
+  std::optional<double> unit = {};            ///< length [m] of the unit
+  std::optional<StatedUnit> stated_unit = {}; ///< where `unit` does not have it
   std::optional<LateralSense> y_axis = {};
   std::optional<VerticalSense> z_axis = {};
   std::vector<ProfilePoint> points = {};
@@ -33,6 +39,8 @@ public:
   bool next();
   /// The line without blanks at its ends.
   std::string_view line() const { return line_; }
+  /// The name and the line's number.
+  std::string place() const { return name_ + ":" + std::to_string(number_); }
   /// Throws Error that begins with the name and the line's number.
   [[noreturn]] void fail(const std::string& text) const;
   /// Throws Error that begins with the name.
@@ -51,6 +59,9 @@ std::string_view before_comment(std::string_view line, std::string_view signs);
 /// Fields between blanks, or one of these separators with or without blanks.
 std::vector<std::string_view> split(std::string_view line, std::string_view separators);
 std::string lower_case(std::string_view text);
+/// The length [m] of a unit that files of profiles may state: mm, cm, um, m, km, in, inch, inches or ft, in letters of
+/// either case; none for another word.
+std::optional<double> length_named(std::string_view word);
 /// Text without a pair of quotes around it.
 std::string_view unquoted(std::string_view text);
 

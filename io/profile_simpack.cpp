@@ -81,6 +81,7 @@ private:
       file_.warnings.push_back("unknown key " + printable(key) + suggestion(key, known_keys));
     // `type` of the header is the profile's, that of the spline is of the file from which it was made.
     if (key == "type" && block_ != "header.begin") return;
+    if (key == "units.len") place_of_unit_ = lines_.place();
     if (is_text(key))
       texts_[std::string(key)] = unquoted(value);
     else if (std::find(known_keys.begin(), known_keys.end(), key) != known_keys.end())
@@ -118,6 +119,8 @@ private:
       file_.unit = 1 / per_metre;
     } else if (const auto unit = lower_case(text("units.len")); unit == "mm" || unit == "m") {
       file_.unit = unit == "m" ? 1 : 1e-3;
+    } else if (!unit.empty()) {
+      file_.stated_unit = {text("units.len"), place_of_unit_};
     }
     if (weighted_ > 0) file_.warnings.push_back("weights of " + counted(weighted_, "point") + " are not used");
     if (const double value = number("approx.smooth", 0); value != 0)
@@ -197,7 +200,7 @@ private:
 
   ProfileLines lines_;
   ProfileFile file_;
-  std::string block_;
+  std::string block_, place_of_unit_;
   std::map<std::string, double> numbers_;
   std::map<std::string, std::string> texts_;
   std::size_t weighted_ = 0;

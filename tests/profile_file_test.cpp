@@ -1,5 +1,6 @@
 #include "io/profile_file.hpp"
 
+#include "io/profile_formats.hpp"
 #include "microslip/error.hpp"
 #include "paths.hpp"
 #include "tests/support/expect_error.hpp"
@@ -290,6 +291,74 @@ TEST(ProfileFile, HeadingsNameTheUnit) {
   auto commas = "No;Height [inch];Lateral [inch];Quality\n" + table("nzyn", ";", 1 / 25.4);
   std::replace(commas.begin(), commas.end(), '.', ',');
   expect_points(io::parse_profile(commas, "x", rail).profile, head(), "laser");
+}
+
+TEST(ProfileFile, TakesUnitsOfLengthByTheirWords) {
+  const io::ProfileFileOptions rail = {.role = ProfileRole::rail};
+  for (const auto& [word, per_mm] : {std::pair{"mm", 1.},
+                                     {"m", 1e-3},
+                                     {"cm", 0.1},
+                                     {"CM", 0.1},
+                                     {"um", 1e3},
+                                     {"\u00b5m", 1e3},
+                                     {"in", 1 / 25.4},
+                                     {"inch", 1 / 25.4},
+                                     {"inches", 1 / 25.4},
+                                     {"ft", 1 / 304.8}}) {
+    const std::string unit = word;
+    const auto columns = table("yz", ";", per_mm);
+    for (const std::string& text :
+         {"y [" + unit + "];z [" + unit + "]\n" + columns, "y;z\n" + unit + ";" + unit + "\n" + columns,
+          simpack("units.len = '" + unit + "'", rows(head(), per_mm, -per_mm))}) {
+      const auto prepared = io::parse_profile(text, "x", rail);
+      expect_points(prepared.profile, head(), unit);
+      EXPECT_FALSE(is_named(prepared.report.assumptions, "unit of length")) << unit;
+    }
+  }
+}
+
+TEST(ProfileFile, RefusesUnknownUnitsUnlessTheUnitIsGiven) {
+  const std::string known = "must be m, mm, um, cm, km, in or ft; or give the unit, which goes before the file's";
+  const auto points = table("yz", ";");
+  const auto refused = [&](const std::string& text, const std::string& place, const std::string& columns = "") {
+    EXPECT_EQ(message_of(text, "rail.txt", {.columns = columns}),
+              "rail.txt:" + place + ": \"furlong\" is no known unit of length: " + known);
+    expect_points(io::parse_profile(text, "rail.txt", {.unit = 1e-3, .columns = columns}).profile, head(),
+                  text.substr(0, 30));
+  };
+  refused(simpack("units.len = 'furlong'", rows(head(), 1, -1)), "6");
+  refused("y [furlong];z [furlong]\n" + points, "1");
+  refused("Scanner\ny (furlong);z (furlong)\nworn;new\n" + points, "2");
+  refused("y;z [furlong]\n" + points, "1");
+  refused("y;z\n[furlong];[furlong]\n" + points, "2");
+  refused("h [furlong];w [furlong]\n" + points, "1", "y,z");
+  // Remarks are no units, and units.len.f goes before the word.
+  const io::ProfileFileOptions rail = {.role = ProfileRole::rail};
+  expect_points(io::parse_profile("y_left;z_left\n" + points, "x", rail).profile, head(), "name");
+  expect_points(
+      io::parse_profile("Rail (left);worn (much)\n" + points, "x", {.role = ProfileRole::rail, .columns = "y,z"})
+          .profile,
+      head(), "remark");
+  expect_points(io::parse_profile("y [mm];z [mm]\n[new];[new]\n" + points, "x", rail).profile, head(), "unit above");
+  expect_points(
+      io::parse_profile(simpack("units.len = 'furlong'\nunits.len.f = 1000", rows(head(), 1, -1)), "x").profile, head(),
+      "factor");
+}
+
+TEST(ProfileFile, LeavesUnitsByOtherWordsToTheReader) {
+  // CONTACT's own reader of these files takes a Simpack file's unit from its factor only and no unit of columns.
+  for (const std::string unit : {"cm", "furlong"}) {
+    const auto file = io::parse_profile_file(io::ProfileFormat::simpack,
+                                             simpack("units.len = '" + unit + "'", rows(head(), 1, -1)), "x");
+    EXPECT_FALSE(file.unit);
+    ASSERT_TRUE(file.stated_unit);
+    EXPECT_EQ(file.stated_unit->word, unit);
+    EXPECT_EQ(file.stated_unit->place, "x:6");
+    EXPECT_EQ(io::parse_profile_file(io::ProfileFormat::columns,
+                                     "y [" + unit + "];z [" + unit + "]\n" + table("yz", ";"), "x", 1, "y,z")
+                  .points.size(),
+              head().size());
+  }
 }
 
 TEST(ProfileFile, SideOfTheTrackSaysWhereYRuns) {
