@@ -4,7 +4,9 @@
 #include "campaign/rows.hpp"
 #include "campaign/table_lines.hpp"
 #include "io/case_file.hpp"
+#include "io/case_origin.hpp"
 #include "io/csv_line.hpp"
+#include "io/file_beside.hpp"
 #include "io/nearest_word.hpp"
 #include "io/text_line.hpp"
 #include "io/toml_path.hpp"
@@ -16,13 +18,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
 namespace microslip::campaign {
 
@@ -65,6 +67,35 @@ std::size_t usual_chunk(std::size_t count) {
   constexpr std::size_t fine = 20'000, largest = 64;
   return std::max(std::clamp<std::size_t>((count + fine - 1) / fine, 1, largest),
                   (count + most_chunks - 1) / most_chunks);
+}
+
+/// Adds each text among the values of a node.
+void add_texts(const toml::node& node, std::set<std::string>& texts) {
+  if (const auto* text = node.as_string()) texts.insert(text->get());
+  if (const auto* list = node.as_array())
+    for (const toml::node& one : *list) add_texts(one, texts);
+  if (const auto* table = node.as_table())
+    for (const auto& [key, value] : *table) add_texts(value, texts);
+}
+
+/// A file and those that it names. Of one that cannot be read only itself: the cases that need it fail by themselves.
+std::vector<fs::path> with_those_it_names(const fs::path& file) {
+  try {
+    return io::files_of_case(file);
+  } catch (const Error&) {
+    return {file};
+  }
+}
+
+/// Files that texts name, whichever keys they belong to, from a folder on, with the slices of a profile that varies.
+std::set<fs::path> files_named(const std::set<std::string>& texts, const fs::path& folder) {
+  std::set<fs::path> files;
+  std::error_code ignored;
+  for (const std::string& text : texts)
+    for (const fs::path& path : {folder / text, io::file_beside(folder, text)})
+      if (!files.contains(path) && fs::is_regular_file(path, ignored))
+        for (fs::path& file : with_those_it_names(path)) files.insert(std::move(file));
+  return files;
 }
 
 } // namespace
@@ -395,15 +426,13 @@ std::uint64_t SweepSpec::identity() const {
        {build.commit, std::string_view(text_), std::string_view(base_text_), std::string_view(list_text_)})
     hash = hash_of(std::to_string(part.size()) + ":", hash_of(part, hash));
   for (const SweepAxis& axis : axes_) hash = hash_of(axis.table, hash);
-  const auto add_file = [&](const toml::node* path) {
-    std::ifstream file(fs::path(base_name_).parent_path() / path->value_or(std::string()), std::ios::binary);
-    hash = hash_of(std::string((std::istreambuf_iterator<char>(file)), {}), hash);
-  };
-  for (const std::string key : {"rail.profile", "wheelset.profile", "solution.table", "friction.table"}) {
-    if (const auto* path = base_.at_path(key).node()) add_file(path);
-    for (std::size_t k = 0; k < parameters_.size(); ++k)
-      if (std::find(parameters_[k].keys.begin(), parameters_[k].keys.end(), key) != parameters_[k].keys.end())
-        for (const auto& path : axes_[k].list) add_file(&path);
+  std::set<std::string> texts;
+  for (const auto& [key, node] : base_)
+    if (key != "title") add_texts(node, texts);
+  for (const SweepAxis& axis : axes_) add_texts(axis.list, texts);
+  for (const fs::path& path : files_named(texts, fs::path(base_name_).parent_path())) {
+    const std::string text = read_text(path);
+    hash = hash_of(text, hash_of(std::to_string(text.size()) + ":", hash));
   }
   return hash;
 }

@@ -66,7 +66,8 @@ public:
   /// Puts it into a case.
   void set(std::size_t index, std::size_t k, toml::table& table) const;
 
-  /// A hash of all that the cases depend on: this file, the case's, the list's, those of profiles, and the build.
+  /// A hash of all that the cases depend on: this file, the case's, the list's, all files that texts of the case or of
+  /// what varies name, with the slices of profiles, and the build. Reads these files anew.
   std::uint64_t identity() const;
 
 private:

@@ -351,5 +351,29 @@ TEST(SweepSpec, ItsIdentityIsThatOfAllItsFiles) {
   EXPECT_NE(identity(text), third);
 }
 
+TEST(SweepSpec, ItsIdentityIsThatOfAllProfiles) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sl");
+  const auto expect_changed = [&](const std::string& text, const std::string& changed) {
+    SCOPED_TRACE(text + changed);
+    const auto identity = [&] { return campaign::SweepSpec(text, (folder / "s.toml").string()).identity(); };
+    save(folder / changed, "1");
+    const auto first = identity();
+    EXPECT_EQ(identity(), first);
+    save(folder / changed, "2");
+    EXPECT_NE(identity(), first);
+  };
+  const std::string one = "[grid]\na.a = [1]\n";
+  expect_changed(one + "[case.right_rail]\nprofile = \"sl/p.prr\"\n", "sl/p.prr");
+  expect_changed(one + "[case.right_wheel]\nprofile = \"sl/p.prr\"\n", "sl/p.prr");
+  expect_changed(one + "[case.friction]\ntable = 'sl\\mu.csv'\n", "sl/mu.csv");
+  expect_changed("[grid]\nright_rail.profile = [\"no.prr\", \"sl/q.prr\"]\n[case.rail]\n", "sl/q.prr");
+  save(folder / "sl/r.slcs", "0 1\n2\n0\n1\n0 'p.prr'\n1 'q.prr'\n");
+  expect_changed(one + "[case.rail]\nprofile = \"sl/r.slcs\"\n", "sl/q.prr");
+  expect_changed("[grid]\nrail.profile = [\"sl/r.slcs\"]\n[case.rail]\n", "sl/p.prr");
+  save(folder / "sl/r.slcs", "broken"); // a case that fails by itself
+  expect_changed("[grid]\nrail.profile = [\"sl/r.slcs\", \"sl/q.prr\"]\n[case.rail]\n", "sl/q.prr");
+}
+
 } // namespace
 } // namespace microslip
