@@ -268,7 +268,8 @@ void SweepSpec::read_list(const io::TomlSection& list) {
 /// follows. The first pass finds which columns are numbers, the second one keeps them.
 void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   text = io::csv_start(text, file);
-  const bool has_decimal_commas = io::csv_separator(text.substr(0, text.find('\n'))) != ',';
+  const char separator = io::csv_separator(text.substr(0, text.find('\n')));
+  const bool has_decimal_commas = separator != ',';
   const auto field_of = [&](std::string_view field) {
     return has_decimal_commas && io::parse_number(io::with_decimal_point(field)) ? io::with_decimal_point(field)
                                                                                  : std::string(field);
@@ -277,8 +278,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   std::size_t rows = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     if (rows++ == 0) return read_headings(fields, units);
-    if (fields.size() != parameters_.size())
-      throw Error(std::to_string(fields.size()) + " fields, not " + std::to_string(parameters_.size()));
+    require_fields(fields.size(), parameters_.size(), separator);
     for (std::size_t k = 0; k < fields.size(); ++k)
       if (!units[k].empty() || !io::parse_number(field_of(fields[k]))) parameters_[k].is_number = false;
   });

@@ -52,17 +52,26 @@ void visit_lines(std::string_view text, const std::string& file,
   }
 }
 
+void require_fields(std::size_t fields, std::size_t headings, char separator) {
+  if (fields == headings) return;
+  throw Error(std::to_string(fields) + (fields == 1 ? " field, not " : " fields, not ") + std::to_string(headings) +
+              (fields > headings && separator == ',' ? "; decimal commas need semicolons between fields" : ""));
+}
+
 TableColumn read_column(std::string_view text, const std::string& file, const std::string& name) {
   text = io::csv_start(text, file);
-  const bool has_decimal_commas = io::csv_separator(text.substr(0, text.find('\n'))) != ',';
+  const char separator = io::csv_separator(text.substr(0, text.find('\n')));
   TableColumn column;
   std::optional<std::size_t> place;
+  std::size_t headings = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
-    if (place && *place >= fields.size()) throw Error(std::to_string(fields.size()) + " fields are too few");
-    if (place)
-      column.numbers.push_back(io::csv_number(name.empty() ? "value" : name, fields[*place], has_decimal_commas));
-    else if (const auto unit = io::name_and_unit(fields[*(place = place_of(name, fields))]).second; unit != "-")
-      column.unit = unit;
+    if (!place) {
+      place = place_of(name, fields), headings = fields.size();
+      if (const auto unit = io::name_and_unit(fields[*place]).second; unit != "-") column.unit = unit;
+      return;
+    }
+    require_fields(fields.size(), headings, separator);
+    column.numbers.push_back(io::csv_number(name.empty() ? "value" : name, fields[*place], separator != ','));
   });
   if (column.numbers.empty()) throw Error(file + ": has no values: the first line must be headings");
   return column;

@@ -17,6 +17,9 @@ std::string read_text(const std::filesystem::path& path);
 void visit_lines(std::string_view text, const std::string& file,
                  const std::function<void(const std::vector<std::string_view>& fields, std::size_t line)>& take);
 
+/// Error of a line unless it has a field for each heading of its table.
+void require_fields(std::size_t fields, std::size_t headings, char separator);
+
 /// Numbers of a table's column.
 struct TableColumn {
   std::vector<double> numbers;
@@ -24,7 +27,8 @@ struct TableColumn {
 };
 
 /// The column with a name; that of a table of one column may be empty. Throws Error with file and line for a table
-/// without it, with the nearest of its names, and for a field that is no number.
+/// without it, with the nearest of its names, for a line that has not a field for each heading, and for a field that is
+/// no number.
 TableColumn read_column(std::string_view text, const std::string& file, const std::string& name);
 
 } // namespace microslip::campaign

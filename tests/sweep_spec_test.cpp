@@ -253,6 +253,21 @@ TEST(SweepSpec, SamplesHaveTheDistributionsOfTheirKeys) {
 }
 
 /// A, B, and one that differs from A in a key alone, where it is as in B.
+TEST(SweepSpec, ATableOfASampleHasAFieldForEachHeading) {
+  const TemporaryFolder folder;
+  const auto expect_line = [&](const std::string& table, const std::string& what) {
+    save(folder / "t.csv", table);
+    const std::string text = "[sample]\ncount = 2\nseed = 1\na.a = { distribution = \"empirical\", file = \"t.csv\", "
+                             "column = \"mu\" }\n";
+    expect_words([&] { campaign::SweepSpec(text + inside, (folder / "s.toml").string()); }, "t.csv:" + what);
+  };
+  const std::string advice = "; decimal commas need semicolons between fields";
+  expect_line("mu\n0,3\n0,4\n", "2: 2 fields, not 1" + advice);
+  expect_line("mu,b\n0.3,1\n0,4,1\n", "3: 3 fields, not 2" + advice);
+  expect_line("mu,b\n0.3,1\n0.4\n", "3: 1 field, not 2");
+  expect_line("mu;b\n0,3;1\n0,4;1;2\n", "3: 3 fields, not 2");
+}
+
 TEST(SweepSpec, CasesForSobolsIndicesFollowEachOther) {
   const campaign::SweepSpec spec(std::string("[sample]\ncount = 8\nseed = 3\npoints = \"sobol\"\naim = "
                                              "\"sobol_indices\"\na.x = { from = 0, to = 1 }\na.y = { from = 0, to = 1 "
