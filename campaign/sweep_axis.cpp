@@ -59,6 +59,16 @@ SweepAxis values_of(const io::TomlSection& section, SweepAxis axis) {
   return axis;
 }
 
+/// Even values with the ends as they are given. Where ends and value are whole it is so to the last bit: keys that want
+/// a whole number would refuse 60.99999999999999.
+double even_value(const Distribution& range, std::size_t i, std::size_t last) {
+  if (i == 0) return range.from;
+  if (i == last) return range.to;
+  if (range.is_logarithmic) return range.quantile(double(i) / double(last));
+  const double sum = range.from * double(last - i) + range.to * double(i);
+  return std::clamp(sum / double(last), std::min(range.from, range.to), std::max(range.from, range.to));
+}
+
 /// Of parameters that are numbers already.
 void check(const SweepAxis& axis) {
   if (!axis.texts.empty()) return;
@@ -74,8 +84,7 @@ void check(const SweepAxis& axis) {
 CaseValue SweepAxis::at(std::size_t i) const {
   if (!list.empty()) return {.number = 0, .node = list.get(i)};
   if (!numbers.empty()) return {.number = numbers[i]};
-  if (i + 1 == count && count > 1) return {.number = distribution.to};
-  return {.number = distribution.quantile(count > 1 ? double(i) / double(count - 1) : 0)};
+  return {.number = even_value(distribution, i, count - 1)};
 }
 
 CaseValue SweepAxis::at_fraction(double part) const {

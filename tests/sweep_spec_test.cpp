@@ -83,6 +83,23 @@ TEST(SweepSpec, TextsWithUnitsBecomeNumbersInTheUnitsOfTheirKeys) {
             "s.toml:2: body.radius, load.normal_force: keys of different units cannot take the same text with a unit");
 }
 
+TEST(SweepSpec, EvenValuesAreWholeWhereTheyCanBe) {
+  const auto expect_even = [](int from, int to, int count, int step) {
+    const std::string range = "{ from = " + std::to_string(from) + ", to = " + std::to_string(to) +
+                              ", count = " + std::to_string(count) + " }\n";
+    const campaign::SweepSpec spec("[grid]\na.a = " + range + inside, "s.toml");
+    std::vector<double> expected;
+    for (int i = 0; i < count; ++i) expected.push_back(from + i * step);
+    EXPECT_EQ(numbers(spec, 0), expected);
+  };
+  expect_even(6, 81, 16, 5);
+  expect_even(81, 6, 16, -5);
+  expect_even(-7, 29, 13, 3);
+  expect_even(5, 5, 1, 0);
+  const campaign::SweepSpec same(std::string("[grid]\na.a = { from = 0.1, to = 0.1, count = 7 }\n") + inside, "s.toml");
+  EXPECT_EQ(numbers(same, 0), std::vector<double>(7, 0.1)); // none beyond the ends
+}
+
 TEST(SweepSpec, ALogarithmicScaleHasConstantRatios) {
   const campaign::SweepSpec spec(
       std::string("[grid]\na.a = { from = -1e-3, to = -10, count = 9, scale = \"logarithmic\" }\n") + inside, "s.toml");
