@@ -268,7 +268,7 @@ void SweepSpec::read_list(const io::TomlSection& list) {
 /// follows. The first pass finds which columns are numbers, the second one keeps them.
 void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   text = io::csv_start(text, file);
-  const char separator = io::csv_separator(text.substr(0, text.find('\n')));
+  const char separator = separator_of(text);
   const bool has_decimal_commas = separator != ',';
   const auto field_of = [&](std::string_view field) {
     return has_decimal_commas && io::parse_number(io::with_decimal_point(field)) ? io::with_decimal_point(field)

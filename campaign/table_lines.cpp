@@ -35,17 +35,22 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
+char separator_of(std::string_view text) {
+  std::string_view line;
+  while (!text.empty() && io::trimmed(line).empty()) line = io::take_line(text);
+  return io::csv_separator(line);
+}
+
 void visit_lines(std::string_view text, const std::string& file,
                  const std::function<void(const std::vector<std::string_view>&, std::size_t)>& take) {
   std::size_t number = 0;
-  std::optional<io::CsvLine> line;
+  io::CsvLine line(separator_of(text));
   while (!text.empty()) {
     const auto next = io::take_line(text);
     ++number;
     if (io::trimmed(next).empty()) continue;
     try {
-      if (!line) line.emplace(io::csv_separator(next));
-      take(line->split(next), number);
+      take(line.split(next), number);
     } catch (const Error& error) {
       throw Error(file + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -60,7 +65,7 @@ void require_fields(std::size_t fields, std::size_t headings, char separator) {
 
 TableColumn read_column(std::string_view text, const std::string& file, const std::string& name) {
   text = io::csv_start(text, file);
-  const char separator = io::csv_separator(text.substr(0, text.find('\n')));
+  const char separator = separator_of(text);
   TableColumn column;
   std::optional<std::size_t> place;
   std::size_t headings = 0;

@@ -12,8 +12,11 @@ namespace microslip::campaign {
 /// The whole text of a file; Error if it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 
+/// Separator of the fields of a table, by its first line that is not blank.
+char separator_of(std::string_view text);
+
 /// Calls `take` with fields and number of each line of a table that is not blank, the headings' first; its Errors get
-/// file and line. Fields are separated as the first line is.
+/// file and line. Fields are separated by separator_of the text.
 void visit_lines(std::string_view text, const std::string& file,
                  const std::function<void(const std::vector<std::string_view>& fields, std::size_t line)>& take);
 

@@ -270,6 +270,19 @@ TEST(SweepSpec, SamplesHaveTheDistributionsOfTheirKeys) {
 }
 
 /// A, B, and one that differs from A in a key alone, where it is as in B.
+TEST(SweepSpec, TablesMayBeginWithBlankLines) {
+  const TemporaryFolder folder;
+  save(folder / "t.csv", "\r\n \nmu;b\n0,25;1\n\n0,5;2\n");
+  const auto spec_of = [&](const std::string& text) {
+    return campaign::SweepSpec(text + inside, (folder / "s.toml").string());
+  };
+  const auto list = spec_of("[list]\nfile = \"t.csv\"\n");
+  EXPECT_EQ(numbers(list, 0), (std::vector<double>{0.25, 0.5}));
+  const auto sample = spec_of("[sample]\ncount = 1\nseed = 1\na.a = { distribution = \"empirical\", file = \"t.csv\", "
+                              "column = \"mu\" }\n");
+  EXPECT_TRUE(number(sample, 0, 0) == 0.25 || number(sample, 0, 0) == 0.5);
+}
+
 TEST(SweepSpec, ATableOfASampleHasAFieldForEachHeading) {
   const TemporaryFolder folder;
   const auto expect_line = [&](const std::string& table, const std::string& what) {
