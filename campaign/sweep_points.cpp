@@ -67,12 +67,12 @@ public:
     return std::get<std::vector<double>>(reader_.read(dataset(path)));
   }
 
-  /// The values of all parameters but one in a case: `motion.spin = 0.3`.
-  std::string combination(std::size_t index, std::size_t without) const {
+  /// The values of all parameters but one in a case, all their digits or 6: `motion.spin = 0.3`.
+  std::string combination(std::size_t index, std::size_t without, bool is_exact) const {
     std::string text;
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
       if (k == without || !varies(k)) continue;
-      text += (text.empty() ? "" : ", ") + parameters_[k] + " = " + value_text(index, k);
+      text += (text.empty() ? "" : ", ") + parameters_[k] + " = " + value_text(index, k, is_exact);
     }
     return text;
   }
@@ -94,11 +94,12 @@ private:
         },
         values_[k]);
   }
-  std::string value_text(std::size_t index, std::size_t k) const {
+  std::string value_text(std::size_t index, std::size_t k, bool is_exact) const {
     const auto* const texts = std::get_if<std::vector<std::string>>(&values_[k]);
     if (texts) return (*texts)[index];
     const auto* const numbers = std::get_if<std::vector<double>>(&values_[k]);
-    return numbers ? rounded_text((*numbers)[index], 6) : std::to_string(std::get<std::vector<int>>(values_[k])[index]);
+    if (!numbers) return std::to_string(std::get<std::vector<int>>(values_[k])[index]);
+    return is_exact ? shortest_text((*numbers)[index]) : rounded_text((*numbers)[index], 6);
   }
 
   std::string name_;
@@ -185,6 +186,31 @@ std::vector<CreepState> states_of(const SweepResult& result, bool is_lateral) {
                               "one wheel, with side = \"left\" or \"right\"");
 }
 
+/// Cases that differ in nothing but the creepage.
+struct Combination {
+  std::string exact_name, name; ///< with all digits, and as it is shown
+  std::vector<CreepState> states = {};
+};
+
+/// In the order of the cases. Names are rounded unless those of two combinations would then be the same.
+std::vector<Combination> combinations_of(const SweepResult& result, std::size_t along,
+                                         const std::vector<CreepState>& states) {
+  std::vector<Combination> all;
+  std::map<std::string, std::size_t> places, uses; // by exact and by rounded names
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::string exact = result.combination(i, along, true);
+    const auto place = places.emplace(exact, all.size()).first->second;
+    if (place == all.size()) {
+      all.push_back({.exact_name = exact, .name = result.combination(i, along, false)});
+      ++uses[all.back().name];
+    }
+    all[place].states.push_back(states[i]);
+  }
+  for (Combination& one : all)
+    if (uses[one.name] > 1) one.name = one.exact_name;
+  return all;
+}
+
 /// The curve through cases, on the side that more of them are on; empty if no case has a creepage.
 ComparedCurve curve_through(const std::vector<CreepState>& states) {
   std::map<double, const CreepState*> sides[2];
@@ -250,20 +276,11 @@ std::vector<ComparedCurve> compare_sweep(const std::filesystem::path& result_fil
   const bool is_lateral = io::read_measured_curves(text, name, any).is_lateral;
   const SweepResult result(result_file);
   const std::size_t along = creepage_parameter(result, is_lateral);
-  const std::vector<CreepState> states = states_of(result, is_lateral);
-  std::vector<std::pair<std::string, std::vector<CreepState>>> combinations; // in the order of the cases
-  std::map<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const std::string combination = result.combination(i, along);
-    const auto place = places.emplace(combination, combinations.size()).first->second;
-    if (place == combinations.size()) combinations.emplace_back(combination, std::vector<CreepState>());
-    combinations[place].second.push_back(states[i]);
-  }
   std::vector<ComparedCurve> curves;
-  for (const auto& [combination, of_it] : combinations) {
-    ComparedCurve curve = curve_through(of_it);
+  for (const Combination& one : combinations_of(result, along, states_of(result, is_lateral))) {
+    ComparedCurve curve = curve_through(one.states);
     if (curve.creepage.empty()) continue;
-    curve.name = combination;
+    curve.name = one.name;
     add_points(curve, text, name);
     if (!curve.measured.points.empty()) curves.push_back(std::move(curve));
   }
