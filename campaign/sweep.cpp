@@ -115,8 +115,9 @@ void add_wheel(Columns<Solved>& all, const std::string& group, int patches, cons
   for (int k = 0; k < patches; ++k) {
     const std::string of_patch = group + "patches/" + std::to_string(k) + "/";
     const auto has = [=](const Solved& s) { return static_cast<std::size_t>(k) < wheel(s).patches.size(); };
+    // A patch that is not there is no invalid input, which a status of NaN would become in the file.
     all.push_back({{of_patch + "status", "-", status_codes},
-                   [=](const Solved& s) { return has(s) ? code_of(wheel(s).patches[k].status) : nan; }});
+                   [=](const Solved& s) { return code_of(has(s) ? wheel(s).patches[k].status : Status::no_contact); }});
     for (const PatchQuantity& q : patch_quantities())
       all.push_back({{of_patch + std::string(q.name), std::string(q.unit), std::string(q.description)},
                      [=, &q](const Solved& s) { return has(s) ? q.value(wheel(s).patches[k]) : nan; }});

@@ -5,6 +5,7 @@
 #include "io/case_file.hpp"
 #include "io/wheel_rail_case.hpp"
 #include "microslip/rolling/solver.hpp"
+#include "microslip/status.hpp"
 #include "paths.hpp"
 #include "tests/support/case_text.hpp"
 #include "tests/support/expect_error.hpp"
@@ -202,6 +203,7 @@ TEST(Sweep, OfAWheelIsThatOfItsCase) {
     EXPECT_EQ(number(sweep, row, "patches/0/fx"), expected.patches.front().fx);
     if (expected.patches.size() == 1) {
       EXPECT_TRUE(std::isnan(number(sweep, row, "patches/1/fx")));
+      EXPECT_EQ(number(sweep, row, "patches/1/status"), static_cast<double>(Status::no_contact));
     }
   }
 }
