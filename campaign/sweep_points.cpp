@@ -155,6 +155,7 @@ std::vector<CreepState> states_of_wheel(const SweepResult& result, bool is_later
   std::size_t kept = 0;
   for (; result.has("patches/" + std::to_string(kept) + "/status"); ++kept) {
     const std::string patch = "patches/" + std::to_string(kept) + "/";
+    if (kept > 0 && !result.has(patch + "normal_force")) continue; // no case has so many
     const auto creepage = result.numbers(patch + (is_lateral ? "creepage_lateral" : "creepage_longitudinal"));
     const auto force = result.numbers(patch + (is_lateral ? "fy" : "fx"));
     const auto speed = result.numbers(patch + "rolling_speed"), load = result.numbers(patch + "normal_force");
