@@ -277,6 +277,24 @@ double size(const Vec3<double>& v) {
   return std::sqrt(dot(v, v));
 }
 
+/// With the force held they are small differences of large ones, by the motion and by the height; the load bends most
+/// over the height where it is small.
+TEST(WheelRail, HasDerivativesOfALightlyLoadedWheel) {
+  constexpr double load = 1e3;
+  WheelRail contact(s1002_on_60e1(), {.tolerance = 1e-11});
+  const WheelState<double> state = running(2e-3, 2e-3);
+  WheelRailSolution found;
+  WheelRailDerivatives d;
+  contact.differentiate(state, load, found, d);
+  for (std::size_t k = 0; k < state_numbers; ++k) {
+    const StateQuantity& q = state_quantities()[k];
+    if (q.name != "lateral" && q.name != "yaw" && q.name != "roll" && q.name != "deviation_roll") continue;
+    const Compared wanted = difference(contact, state, load, q, half_step(q));
+    EXPECT_LT(size(d.force(k) - wanted.force), 2e-3 * size(wanted.force) + 1) << q.name;
+    EXPECT_NEAR(d.vertical(k), wanted.vertical, 1e-4 * std::abs(wanted.vertical) + 1e-6) << q.name;
+  }
+}
+
 TEST(WheelRail, HasDerivativesByAllNumbersOfItsState) {
   for (const TrackSide side : {TrackSide::left, TrackSide::right}) {
     WheelRail contact(s1002_on_60e1(side), {.tolerance = 1e-11});

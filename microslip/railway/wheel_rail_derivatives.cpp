@@ -108,7 +108,10 @@ public:
     forces.of_rows(state_);
     here_ = (surfaces_vary ? forces.of_rows : forces.of_shifted_rows)(state_); // to more digits than a solution has
     basic_ = of_rows();
-    if (vertical_force) basic_ = with_force_held(basic_);
+    if (vertical_force) {
+      go_on_at_equal_load();
+      basic_ = with_force_held(basic_);
+    }
     if (surfaces_vary)
       for (std::size_t k = 0; k < position_steps.size(); ++k) by_position_[k] = of_rows_along(k);
     if (forces.of_elements) refine();
@@ -125,18 +128,40 @@ private:
     return d;
   }
 
+  double row_step(WheelVariable which) const {
+    return (surfaces_vary_ ? 100 : 1) * row_steps.of(static_cast<std::size_t>(which), speed_);
+  }
+  const std::function<Wrench(const WheelState<double>&)>& forces_elsewhere() const {
+    return surfaces_vary_ ? forces_.of_rows : forces_.of_shifted_rows;
+  }
+
   /// Derivatives of rows with the height held. Each state starts from the one before: velocities alone need no new
   /// pressures and come first, what changes the loads most comes last.
   BasicDerivatives of_rows() {
-    const double scale = surfaces_vary_ ? 100 : 1;
-    const auto& elsewhere = surfaces_vary_ ? forces_.of_rows : forces_.of_shifted_rows;
     BasicDerivatives derivatives;
     for (const WheelVariable which : in_order) {
       const auto k = static_cast<std::size_t>(which);
-      if (const double step = scale * row_steps.of(k, speed_); step > 0)
-        derivatives.by[k] = forward(k, step, is_velocity(k) ? forces_.of_moving_rows : elsewhere);
+      if (const double step = row_step(which); step > 0)
+        derivatives.by[k] = forward(k, step, is_velocity(k) ? forces_.of_moving_rows : forces_elsewhere());
     }
     return derivatives;
+  }
+
+  /// With a force held, what a wheel does that moves across or turns is the small difference of two large changes, by
+  /// that motion and by the height, which amplifies the load's second derivative, large at small approaches, and noise.
+  /// Differences along both together, at nearly the same load, do not, and their steps may be longer.
+  void go_on_at_equal_load() {
+    constexpr double longer = 10;
+    const Wrench& by_height = basic_.by[height_number];
+    for (const WheelVariable which : {WheelVariable::lateral, WheelVariable::yaw, WheelVariable::roll}) {
+      Wrench& by = basic_.by[static_cast<std::size_t>(which)];
+      const double lift = -by.force.z / by_height.force.z, step = longer * row_step(which);
+      WheelState<double> there = moved(state_, static_cast<std::size_t>(which), step);
+      there.vertical += lift * step;
+      Wrench along = 1 / step * (forces_elsewhere()(there) - here_);
+      along.height = 0; // as in the others
+      by = along - lift * by_height;
+    }
   }
 
   /// Derivative by the position along the track or the pitch, with the same held as for the basic ones.
