@@ -52,9 +52,9 @@ constexpr std::array all_studies = {
     study("temperature", run_temperature),
     study("vehicle", run_vehicle),
     study("viscoelastic-cylinders", run_viscoelastic_cylinders),
-    study("wheel-theories", run_wheel_theories),
     study("wheel-rail", run_wheel_rail),
     study("wheel-surfaces", run_wheel_surfaces),
+    study("wheel-theories", run_wheel_theories),
 };
 static_assert(std::ranges::equal(all_studies, study_texts, {}, &Study::name, &StudyText::name));
 

@@ -51,9 +51,9 @@ inline constexpr std::array study_texts = {
     StudyText{"temperature", "surface temperatures of a sliding wheel beside CONTACT's, and Hertzian heat"},
     StudyText{"vehicle", "a car on a multibody program: energy, wavelengths, integrators, forces in a curve"},
     StudyText{"viscoelastic-cylinders", "viscoelastic cylinders in steady rolling, between slow and quick loads"},
-    StudyText{"wheel-theories", "fast theories of a wheel on a rail beside the exact one; their largest jumps"},
     StudyText{"wheel-rail", "a wheel on a rail: continuity, 100,000 random states, derivatives, energy"},
     StudyText{"wheel-surfaces", "the exact theory of wheels on rails on planes and on the true surfaces"},
+    StudyText{"wheel-theories", "fast theories of a wheel on a rail beside the exact one; their largest jumps"},
 };
 
 } // namespace microslip::validation
