@@ -128,11 +128,11 @@ TEST(CWheelRailBadInput, ProfilesThatVaryHaveNoContactsOfAWheelset) {
   microslip_error error = {};
   EXPECT_EQ(microslip_wheelset_contacts(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 0, 1, &lateral, contacts.width(),
                                         contacts.data(), nullptr, &error),
-            MICROSLIP_INVALID_INPUT);
+            MICROSLIP_INVALID_OPTION);
   EXPECT_NE(std::string(error.text).find("needs the same profile all along"), std::string::npos) << error.text;
   EXPECT_EQ(
       microslip_equivalent_conicity(pair.pointer, MICROSLIP_ROLL_EQUILIBRIUM, 1.5, 1, &amplitude, &conicity, &error),
-      MICROSLIP_INVALID_INPUT);
+      MICROSLIP_INVALID_OPTION);
 }
 
 TEST(CWheelRailBadInput, EveryConicityIsWritten) {
