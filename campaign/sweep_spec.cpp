@@ -278,7 +278,7 @@ void SweepSpec::parse_rows(std::string_view text, const std::string& file) {
   std::size_t rows = 0;
   visit_lines(text, file, [&](const std::vector<std::string_view>& fields, std::size_t) {
     if (rows++ == 0) return read_headings(fields, units);
-    require_fields(fields.size(), parameters_.size(), separator);
+    io::require_fields(fields.size(), parameters_.size(), separator);
     for (std::size_t k = 0; k < fields.size(); ++k)
       if (!units[k].empty() || !io::parse_number(field_of(fields[k]))) parameters_[k].is_number = false;
   });

@@ -57,12 +57,6 @@ void visit_lines(std::string_view text, const std::string& file,
   }
 }
 
-void require_fields(std::size_t fields, std::size_t headings, char separator) {
-  if (fields == headings) return;
-  throw Error(std::to_string(fields) + (fields == 1 ? " field, not " : " fields, not ") + std::to_string(headings) +
-              (fields > headings && separator == ',' ? "; decimal commas need semicolons between fields" : ""));
-}
-
 TableColumn read_column(std::string_view text, const std::string& file, const std::string& name) {
   text = io::csv_start(text, file);
   const char separator = separator_of(text);
@@ -75,7 +69,7 @@ TableColumn read_column(std::string_view text, const std::string& file, const st
       if (const auto unit = io::name_and_unit(fields[*place]).second; unit != "-") column.unit = unit;
       return;
     }
-    require_fields(fields.size(), headings, separator);
+    io::require_fields(fields.size(), headings, separator);
     column.numbers.push_back(io::csv_number(name.empty() ? "value" : name, fields[*place], separator != ','));
   });
   if (column.numbers.empty()) throw Error(file + ": has no values: the first line must be headings");

@@ -20,9 +20,6 @@ char separator_of(std::string_view text);
 void visit_lines(std::string_view text, const std::string& file,
                  const std::function<void(const std::vector<std::string_view>& fields, std::size_t line)>& take);
 
-/// Error of a line unless it has a field for each heading of its table.
-void require_fields(std::size_t fields, std::size_t headings, char separator);
-
 /// Numbers of a table's column.
 struct TableColumn {
   std::vector<double> numbers;

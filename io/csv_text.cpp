@@ -34,6 +34,12 @@ char csv_separator(std::string_view header) {
   return separators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
+void require_fields(std::size_t fields, std::size_t headings, char separator) {
+  if (fields == headings) return;
+  throw Error(std::to_string(fields) + (fields == 1 ? " field, not " : " fields, not ") + std::to_string(headings) +
+              (fields > headings && separator == ',' ? "; decimal commas need semicolons between fields" : ""));
+}
+
 std::string with_decimal_point(std::string_view field) {
   std::string text(field);
   const auto comma = text.find(',');

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,10 @@ std::pair<std::string_view, std::string_view> name_and_unit(std::string_view hea
 /// Separator of the fields of a table with this first line: the most frequent of comma, semicolon and tab outside
 /// quotes.
 char csv_separator(std::string_view header);
+
+/// Error of a line unless it has a field for each heading of its table. A field too many may be what a decimal comma
+/// has cut off, as in `0,0,35`.
+void require_fields(std::size_t fields, std::size_t headings, char separator);
 
 /// A field with its decimal comma as a point, unless it has a point or is no number anyway.
 std::string with_decimal_point(std::string_view field);

@@ -66,13 +66,6 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
   return fields;
 }
 
-/// A field too many may be what a decimal comma has cut off, as in `0,0,35`.
-void require_fields(std::size_t found, std::size_t wanted, char separator) {
-  if (found == wanted) return;
-  throw Error(std::to_string(found) + (found == 1 ? " field, not " : " fields, not ") + std::to_string(wanted) +
-              (found > wanted && separator == ',' ? "; decimal commas need semicolons between fields" : ""));
-}
-
 Places places_of(const std::vector<std::string_view>& headings) {
   Places places;
   std::vector<std::string_view> strangers, missing;

@@ -109,7 +109,7 @@ public:
     here_ = (surfaces_vary ? forces.of_rows : forces.of_shifted_rows)(state_); // to more digits than a solution has
     basic_ = of_rows();
     if (vertical_force) {
-      go_on_at_equal_load();
+      difference_at_equal_load();
       basic_ = with_force_held(basic_);
     }
     if (surfaces_vary)
@@ -150,7 +150,7 @@ private:
   /// With a force held, what a wheel does that moves across or turns is the small difference of two large changes, by
   /// that motion and by the height, which amplifies the load's second derivative, large at small approaches, and noise.
   /// Differences along both together, at nearly the same load, do not, and their steps may be longer.
-  void go_on_at_equal_load() {
+  void difference_at_equal_load() {
     constexpr double longer = 10;
     const Wrench& by_height = basic_.by[height_number];
     for (const WheelVariable which : {WheelVariable::lateral, WheelVariable::yaw, WheelVariable::roll}) {
