@@ -265,7 +265,7 @@ bool ProfileSurface::y_ascends_in(std::size_t slice, std::size_t v) const {
   const double h = p.is_between() ? slices_[slice + 1].u - slices_[slice].u : 0, bend = h * h / 18;
   const std::array<double, 4> along[] = {
       {1, 0, 0, 0}, {2.0 / 3, 1.0 / 3, -2 * bend, -bend}, {1.0 / 3, 2.0 / 3, -bend, -2 * bend}, {0, 1, 0, 0}};
-  return std::ranges::all_of(along, [&](const std::array<double, 4>& factor) {
+  return std::all_of(std::begin(along), std::end(along), [&](const std::array<double, 4>& factor) {
     const CubicOfV c(p.over_u(factor));
     return c.first_slope > 0 && c.first_slope + c.first_bend / 2 > 0 && c.last_slope > 0;
   });
