@@ -11,10 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <vector>
 
 namespace microslip {
@@ -200,6 +202,70 @@ TEST_P(GeneralSurfaces, OfRollersAreThoseOfHertz) {
       EXPECT_NEAR(s.patches[0].place.x, 0, 2e-6);
       EXPECT_NEAR(s.patches[0].angle, angle, 3e-4);
     }
+}
+
+/// Least height of a wheel's points over a roller's head [m], z up: sampled around the wheel, finer about the least
+/// one. The head is where its z is a function of y.
+double height_over_roller(const WheelRailBodies& bodies, const WheelState<double>& state) {
+  const WheelPlacement<double> placed =
+      place(nominal_placement(bodies.track, bodies.rail, bodies.wheelset, bodies.wheel), state);
+  const double roller = bodies.track.roller_radius;
+  std::vector<ProfilePoint> head;
+  for (const double s : equal_steps(0, bodies.rail.length(), 20001)) {
+    const ProfilePoint p = bodies.rail.at(s).value;
+    if (head.empty() || p.y > head.back().y) head.push_back(p);
+  }
+  const auto height = [&](double s, double tau) {
+    const ProfilePoint on_wheel = bodies.wheel.at(s).value;
+    const Vec3<double> q = placed.rail.frame.inner(placed.wheel_point(tau, on_wheel.y, on_wheel.z));
+    const auto next =
+        std::lower_bound(head.begin(), head.end(), q.y, [](const ProfilePoint& p, double y) { return p.y < y; });
+    if (next == head.begin() || next == head.end() || std::abs(q.x) >= std::abs(roller) / 2) return infinity;
+    const ProfilePoint &a = next[-1], &b = next[0];
+    const double z = a.z + (b.z - a.z) * (q.y - a.y) / (b.y - a.y);
+    return q.z - (std::copysign(std::sqrt(std::pow(roller + z, 2) - q.x * q.x), roller) - roller);
+  };
+  double least = infinity, s0 = bodies.wheel.length() / 2, tau0 = 0, reach_s = s0, reach_tau = 0.4;
+  for (int count = 301; reach_s > 1e-6; count = 21) {
+    double best_s = s0, best_tau = tau0;
+    for (const double ds : equal_steps(-reach_s, reach_s, count))
+      for (const double dtau : equal_steps(-reach_tau, reach_tau, count)) {
+        const double s = std::clamp(s0 + ds, 0.0, bodies.wheel.length()), h = height(s, tau0 + dtau);
+        if (h < least) least = h, best_s = s, best_tau = tau0 + dtau;
+      }
+    s0 = best_s, tau0 = best_tau, reach_s *= 4.0 / (count - 1), reach_tau *= 4.0 / (count - 1);
+  }
+  return least;
+}
+
+TEST(GeneralSurfaces, StandOnRollersAtAnyYaw) {
+  // Beneath the fillet of its flange a yawed wheel is near a rail in two places along the track; on a roller neither is
+  // where the other is nearest.
+  struct Case {
+    double lateral, yaw, roll; // [m], [rad], [rad]
+  };
+  std::vector<Case> cases = {{4.84e-3, -0.08144, 1.1e-4}, {-4.9e-4, -0.08077, 2.42e-3}, {-3.63e-3, -0.08815, 1.02e-3}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(-1, 1);
+  for (int k = 0; k < 5; ++k) cases.push_back({8e-3 * share(random), 0.1 * share(random), 3e-3 * share(random)});
+  WheelRailBodies bodies = sphere_on_cylinder();
+  bodies.rail = example_profile("60e1.prr"), bodies.wheel = example_profile("s1002.prw");
+  bodies.track = {}, bodies.wheelset = {};
+  bodies.track.cant = 0.025;
+  for (const double roller : {0.5, 0.1, -1.0}) {
+    bodies.track.roller_radius = roller;
+    WheelRail contact(bodies);
+    for (const auto& [lateral, yaw, roll] : cases) {
+      WheelState<double> state;
+      state.lateral = lateral, state.yaw = yaw, state.roll = roll;
+      const WheelRailSolution found = contact.solve(state, 1e3);
+      ASSERT_EQ(found.status, Status::ok) << roller << " " << lateral << " " << yaw;
+      state.vertical = found.vertical;
+      const double height = height_over_roller(bodies, state);
+      EXPECT_LT(height, 0) << roller << " " << lateral << " " << yaw;
+      EXPECT_GT(height, -1e-4) << roller << " " << lateral << " " << yaw; // what 1 kN presses into it
+    }
+  }
 }
 
 TEST_P(GeneralSurfaces, OfALargeRollerAreThoseOfARail) {

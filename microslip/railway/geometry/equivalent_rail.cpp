@@ -70,6 +70,11 @@ template <class Function> std::optional<Least> find_least(Function function, dou
   return {};
 }
 
+/// Whether two positions along the track [m] are those of different least distances.
+bool are_apart(double a, double b) {
+  return std::abs(a - b) > 5e-3;
+}
+
 /// dn/dx of the rail; 0 where it begins or ends.
 double rail_slope(GapLine line, double x) {
   constexpr double step = 2e-4; // [m]
@@ -107,11 +112,13 @@ double nearest_point(const Profile& profile, const ProfilePoint& position) {
 /// A point of the rail's section, and what is above it.
 struct EquivalentRail::Above {
   ProfilePoint point, normal; ///< in the axes of the rail's profile
+  double number = 0;          ///< in the rail's section
   std::optional<Least> round; ///< distance of the round wheel from it
   double wheel_v = 0;         ///< there
   double moved = 0;           ///< along the normal [m]
   Along along = {};
-  bool is_found = false; ///< both of these
+  SurfaceHit rail_hit = {}, wheel_hit = {}; ///< where the true surfaces are nearest
+  bool is_found = false;                    ///< these four
 
   Vec3<double> position(const WheelPlacement<double>& placement) const {
     return placement.rail.frame.outer({0, point.y, point.z});
@@ -121,27 +128,36 @@ struct EquivalentRail::Above {
   }
 };
 
-/// Least distances of the round wheel from the points of the rail's section, each found from the one before.
+/// Least distances of the round wheel from the points of the rail's section, each found from the one before. Beneath
+/// the fillet of a yawed wheel's flange there are two along the track: where a point differs from the one behind it,
+/// the lesser of both counts.
 std::vector<EquivalentRail::Above> EquivalentRail::find_round_wheel(const TrueSurfaces& round,
                                                                     const WheelPlacement<double>& placement) {
   const Profile &rail = *round.rail.profile, &wheel = *round.wheel.profile;
   const Frame<double>& frame = placement.wheel.frame;
+  const auto find = [&](Above& a, double x, double v) {
+    GapLine line(round, placement, a.position(placement), a.direction(placement), {}, {0, v});
+    const auto found = find_least([&](double at) { return line.distance_of_wheel(at); }, x);
+    if (found && (!a.round || found->value < a.round->value)) a.round = found, a.wheel_v = line.wheel().v;
+  };
   std::vector<Above> all;
   std::optional<double> start; // the wheel's v
   double x = frame.origin.x;
   for (std::size_t k = 0; k <= rail.pieces().size(); ++k) {
-    const double s = parameter_at(rail, static_cast<double>(k));
-    Above& a = all.emplace_back(Above{rail.at(s).value, normal_at(rail, s), {}});
+    const auto number = static_cast<double>(k);
+    const double s = parameter_at(rail, number);
+    Above& a = all.emplace_back(Above{rail.at(s).value, normal_at(rail, s), number, {}});
     if (!start) {
       const Vec3<double> position = frame.inner(a.position(placement) + Vec3<double>{x, 0, 0});
       start = nearest_point(wheel, {position.y, placement.radius + position.z});
     }
-    GapLine line(round, placement, a.position(placement), a.direction(placement), {}, {0, *start});
-    a.round = find_least([&](double at) { return line.distance_of_wheel(at); }, x);
+    find(a, x, *start);
     start.reset();
-    if (!a.round) continue;
-    start = a.wheel_v = line.wheel().v, x = a.round->x;
+    if (a.round) start = a.wheel_v, x = a.round->x;
   }
+  for (std::size_t k = all.size() - 1; k-- > 0;)
+    if (const Above& next = all[k + 1]; next.round && (!all[k].round || are_apart(next.round->x, all[k].round->x)))
+      find(all[k], next.round->x, next.wheel_v);
   return all;
 }
 
@@ -155,34 +171,81 @@ EquivalentRail::EquivalentRail(const TrueSurfaces& surfaces, const WheelPlacemen
   std::vector<Above> all = find_round_wheel({{&rail.profile, nullptr}, {&wheel.profile, nullptr}}, placement);
   move_points(placement, all);
 
-  // Those far from the wheel follow the nearest one before them, or the first one.
-  const auto first = std::find_if(all.begin(), all.end(), [](const Above& a) { return a.is_found; });
-  std::size_t last = first == all.end() ? 0 : static_cast<std::size_t>(first - all.begin());
+  follow_neighbours(all);
   std::vector<ProfilePoint> points;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].is_found) last = k;
-    along_.push_back(all[last].along);
-    const auto& [point, normal] = std::pair{all[k].point, all[k].normal};
-    points.push_back({point.y + all[last].moved * normal.y, point.z + all[last].moved * normal.z});
+  for (const Above& a : all) {
+    along_.push_back(a.along);
+    points.push_back({a.point.y + a.moved * a.normal.y, a.point.z + a.moved * a.normal.z});
   }
   rail_ = Profile(ProfileRole::rail, points, rail.profile.kinks());
 }
 
-/// Moves the points that are not far from the wheel to the least distances of the true surfaces.
+/// Moves the points that are not far from the wheel to the least distances of the true surfaces. These may be nearest
+/// where the round wheel and the prismatic rail are not: a roller falls away beneath the flange of a yawed wheel.
 void EquivalentRail::move_points(const WheelPlacement<double>& placement, std::vector<Above>& all) const {
   constexpr double near = 8e-3; // [m], over the least distance: beyond there is no contact
-  double least = std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least = infinity, before = -infinity;
   for (const Above& a : all) least = a.round ? std::min(least, a.round->value) : least;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    Above& a = all[k];
-    if (!a.round || a.round->value > least + near) continue;
-    GapLine line(surfaces_, placement, a.position(placement), a.direction(placement),
-                 {0, first_rail_ + static_cast<double>(k)}, {a.round->value, first_wheel_ + a.wheel_v});
-    const double start = position_of_least_distance(line, a.round->x);
+  for (double most = least + near; most > before;) { // of the round wheel's distances: as many as may be the least ones
+    const auto move_all = [&](auto first, auto last) {
+      const Above* neighbour = nullptr;
+      for (auto a = first; a != last; neighbour = &*a++)
+        if (a->round && a->round->value <= most) move_point(placement, *a, neighbour);
+    };
+    move_all(all.begin(), all.end());
+    move_all(all.rbegin(), all.rend());
+    double most_moved = 0;
+    least = infinity;
+    for (const Above& a : all)
+      if (a.is_found) least = std::min(least, a.round->value - a.moved), most_moved = std::max(most_moved, a.moved);
+    before = std::exchange(most, least + most_moved + near);
+  }
+}
+
+/// Moves a point to the least distance around the round wheel's, or to a lesser one where its neighbour's is.
+void EquivalentRail::move_point(const WheelPlacement<double>& placement, Above& a, const Above* neighbour) const {
+  const auto move = [&](GapLine line, double start) {
     const auto found = find_least([&](double x) { return line.distance(x); }, start);
-    if (!found || !line.distance(found->x)) continue;
-    a.moved = a.round->value - found->value, a.is_found = true;
+    if (!found || !line.distance(found->x)) return;
+    const double moved = a.round->value - found->value;
+    if (a.is_found && moved <= a.moved) return;
+    a.moved = moved, a.is_found = true;
+    a.rail_hit = line.rail(), a.wheel_hit = line.wheel();
     a.along = {found->x, found->curvature, line.rail().n - a.moved, rail_slope(line, found->x)};
+  };
+  const auto line = [&](const SurfaceHit& rail, const SurfaceHit& wheel) {
+    return GapLine(surfaces_, placement, a.position(placement), a.direction(placement), rail, wheel);
+  };
+  if (!a.is_found) {
+    const GapLine of_round = line({0, first_rail_ + a.number}, {a.round->value, first_wheel_ + a.wheel_v});
+    move(of_round, position_of_least_distance(of_round, a.round->x));
+  }
+  if (neighbour && neighbour->is_found && (!a.is_found || are_apart(neighbour->along.x, a.along.x)))
+    move(line(neighbour->rail_hit, neighbour->wheel_hit), neighbour->along.x);
+}
+
+EquivalentRail::Along EquivalentRail::between(const Along& a, const Along& b, double share) {
+  const auto of = [share](double from, double to) { return from + share * (to - from); };
+  return {of(a.x, b.x), of(a.curvature, b.curvature), of(a.rise, b.rise), of(a.slope, b.slope)};
+}
+
+/// Moves the points that are not found: between two that are by what is interpolated between these, so that there is no
+/// step for the wheel to touch, others as the nearest one.
+void EquivalentRail::follow_neighbours(std::vector<Above>& all) {
+  const auto is_found = [](const Above& a) { return a.is_found; };
+  auto before = std::find_if(all.begin(), all.end(), is_found);
+  if (before == all.end()) return;
+  for (auto a = all.begin(); a != before; ++a) a->moved = before->moved, a->along = before->along;
+  while (before != all.end()) {
+    const auto first = before + 1, found = std::find_if(first, all.end(), is_found);
+    const Above& after = found == all.end() ? *before : *found;
+    for (auto a = first; a != found; ++a) {
+      const double share = static_cast<double>(a - before) / static_cast<double>(found - before);
+      a->moved = before->moved + share * (after.moved - before->moved);
+      a->along = between(before->along, after.along, share);
+    }
+    before = found;
   }
 }
 
@@ -190,9 +253,7 @@ EquivalentRail::Along EquivalentRail::at(double rail_s) const {
   const auto last = static_cast<double>(along_.size() - 1);
   const double number = std::clamp(number_at(rail_, rail_s), 0.0, last), share = number - std::floor(number);
   const auto k = static_cast<std::size_t>(number);
-  const Along &a = along_[k], &b = along_[std::min(k + 1, along_.size() - 1)];
-  const auto between = [share](double from, double to) { return from + share * (to - from); };
-  return {between(a.x, b.x), between(a.curvature, b.curvature), between(a.rise, b.rise), between(a.slope, b.slope)};
+  return between(along_[k], along_[std::min(k + 1, along_.size() - 1)], share);
 }
 
 void EquivalentRail::find_gaps(const WheelPlacement<double>& placement, const Vec3<double>& point,

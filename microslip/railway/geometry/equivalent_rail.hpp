@@ -55,6 +55,9 @@ private:
   struct Above;
   static std::vector<Above> find_round_wheel(const TrueSurfaces& round, const WheelPlacement<double>& placement);
   void move_points(const WheelPlacement<double>& placement, std::vector<Above>& all) const;
+  void move_point(const WheelPlacement<double>& placement, Above& point, const Above* neighbour) const;
+  static void follow_neighbours(std::vector<Above>& all);
+  static Along between(const Along& a, const Along& b, double share);
 
   TrueSurfaces surfaces_;
   double first_rail_ = 0, first_wheel_ = 0; ///< v of the first points of both profiles
