@@ -7,11 +7,14 @@
 #include "microslip/description/input.hpp"
 #include "microslip/error.hpp"
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace microslip::fmi {
@@ -54,16 +57,30 @@ CreepTableNodes read_table(const std::filesystem::path& path) {
   }
 }
 
+/// A file as it is now: what replaces it has another size or another time.
+struct FileVersion {
+  std::filesystem::path path;
+  std::uintmax_t size = 0;
+  std::filesystem::file_time_type written;
+
+  explicit FileVersion(std::filesystem::path of) : path(std::move(of)) {
+    std::error_code none; // what cannot be read is said when it is
+    size = std::filesystem::file_size(path, none);
+    written = std::filesystem::last_write_time(path, none);
+  }
+  bool operator==(const FileVersion&) const = default;
+};
+
 /// Source of a unit's tables. Units that name one file, the one that comes with them, share what they make of
 /// it: that of the first is kept.
 CreepTableSource table_source(const std::filesystem::path& path) {
   struct Kept {
-    std::filesystem::path path;
+    FileVersion file;
     CreepTableSource source;
-    explicit Kept(const std::filesystem::path& from) : path(from), source(read_table(from)) {}
+    explicit Kept(const std::filesystem::path& from) : file(from), source(read_table(from)) {}
   };
   static const Kept kept(path);
-  return kept.path == path ? kept.source : read_table(path);
+  return kept.file == FileVersion(path) ? kept.source : read_table(path);
 }
 
 class TangentialModel final : public Model {

@@ -4,6 +4,7 @@
 #include "fmi/tests/importer.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -204,6 +205,22 @@ TEST(Fmu, WrongTablesFailTheInitialization) {
     EXPECT_EQ(FMI(fmi2ExitInitializationMode)(instance.unit), fmi2Error);
     EXPECT_NE(instance.messages.last.find(what), std::string::npos) << instance.messages.last;
   }
+}
+
+TEST(Fmu, AReplacedTableIsReadAgain) {
+  const std::filesystem::path resources = MICROSLIP_UNPACKED_FMU "/resources", replaced = resources / "replaced.creep";
+  std::filesystem::copy_file(resources / "hertz.creep", replaced, std::filesystem::copy_options::overwrite_existing);
+  const auto initialize = [](Instance& instance) {
+    EXPECT_EQ(instance.set_text("theory", "table"), fmi2OK);
+    EXPECT_EQ(instance.set_text("table", "replaced.creep"), fmi2OK);
+    EXPECT_EQ(FMI(fmi2EnterInitializationMode)(instance.unit), fmi2OK);
+    return FMI(fmi2ExitInitializationMode)(instance.unit);
+  };
+  Instance before, after;
+  EXPECT_EQ(initialize(before), fmi2OK) << before.messages.last;
+  std::ofstream(replaced) << "no table";
+  EXPECT_EQ(initialize(after), fmi2Error);
+  std::filesystem::remove(replaced);
 }
 
 TEST(Fmu, TwoInstancesAtOnceAreIndependent) {
