@@ -204,6 +204,30 @@ TEST_P(GeneralSurfaces, OfRollersAreThoseOfHertz) {
     }
 }
 
+TEST(GeneralSurfaces, OfRollersHaveTheDerivativesOfSpheres) {
+  // With the load held the force stays on the line from the sphere's centre to the roller's.
+  constexpr double roller = 0.2;
+  WheelRailBodies bodies = sphere_on_cylinder();
+  bodies.rail = profile_of(ProfileRole::rail, -0.06, 0.06, 481,
+                           [](double y) { return std::sqrt(roller * roller - y * y) - roller; });
+  bodies.track.roller_radius = roller;
+  WheelRail contact(bodies);
+  constexpr auto lateral = static_cast<std::size_t>(WheelVariable::lateral);
+  for (const auto& [load, accuracy] : {std::pair{100.0, 0.03}, std::pair{5e3, 1e-3}, std::pair{5e4, 1e-3}})
+    for (const double y : {0.003, 0.015}) {
+      WheelState<double> state; // at rest
+      state.lateral = y;
+      WheelRailSolution found;
+      WheelRailDerivatives d;
+      contact.differentiate(state, load, found, d);
+      ASSERT_EQ(found.status, Status::ok);
+      const double sine = y / (radius + roller), cosine = std::sqrt(1 - sine * sine);
+      EXPECT_NEAR(found.force.y / load, sine / cosine, 1e-3 * sine);
+      EXPECT_NEAR(d.force(lateral).y / load, 1 / (radius + roller) / std::pow(cosine, 3), accuracy / (radius + roller));
+      EXPECT_NEAR(d.vertical(lateral), -sine / cosine, 3e-3 * sine);
+    }
+}
+
 /// Least height of a wheel's points over a roller's head [m], z up: sampled around the wheel, finer about the least
 /// one. The head is where its z is a function of y.
 double height_over_roller(const WheelRailBodies& bodies, const WheelState<double>& state) {
