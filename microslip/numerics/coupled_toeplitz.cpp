@@ -49,8 +49,9 @@ struct CoupledToeplitz::Plans {
   void convolve_columns(int b, int thread) {
     const std::size_t size = columns.work_size();
     double *x = along.work(thread), *y = x + size, *z = y + size, *work = z + size;
-    const BlockLines<double> x_lines = {along.block(b), 2 * line, my}, y_lines = {along.block(b) + line, 2 * line, my},
-                             z_lines = {normal.block(b), line, my};
+    constexpr std::size_t two_lines = 2 * static_cast<std::size_t>(line);
+    const BlockLines<double> x_lines = {along.block(b), two_lines, my},
+                             y_lines = {along.block(b) + line, two_lines, my}, z_lines = {normal.block(b), line, my};
     const int used = along.lanes_of(b);
     columns.forward({x_lines.first, x_lines.stride, my}, used, x, work);
     columns.forward({y_lines.first, y_lines.stride, my}, used, y, work);

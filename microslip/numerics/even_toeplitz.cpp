@@ -93,7 +93,7 @@ private:
       some.forward(0, {rows.data(), rows.data() + nx_, 2 * static_cast<std::size_t>(nx_)}, nx_, 0);
       for (int b = 0; b < waves_.count(); ++b)
         for (int j = 0; j < count; ++j)
-          std::copy_n(some.block(b) + j * line_size<double>, waves_.lanes_of(b),
+          std::copy_n(some.block(b) + static_cast<std::ptrdiff_t>(j) * line_size<double>, waves_.lanes_of(b),
                       table(b) + static_cast<std::size_t>(first + j) * lanes);
     }
     return at_zero;

@@ -45,6 +45,9 @@ struct ParityToeplitz::Plans {
   /// Work of a thread: lines of all waves of a block's columns, there and back, and memory of the transforms.
   struct Work {
     Buffer<double> sum, rows, scratch;
+
+    explicit Work(std::size_t size)
+        : sum(allocate<double>(size)), rows(allocate<double>(size)), scratch(allocate<double>(size)) {}
   };
 
   int mx, my, nx, ny;
@@ -57,9 +60,7 @@ struct ParityToeplitz::Plans {
   Plans(int x, int y, const TransformPlans& plans)
       : mx(x), my(y), nx(padded_size(x)), ny(padded_size(y)), kernel_lines(ny / 2 + 1),
         waves(my, nx, threads_for_grid(nx, ny), 0, plans), columns(ny, plans) {
-    for (int i = 0; i < waves.threads(); ++i)
-      works.push_back({allocate<double>(columns.work_size()), allocate<double>(columns.work_size()),
-                       allocate<double>(columns.work_size())});
+    for (int i = 0; i < waves.threads(); ++i) works.emplace_back(columns.work_size());
   }
 
   std::size_t table_size() const { return static_cast<std::size_t>(kernel_lines) * lanes; }

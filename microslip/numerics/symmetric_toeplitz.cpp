@@ -128,10 +128,10 @@ template <class Real> struct SymmetricToeplitz<Real>::Plans {
         const double xx = (double(here[0]) + image[0]) / 2, xy = (double(here[0]) - image[0]) / 2;
         const double yy = (double(here[lanes]) + image[lanes]) / 2;
         const SymmetricPair pair = use(SymmetricPair{(xx + yy) / 2, (xx - yy) / 2, xy});
-        Real* to = &kernels[index(b * lanes + i, ky, 0)];
-        to[0] = static_cast<Real>((pair.mean + pair.difference) / points);
-        to[lanes] = static_cast<Real>(pair.mixed / points);
-        to[2 * lanes] = static_cast<Real>((pair.mean - pair.difference) / points);
+        const auto to = [&](int component) -> Real& { return kernels[index(b * lanes + i, ky, component)]; };
+        to(0) = static_cast<Real>((pair.mean + pair.difference) / points);
+        to(1) = static_cast<Real>(pair.mixed / points);
+        to(2) = static_cast<Real>((pair.mean - pair.difference) / points);
       }
   }
 

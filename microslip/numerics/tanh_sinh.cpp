@@ -6,9 +6,10 @@
 namespace microslip {
 
 TanhSinh::TanhSinh() {
-  constexpr double spacing = 3.4 / (count / 2); // NOLINT: whole number of nodes on each side
+  constexpr int on_each_side = count / 2;
+  constexpr double spacing = 3.4 / on_each_side;
   for (int k = 0; k < count; ++k) {
-    const double t = (k - count / 2) * spacing, reach = std::numbers::pi / 2 * std::sinh(t);
+    const double t = (k - on_each_side) * spacing, reach = std::numbers::pi / 2 * std::sinh(t);
     distance_[k] = 2 / (1 + std::exp(2 * std::abs(reach)));
     weight_[k] = spacing * std::numbers::pi / 2 * std::cosh(t) / std::pow(std::cosh(reach), 2);
   }

@@ -66,7 +66,7 @@ public:
       begin.push_back(factors_.size());
       for (int k = 1; k < groups; ++k)
         for (int j = 1; j < radix; ++j) {
-          const auto& factor = roots[j * k * together];
+          const auto& factor = roots[static_cast<std::size_t>(j) * k * together];
           factors_.push_back(static_cast<Real>(factor.real()));
           factors_.push_back(static_cast<Real>(factor.imag()));
         }

@@ -84,11 +84,10 @@ bool cover_overlap(const std::vector<ContactGroup>& loaded) {
 }
 
 /// No load of these patches carries the vertical force: that is for other heights to find.
-bool no_balance(WheelRailSolution& out, Unsolved reason = Unsolved::residual) {
+void no_balance(WheelRailSolution& out, Unsolved reason) {
   out.patches.clear(), out.fields.clear();
   out.force = out.moment = {};
   out.status = Status::not_converged, out.residual = 1, out.reason = reason;
-  return true;
 }
 
 /// The patches that the fast theory has in its height, pressed together. Elements cover what is given of the overlap,
@@ -149,35 +148,41 @@ Forecast go_to_height(RowContact& coarse, WheelState<double> state, const WheelR
   return found;
 }
 
-/// Solves with the patches that the fast theory has in its height. False if `others` may be found and these do not
-/// hold in the height that carries the vertical force, towards which the wheel has gone then. `loaded` becomes these
-/// patches.
-bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const WheelRailMethod& method,
-                        std::optional<double> vertical_force, std::span<const ContactExtent> extents, bool others,
-                        std::vector<ContactGroup>& loaded, WheelRailSolution& out, const Progress& progress) {
+/// Solves with the patches that the fast theory has in its height, and returns them. Nothing if `others` may be found
+/// and these do not hold in the height that carries the vertical force, towards which the wheel has gone then.
+std::optional<std::vector<ContactGroup>> solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies,
+                                                            const WheelRailMethod& method,
+                                                            std::optional<double> vertical_force,
+                                                            std::span<const ContactExtent> extents, bool others,
+                                                            WheelRailSolution& out, const Progress& progress) {
   constexpr int most_rounds = 12;
+  std::vector<ContactGroup> loaded;
+  const auto without_balance = [&](Unsolved reason) {
+    no_balance(out, reason);
+    return std::move(loaded);
+  };
   const std::optional<double> first =
       press_patches(coarse, bodies, method, vertical_force, extents, Purpose::forces, loaded, progress);
   if (loaded.empty()) {
     out.status = coarse.patches().empty() ? Status::no_contact : Status::not_converged;
-    return true;
+    return loaded;
   }
-  if (!first) return no_balance(out);
+  if (!first) return without_balance(Unsolved::residual);
   double lowering = *first;
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
   for (int round = 0; round < most_rounds; ++round) {
     if (round > 0) {
       const std::optional<double> found = share_load(loaded, vertical_force, lowering, Round::later);
-      if (!found) return no_balance(out);
+      if (!found) return without_balance(Unsolved::residual);
       lowering = *found;
     }
     const double share = round == 0 && others && vertical_force ? share_to_go(loaded, lowering) : 0;
     if (share > 0) {
       out.vertical -= share * lowering;
-      return false;
+      return {};
     }
     const bool held = hold_contacts(loaded);
-    if (!held && round == 0) return no_balance(out, Unsolved::beyond_elements);
+    if (!held && round == 0) return without_balance(Unsolved::beyond_elements);
     out.status = Status::not_converged;
     if (!held) break;
     // Where elements come and go with the load no load may have the vertical force, so in the end they stay.
@@ -201,7 +206,7 @@ bool solve_with_patches(RowContact& coarse, const WheelRailBodies& bodies, const
   }
   if (vertical_force) out.vertical -= lowering;
   sum(coarse, loaded, out);
-  return true;
+  return loaded;
 }
 
 /// Solves a state from the patches of the fast theory there.
@@ -215,9 +220,7 @@ void solve_from_coarse(RowContact& coarse, WheelState<double> state, const Wheel
                                : forecast(coarse, bodies, method, vertical_force, progress);
     if (out.status == Status::no_contact) break;
     out.fields.clear();
-    std::vector<ContactGroup> loaded;
-    if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, loaded, out,
-                           progress))
+    if (solve_with_patches(coarse, bodies, method, vertical_force, found.extents, k < most_heights, out, progress))
       break;
     state.vertical = out.vertical;
     coarse.height().solve(state, {}, out);
@@ -325,12 +328,11 @@ std::vector<FrequencyResponse> respond_exact(RowContact& coarse, const WheelStat
   coarse.height().solve(state, {}, out);
   if (out.status == Status::no_contact) return responses;
   const Forecast found = forecast(coarse, bodies, method, {}, progress);
-  std::vector<ContactGroup> loaded;
   out.fields.clear();
-  solve_with_patches(coarse, bodies, method, {}, found.extents, false, loaded, out, progress);
+  auto loaded = solve_with_patches(coarse, bodies, method, {}, found.extents, false, out, progress);
   if (out.status != Status::ok) return responses;
   const auto friction = [&coarse](double angle) { return coarse.friction(angle); };
-  for (ContactGroup& one : loaded)
+  for (ContactGroup& one : *loaded)
     if (one.exact.normal_force() > 0)
       responses.push_back(one.exact.respond(friction, wavenumbers, tolerance_of_tractions));
   return responses;

@@ -73,6 +73,7 @@ ExactPatch::ExactPatch(const CombinedMaterial& material, const std::optional<Lay
       conformity_(shape.conformity) {
   const auto mx = static_cast<std::size_t>(grid_.mx);
   std::vector<double> x;
+  x.reserve(mx);
   for (int i = 0; i < grid_.mx; ++i) x.push_back(grid_.x(i));
   PatchRow near = surface.first_row(frame_, outline.wheel_s);
   for (int j = 0; j < grid_.my; ++j) {

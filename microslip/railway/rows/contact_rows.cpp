@@ -127,8 +127,11 @@ bool ContactRows::cut(const Frame<double>& rail, const WheelLocus<double>& locus
   };
   for (std::size_t k = 1; k < region.size(); ++k) {
     const double from = count[k - 1], to = count[k], low = region[k - 1].s;
-    for (double mark = std::floor(from - phase) + 1 + phase; mark < to; ++mark, ++number)
+    double mark = std::floor(from - phase) + 1 + phase;
+    while (mark < to) {
       if (!add_until(low + (mark - from) / (to - from) * (region[k].s - low))) return false;
+      ++mark, ++number;
+    }
   }
   if (!add_until(region.back().s)) return false;
   if (rows_.size() > first_row) rows_[first_row].joined = false;
