@@ -215,6 +215,7 @@ microslip_code microslip_wheel_rail_continue(microslip_wheel_rail* wheel_rail, s
   return solve_rows(wheel_rail, {count, state_width, states, result_width, results, status}, Start::from_last);
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays with their sizes
 microslip_code microslip_wheel_rail_differentiate(microslip_wheel_rail* wheel_rail, size_t count, size_t state_width,
                                                   const double* states, size_t result_width, double* results,
                                                   int* status, size_t row_count, size_t column_count,
@@ -256,6 +257,7 @@ microslip_code microslip_wheel_rail_patches(const microslip_wheel_rail* wheel_ra
   });
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays with their sizes
 microslip_code microslip_wheelset_contacts(microslip_wheel_rail* wheel_rail, int roll, double yaw, size_t count,
                                            const double* lateral, size_t width, double* contacts, int* status,
                                            microslip_error* error) {

@@ -96,6 +96,7 @@ std::vector<SobolIndex> sobol_indices(std::span<const double> values, std::size_
   }
   const double mean = sum / static_cast<double>(2 * whole.size());
   std::vector<double> variances;
+  variances.reserve(whole.size());
   for (const auto& point : whole)
     variances.push_back(0.5 * (std::pow(point[0] - mean, 2) + std::pow(point[1] - mean, 2)));
   std::vector<SobolIndex> indices;

@@ -86,6 +86,7 @@ ForceElementFit fit_force_element(const FrequencyResponse& response, double norm
     }
   }
   std::vector<std::vector<Complex>> chosen;
+  chosen.reserve(fitted.size());
   for (const std::size_t f : fitted) chosen.push_back(values[f]);
   const RationalFit found = fit_rational(wavenumbers, chosen, order);
   fit.poles = found.poles;

@@ -24,7 +24,7 @@ std::string key(std::string_view path, KeyStyle style) {
 /// A key with what it needs: "solution.theory=exact".
 std::string need(std::string_view text, KeyStyle style) {
   const auto equals = text.find('=');
-  const std::string name = key(text.substr(0, equals), style);
+  std::string name = key(text.substr(0, equals), style);
   if (equals == std::string_view::npos) return name;
   const std::string word(text.substr(equals + 1));
   switch (style) {

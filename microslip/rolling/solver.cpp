@@ -46,7 +46,7 @@ std::string out_of_range(const CreepTableAxes& axes, const EllipticContact& cont
                   value, least, largest);
     return text.data();
   };
-  const std::string shape = beyond("a/b", contact.a / contact.b, axes.least_ratio, axes.largest_ratio);
+  std::string shape = beyond("a/b", contact.a / contact.b, axes.least_ratio, axes.largest_ratio);
   if (!shape.empty()) return shape;
   return beyond("Poisson's ratio", contact.poisson_ratio, axes.poisson_ratios.front(), axes.poisson_ratios.back());
 }

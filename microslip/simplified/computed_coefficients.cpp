@@ -13,13 +13,13 @@ constexpr int numbers = 4;   // C11, C22, C23, C33
 constexpr int intervals = ratios - 1;
 
 /// Rows of a/b, nu, C11, C22, C23, C33; nu fastest.
-constexpr std::array<double, ratios * materials*(numbers + 2)> table = {
+constexpr std::array<double, std::size_t{ratios} * materials*(numbers + 2)> table = {
 #include "microslip/simplified/computed_coefficients.inc"
 };
 
 /// Interpolated numbers: scale/C11, scale/C22, (1 - nu) C23/scale, (1 - nu) C33/scale. Over nu these come closest to
 /// polynomials, and the scales take away most of how they vary with the axis ratio.
-using Values = std::array<double, materials * numbers>;
+using Values = std::array<double, std::size_t{materials} * numbers>;
 std::array<double, numbers> scales(double a_over_b) {
   return {1 + a_over_b, 1 + a_over_b, std::sqrt(a_over_b) * (1 + a_over_b), 1 + 1 / a_over_b};
 }

@@ -71,7 +71,7 @@ public:
     const int i = std::min(static_cast<int>(position), intervals - 1);
     const double t = position - i;
     const auto& k = cubics_[i];
-    std::array<double, numbers * materials> value;
+    std::array<double, std::size_t{numbers} * materials> value;
     for (int n = 0; n < numbers * materials; ++n) value[n] = k[0][n] + t * (k[1][n] + t * (k[2][n] + t * k[3][n]));
     Scales c = scales_(g);
     for (int n = 0; n < numbers; ++n)
@@ -96,7 +96,7 @@ private:
 
   Scales (*scales_)(double);
   /// [interval][power of the position in it][material, coefficient]: in this order one pass evaluates all of them.
-  std::array<std::array<std::array<double, numbers * materials>, 4>, intervals> cubics_{};
+  std::array<std::array<std::array<double, std::size_t{numbers} * materials>, 4>, intervals> cubics_{};
 };
 
 /// Limits for slender ellipses (Kalker 1990, table E.3, rows g -> 0), [C11 C22 C23 C33].

@@ -35,7 +35,7 @@ Vec2 newton_step(const GivenForces& given, const ContactDerivatives& d) {
 std::optional<Creepage> creepage_from_fastsim2(const EllipticContact& contact, std::optional<double> force_x,
                                                std::optional<double> force_y) {
   constexpr double good_enough = 1e-4;
-  constexpr int most_steps = 40;
+  constexpr int most_steps = 40, most_trials = 10;
   SimplifiedOptions options;
   options.bound = TractionBound::elliptic;
   options.flexibility = FlexibilityModel::blended;
@@ -52,8 +52,8 @@ std::optional<Creepage> creepage_from_fastsim2(const EllipticContact& contact, s
     if (size < good_enough) return c;
     const Vec2 change = newton_step(given, d);
     const Creepage before = c;
-    double after = size;
-    for (double length = 1; length > 1e-3; length /= 2) {
+    double after = size, length = 1;
+    for (int trial = 0; trial < most_trials; ++trial, length /= 2) {
       c.longitudinal = before.longitudinal + length * change.x;
       c.lateral = before.lateral + length * change.y;
       d = solver.differentiate(given.contact);

@@ -22,6 +22,7 @@ void slide_all(const StripRow& row) {
 void take_strips(const ElementGrid& grid, FastripForm form, const EllipticContact& ellipse, double friction,
                  const GridRolling& rolling, const ElementRun& run, SurfaceFields& f) {
   std::vector<double> x;
+  x.reserve(static_cast<std::size_t>(run.count));
   for (int n = 0; n < run.count; ++n) x.push_back(grid.x(run.first + n) - rolling.spin_centre.x);
   const auto part = [&](auto& field) {
     return std::span(field).subspan(static_cast<std::size_t>(run.row) * grid.mx + run.first, x.size());

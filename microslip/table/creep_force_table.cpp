@@ -41,7 +41,7 @@ public:
 
   /// Coefficients at a position among the table's nodes of a/b.
   CreepageCoefficients at(double position) const {
-    const int nearest = std::min(static_cast<int>(position * finer + 0.5), last_);
+    const int nearest = std::min(static_cast<int>(std::lround(position * finer)), last_);
     const auto weights = quadratic_weights(position * finer - nearest).value;
     const double* from = &coefficients_[std::size_t(nearest) * numbers];
     double c[numbers] = {};

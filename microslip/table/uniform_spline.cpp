@@ -38,7 +38,7 @@ SplineFilter::SplineFilter(const Conditions& conditions, std::size_t first_value
     : first_value_(first_value), values_(values) {
   auto band = conditions.rows();
   const int n = static_cast<int>(band.size());
-  const auto at = [&](int i, int j) -> double& { return band[std::size_t(i)][std::size_t(j - i + reach)]; };
+  const auto at = [&](int i, int j) -> double& { return band[std::size_t(i)][j - i + reach]; };
   for (int i = 0; i < n; ++i) {
     Row row;
     for (int j = std::max(0, i - reach); j < i; ++j) {

@@ -39,7 +39,8 @@ MICROSLIP_INLINE Crossing<Real> crossing(const Real& before, const Real& middle,
 /// One step of FASTSIM2, (F35)-(F39): the trapezoidal rule, with the boundary between adhesion and slip found inside
 /// the step. Returns how much of the step slides, in cells.
 template <class Real, class Plain, class Mask, class Bound>
-MICROSLIP_INLINE Plain fastsim2_step(Particles<Real, Plain, Mask>& at, const Step<Real, Bound>& step) {
+MICROSLIP_INLINE Plain fastsim2_step( // NOLINT(readability-function-size): all in registers
+    Particles<Real, Plain, Mask>& at, const Step<Real, Bound>& step) {
   const Plain zero(0.0), one(1.0), length(step.length), half_step(step.length / 2);
   const Mask was_sliding = at.sliding;
 

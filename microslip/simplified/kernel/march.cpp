@@ -5,6 +5,7 @@
 #include "microslip/simplified/kernel/marching.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace microslip::detail {
 namespace {
@@ -18,15 +19,15 @@ template <class Number, int lanes> struct Numbers<Lanes<Number, lanes>> {
   using Plain = Lanes<Number, lanes>;
   using Mask = LaneMask<Number, lanes>;
   static constexpr int count = 1;
-  MICROSLIP_INLINE static Plain load(const double* from, int) { return Plain::load(from); }
-  MICROSLIP_INLINE static void store(const Plain& number, double* to, int) { number.store(to); }
+  MICROSLIP_INLINE static Plain load(const double* from, std::ptrdiff_t) { return Plain::load(from); }
+  MICROSLIP_INLINE static void store(const Plain& number, double* to, std::ptrdiff_t) { number.store(to); }
 };
 template <class Vector, int N> struct Numbers<Dual<Vector, N>> : Numbers<Vector> {
   static constexpr int count = 1 + N;
-  MICROSLIP_INLINE static Dual<Vector, N> load(const double* from, int stride) {
+  MICROSLIP_INLINE static Dual<Vector, N> load(const double* from, std::ptrdiff_t stride) {
     return Dual<Vector, N>::combine(Vector::load(from), [&](int k) { return Vector::load(from + (k + 1) * stride); });
   }
-  MICROSLIP_INLINE static void store(const Dual<Vector, N>& number, double* to, int stride) {
+  MICROSLIP_INLINE static void store(const Dual<Vector, N>& number, double* to, std::ptrdiff_t stride) {
     number.value.store(to);
     for (int k = 0; k < N; ++k) number.partial[k].store(to + (k + 1) * stride);
   }
@@ -50,7 +51,8 @@ template <class Vector> struct ProfileBound {
 /// Traction bound of one vector of rows from tables.
 template <class Real> struct TableBound {
   using Value = Real;
-  static constexpr int width = Numbers<Real>::Plain::width, point = Numbers<Real>::count * width;
+  static constexpr int width = Numbers<Real>::Plain::width;
+  static constexpr std::ptrdiff_t point = Numbers<Real>::count * width;
   const MarchingRows* rows;
 
   void start(const MarchingRows& all, int) { rows = &all; }

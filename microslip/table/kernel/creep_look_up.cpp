@@ -6,6 +6,7 @@
 #include "microslip/table/creep_coordinates.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #ifdef __AVX__
@@ -64,7 +65,7 @@ template <int size> struct AxisPositions {
 
 private:
   MICROSLIP_INLINE int find_node(int i, double position, int last) {
-    const int nearest = static_cast<int>(position + 0.5);
+    const int nearest = static_cast<int>(position + 0.5); // NOLINT(bugprone-incorrect-roundings): in lanes, and >= 0
     return node[i] = nearest < last ? nearest : last;
   }
 };
@@ -137,7 +138,7 @@ struct Row {
 
   MICROSLIP_INLINE void add(double weight, const float* from) {
 #pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) add_channels(weight, from + i * creep_channels, node[i]);
+    for (int i = 0; i < 3; ++i) add_channels(weight, from + i * std::ptrdiff_t{creep_channels}, node[i]);
   }
   MICROSLIP_INLINE void add(double weight, const Row& row) {
 #pragma GCC unroll 3
