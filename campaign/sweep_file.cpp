@@ -170,7 +170,7 @@ SweepCount write_sweep(const Sweep& sweep, const Campaign& campaign, const io::P
     go_on(progress, static_cast<double>(rows.number) / static_cast<double>(campaign.plan().chunks()));
     writer.add(rows);
   });
-  const SweepCount count = writer.finish();
+  SweepCount count = writer.finish();
   file.attribute("/", "case", sweep.spec().base_name());
   if (!sweep.spec().base_text().empty()) file.attribute("/", "base_case_text", sweep.spec().base_text());
   if (const auto& sample = sweep.spec().sample())

@@ -15,8 +15,9 @@ namespace {
 
 /// Place of the column with a name among the headings.
 std::size_t place_of(const std::string& name, const std::vector<std::string_view>& headings) {
-  std::vector<std::string_view> names;
-  for (const auto heading : headings) names.push_back(io::name_and_unit(heading).first);
+  std::vector<std::string_view> names(headings.size());
+  std::transform(headings.begin(), headings.end(), names.begin(),
+                 [](std::string_view heading) { return io::name_and_unit(heading).first; });
   if (name.empty() && names.size() == 1) return 0;
   if (name.empty()) throw Error("has " + std::to_string(names.size()) + " columns: column must name one");
   const auto found = std::find(names.begin(), names.end(), name);

@@ -12,6 +12,7 @@ void write_interior(io::ResultWriter& file, const std::string& group, const Inte
   file.array(group + "z", points.z, "m", "of the points: >= 0 in body 1, < 0 in body 2");
   const auto field = [&](const char* name, const char* unit, const char* what, const auto& value) {
     std::vector<double> values;
+    values.reserve(states.size());
     for (const InteriorState& state : states) values.push_back(value(state));
     file.array(group + name, values, unit, what, {points.z.size(), points.y.size(), points.x.size()});
   };

@@ -277,6 +277,7 @@ template <class Value>
 void write_history(io::ResultWriter& file, const std::vector<SolutionStep>& history, const char* name, const char* unit,
                    const Value& value) {
   std::vector<double> values;
+  values.reserve(history.size());
   for (const auto& step : history) values.push_back(value(step));
   file.array(std::string("exact/history/") + name, values, unit, std::string(name) + " after each step");
 }

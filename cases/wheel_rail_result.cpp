@@ -114,8 +114,8 @@ std::uint8_t code_of(Status status) {
 }
 
 template <class Of> void write_status(io::ResultWriter& file, const std::string& name, const std::vector<Of>& all) {
-  std::vector<std::uint8_t> status;
-  for (const auto& one : all) status.push_back(code_of(one->status));
+  std::vector<std::uint8_t> status(all.size());
+  std::transform(all.begin(), all.end(), status.begin(), [](const auto& one) { return code_of(one->status); });
   file.array(name, status, "-", status_codes);
 }
 
@@ -134,6 +134,7 @@ void write_quantities(io::ResultWriter& file, const std::string& group, std::spa
 template <class Solutions>
 void write_warning_codes(io::ResultWriter& file, const std::string& group, const Solutions& solutions) {
   std::vector<int> codes;
+  codes.reserve(solutions.size());
   for (const auto* s : solutions) codes.push_back(static_cast<int>(s->warnings.code));
   file.array(group + "warning_code", codes, "-", warning_codes);
 }

@@ -74,7 +74,7 @@ std::vector<double> read_waves(Words& words) {
 
 /// XL XH YL YH of two rectangles.
 std::vector<double> read_rectangles(Words& words) {
-  const auto values = words.reals("PL", 8, mm);
+  auto values = words.reals("PL", 8, mm);
   for (std::size_t k = 1; k < values.size(); k += 2)
     if (!(values[k] > values[k - 1]))
       words.fail("PL(" + std::to_string(k + 1) + ")", values[k] * per_m, "must be above PL(" + std::to_string(k) + ")");
@@ -103,6 +103,7 @@ std::vector<double> read_sub_patches(Words& words) {
 
 std::vector<double> read_indices(Words& words, const char* axis, int count) {
   std::vector<double> indices;
+  indices.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) indices.push_back(words.integer(axis, 1, any_element));
   words.end_record();
   return indices;

@@ -16,7 +16,7 @@ constexpr int most_angles = 10000;
 
 } // namespace
 
-InputReader::InputReader(std::istream& stream, std::string name)
+InputReader::InputReader(std::istream& stream, const std::string& name)
     : words_(stream, name), folder_(std::filesystem::path(name).parent_path()) {}
 
 const Case* InputReader::next() {

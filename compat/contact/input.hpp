@@ -23,7 +23,7 @@ namespace microslip::contact_program {
 class InputReader {
 public:
   /// `stream` must outlive the reader. Files of influence coefficients are looked for in the folder of `name`.
-  InputReader(std::istream& stream, std::string name);
+  InputReader(std::istream& stream, const std::string& name);
 
   /// The next case, nullptr at the end of the file or at MODULE 0. It holds until the next call.
   const Case* next();
