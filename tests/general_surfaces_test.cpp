@@ -56,6 +56,15 @@ WheelRailBodies sphere_on_cylinder() {
   return bodies;
 }
 
+/// A sphere on a roller that is part of a sphere with the radius `roller` [m].
+WheelRailBodies sphere_on_roller(double roller) {
+  WheelRailBodies bodies = sphere_on_cylinder();
+  bodies.rail = profile_of(ProfileRole::rail, -0.06, 0.06, 481,
+                           [=](double y) { return std::sqrt(roller * roller - y * y) - roller; });
+  bodies.track.roller_radius = roller;
+  return bodies;
+}
+
 WheelState<double> rolling(double lateral, double yaw = 0) {
   WheelState<double> s;
   s.lateral = lateral, s.yaw = yaw;
@@ -180,12 +189,7 @@ TEST_P(GeneralSurfaces, OfARailThatMovesAsideAreADeviation) {
 TEST_P(GeneralSurfaces, OfRollersAreThoseOfHertz) {
   // A sphere on a roller that is part of a sphere: no yaw matters.
   constexpr double roller = 0.2;
-  WheelRailBodies bodies = sphere_on_cylinder();
-  bodies.rail = profile_of(ProfileRole::rail, -0.06, 0.06, 481,
-                           [](double y) { return std::sqrt(roller * roller - y * y) - roller; });
-  bodies.track.roller_radius = roller;
-  bodies.wheelset.flange_back_distance = 1.4;
-  WheelRail contact = solver(bodies);
+  WheelRail contact = solver(sphere_on_roller(roller));
   const HertzContact hertz = hertz_from_load(gap_curvatures({radius, roller, radius, roller}), steel, 5e3);
   for (const double yaw : {0.0, 0.03})
     for (const double lateral : {0.0, 0.015}) {
@@ -207,11 +211,7 @@ TEST_P(GeneralSurfaces, OfRollersAreThoseOfHertz) {
 TEST(GeneralSurfaces, OfRollersHaveTheDerivativesOfSpheres) {
   // With the load held the force stays on the line from the sphere's centre to the roller's.
   constexpr double roller = 0.2;
-  WheelRailBodies bodies = sphere_on_cylinder();
-  bodies.rail = profile_of(ProfileRole::rail, -0.06, 0.06, 481,
-                           [](double y) { return std::sqrt(roller * roller - y * y) - roller; });
-  bodies.track.roller_radius = roller;
-  WheelRail contact(bodies);
+  WheelRail contact(sphere_on_roller(roller));
   constexpr auto lateral = static_cast<std::size_t>(WheelVariable::lateral);
   for (const auto& [load, accuracy] : {std::pair{100.0, 0.03}, std::pair{5e3, 1e-3}, std::pair{5e4, 1e-3}})
     for (const double y : {0.003, 0.015}) {
