@@ -152,11 +152,12 @@ def make_workplace(folder, build):
 
 
 def run(command, folder):
-    """Output of a command; a study whose figures are not met has the exit code 1 and is printed all the same."""
+    """Output of a command, None if it fails; a study whose figures are not met has the exit code 1 and is printed all the same."""
     environment = {**os.environ, "PATH": f"{folder / BUILD / 'bin'}{os.pathsep}{os.environ['PATH']}"}
     done = subprocess.run(["bash", "-c", command], text=True, stdout=subprocess.PIPE, cwd=folder, env=environment)
     if done.returncode not in (0, 1):
-        raise SystemExit(f"{command}: exit code {done.returncode}")
+        print(f"{command}: exit code {done.returncode}")
+        return None
     return done.stdout
 
 
@@ -183,12 +184,14 @@ def main(arguments):
         for one in wanted:
             print(f"{one.command} ...", flush=True)
             output = run(one.command, Path(folder))
-            if skipped := SKIPPED.search(output):
+            if output is None:
+                right = False
+            elif skipped := SKIPPED.search(output):
                 print(skipped[0])
-                continue
-            compared = True
-            for block in one.blocks:
-                right &= renew(block, output, not asked.check)
+            else:
+                compared = True
+                for block in one.blocks:
+                    right &= renew(block, output, not asked.check)
     return (0 if compared else NOTHING) if right else 1
 
 

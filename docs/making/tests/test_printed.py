@@ -6,7 +6,7 @@ from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
 
-from printed import commands, renew, renewed
+from printed import commands, renew, renewed, run
 
 OUTPUT = """study: of something
 
@@ -106,6 +106,13 @@ class PageTest(unittest.TestCase):
         right, out, text = self.renew(wrong)
         self.assertEqual((right, text), ([False], wrong))
         self.assertIn("page.md:4: not printed so any more: 'Third table'", out)
+
+    def test_a_command_that_fails_is_named_and_prints_nothing(self):
+        out = StringIO()
+        with redirect_stdout(out):
+            self.assertEqual(run("echo 2; exit 1", self.page.parent), "2\n")
+            self.assertIsNone(run("echo 2; no_such_program", self.page.parent))
+        self.assertEqual(out.getvalue(), "echo 2; no_such_program: exit code 127\n")
 
     def test_the_documentation_names_its_commands(self):
         found = commands(sorted(Path(__file__).resolve().parents[2].glob("*.md")))
