@@ -57,7 +57,7 @@ std::optional<BrokenRule> rule_broken_by_digits(const Case& c) {
 }
 
 std::optional<BrokenRule> broken_rule(const Case& c) {
-  if (const auto broken = rule_broken_by_digits(c)) return broken;
+  if (auto broken = rule_broken_by_digits(c)) return broken;
   if (c.digits.mater != Bulk::elastic && c.material->model != c.digits.mater)
     return digit(Subject::digits, c.digits.mater, "go with C >= 2, which reads its data");
   return c.wheel_rail ? rule_of_wheel(*c.wheel_rail) : rule_of_contact(c);

@@ -144,6 +144,8 @@ RunFile::RunFile(const std::filesystem::path& path, const io::Provenance& proven
 int RunFile::add_elements(const Case& c, const Outcome& outcome) {
   const auto elements = chosen(c, outcome);
   std::vector<int> index, state;
+  index.reserve(elements.size());
+  state.reserve(elements.size());
   for (const std::size_t k : elements) {
     index.push_back(static_cast<int>(k));
     state.push_back(element_state(outcome, k));
@@ -153,6 +155,7 @@ int RunFile::add_elements(const Case& c, const Outcome& outcome) {
                "0 exterior, 1 adhesion, 2 slip, 3 plastic deformation");
   const auto add_field = [&](const char* name, const std::vector<double>& field, const char* unit, const char* what) {
     std::vector<double> values;
+    values.reserve(elements.size());
     for (const std::size_t k : elements) values.push_back(field[k]);
     file_.append(std::string("elements/") + name, std::span<const double>(values), unit, what);
   };
@@ -198,6 +201,7 @@ int RunFile::add_points(const Outcome& outcome) {
   add_field("z", z, "m", "of the point: >= 0 in body 1, < 0 in body 2");
   for (const auto& [name, unit, what, value] : interior_columns) {
     std::vector<double> values;
+    values.reserve(states.size());
     for (const InteriorState& state : states) values.push_back(value(state));
     add_field(name, values, unit, what);
   }

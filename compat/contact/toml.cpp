@@ -101,7 +101,7 @@ std::string thermal(const Case& c, std::size_t body) {
 std::string bodies(const Case& c, const GapCurvatures& gap) {
   const MaterialData& m = *c.material;
   const auto material = [&](std::size_t body, double shear, double poisson) {
-    const std::string text = line("shear_modulus", shear) + line("poisson_ratio", poisson) + thermal(c, body);
+    std::string text = line("shear_modulus", shear) + line("poisson_ratio", poisson) + thermal(c, body);
     if (c.digits.mater != Bulk::viscoelastic) return text; // else FG1, FG2, TC1, TC2
     return text + line("creep_ratio", m.model_data[body]) + line("creep_time", m.model_data[2 + body]);
   };

@@ -35,9 +35,9 @@ void set_hertzian(ContactProblem& p, int method, std::span<const double> v) {
 std::vector<double> circle(const Units& u, std::span<const double> v) {
   require_count("prmudf", v.size(), 6, 5 + most_cells);
   const int heights = as_integer("NN", v[0], 1, most_cells);
-  const auto count = static_cast<std::size_t>(5 + heights);
+  const std::size_t count = 5 + static_cast<std::size_t>(heights);
   require_count("prmudf", v.size(), count, count);
-  const auto values = u.in_si(v.subspan(1), UnitList(count - 1, 1));
+  auto values = u.in_si(v.subspan(1), UnitList(count - 1, 1));
   if (values[1] == 0) throw Refusal(CNTC_err_discr, "RM must not be 0");
   if (heights > 1 && !(values[3] > 0)) throw Refusal(CNTC_err_discr, "DY1 must be > 0");
   return values;

@@ -99,6 +99,7 @@ std::optional<double> value(const InteriorBlock& b, std::size_t k, int column, d
 
 extern "C" {
 
+// NOLINTNEXTLINE(readability-function-size): as CONTACT's callers have it
 int subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx, int* ny, int* nz, double* xparam, double* yparam,
                   double* zparam) {
   return guarded(either_call(__func__, ire, icp), [&](ContactProblem& p) {

@@ -61,6 +61,7 @@ std::vector<CurvePoint> curve_points(const ProfileCurve& curve, const Request& r
 /// All y and then all z.
 std::vector<double> coordinates(const std::vector<CurvePoint>& points) {
   std::vector<double> found;
+  found.reserve(2 * points.size());
   for (const auto& p : points) found.push_back(p.value.y / mm);
   for (const auto& p : points) found.push_back(p.value.z / mm);
   return found;

@@ -66,6 +66,7 @@ std::vector<std::size_t> jumps(const std::vector<Vec3<double>>& locus, const std
                                const std::vector<std::size_t>& ends) {
   using Limit = SearchThresholds;
   std::vector<ProfilePoint> flat;
+  flat.reserve(locus.size());
   for (const auto& p : locus) flat.push_back({p.y, Limit::jump_x * p.x});
   auto cuts = find_kinks(flat, {Limit::jump_turn, Limit::jump_turn, Limit::jump_window});
   for (std::size_t k = 1; k + 1 < s.size(); ++k)

@@ -134,7 +134,8 @@ LeastGap GapSurface::least() const {
   const int i = at % nx_, j = at / nx_;
   LeastGap least{gap(i, j), rail_at(i, j).angle, rail_at(i, j).z - gap(i, j), 0};
   const int k = std::clamp(j, 1, ny_ - 2), n = std::min({3, k, ny_ - 1 - k});
-  const double step = y_[static_cast<std::size_t>(k + n)] - y_[static_cast<std::size_t>(k)];
+  const auto y = y_.begin() + k;
+  const double step = y[n] - y[0];
   least.curvature = (gap(i, k + n) + gap(i, k - n) - 2 * gap(i, k)) / (2 * step * step);
   return least;
 }

@@ -144,6 +144,7 @@ bool ends(const PrescribedForce& force, int step, std::optional<double> width, d
 
 std::vector<std::string> notes_of(const std::vector<NearMiss>& misses) {
   std::vector<std::string> notes;
+  notes.reserve(misses.size());
   for (const NearMiss& miss : misses)
     notes.push_back("G_MISS: near miss at x = " + short_number(miss.x / mm) + ", y = " + short_number(miss.y / mm) +
                     " mm, gap " + short_number(miss.gap / mm) + " mm; the patches do not reach for it");
@@ -398,6 +399,7 @@ WheelRailSolver::TrackedPatch WheelRailSolver::begin_track(const std::vector<Par
   track.solver = is_one ? origins_[parts[0].origin].solver : std::make_shared<CaseSolver>();
   if (!has_history || parts.empty()) return track;
   std::vector<CarriedTractions> carried;
+  carried.reserve(parts.size());
   for (const Part& part : parts) carried.push_back(part_of(origins_[part.origin].carried, part.low, part.high));
   track.solver->carry(sum_of(carried));
   track.carries = true;

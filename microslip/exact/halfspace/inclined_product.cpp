@@ -68,7 +68,7 @@ const ToeplitzTransform::Spectrum* InclinedProduct::entry(const Spectra& spectra
   bool negative = false;
   if (before == Part::sine) negative ^= row == lateral, row = turned(row);
   if (behind == Part::sine) negative ^= column == lateral, column = turned(column);
-  const ToeplitzTransform::Spectrum& of = spectra[negative][static_cast<std::size_t>(3 * row + column)];
+  const ToeplitzTransform::Spectrum& of = spectra[negative][static_cast<std::size_t>(row) * 3 + column];
   return of.empty() ? nullptr : &of;
 }
 
@@ -152,7 +152,7 @@ void InclinedProduct::apply_plane(const Fields& p, std::span<const std::span<dou
   std::array<const ToeplitzTransform::Spectrum*, 9> kernels{};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      kernels[static_cast<std::size_t>(3 * row + column)] =
+      kernels[static_cast<std::size_t>(row) * 3 + column] =
           entry(of_displacement(), Part::whole, row, Part::whole, column);
   transform_.apply(std::span(kernels).first(3 * out.size()), out);
 }

@@ -199,7 +199,7 @@ void CoupledOperator::add_weight_of(int patch, std::span<const double> pressure,
   });
   apply_alike({none, none, own}, std::array{std::span(response[0]), std::span(response[1]), std::span(response[2])});
   for_rows([&](int row_patch, std::size_t k) {
-    const double factor = patches_.factors[static_cast<std::size_t>(row_patch * patches_.count + patch)];
+    const double factor = patches_.factors[static_cast<std::size_t>(row_patch) * patches_.count + patch];
     for (std::size_t i = k; i < k + mx; ++i) displacement[i] += (factor - 1) * response[2][i];
   });
 }
