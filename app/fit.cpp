@@ -43,7 +43,7 @@ using fit::name_of;
 
 fit::FittedCurves find_fit(const FitArguments& arguments, const io::CaseInputs& base) {
   require_count("--threads", arguments.threads, 1, most_threads);
-  std::vector<fit::CurveModel> models = fit::chosen_models(base, arguments.model, arguments.start);
+  const std::vector<fit::CurveModel> models = fit::chosen_models(base, arguments.model, arguments.start);
   io::MeasuredCurves curves = io::read_measured_curves(io::read_case_text(arguments.points), arguments.points.string(),
                                                        fit::conditions_of(base));
   ProgressBar bar("fit");
@@ -53,7 +53,7 @@ fit::FittedCurves find_fit(const FitArguments& arguments, const io::CaseInputs& 
         return !InterruptGuard::interrupted();
       }};
   try {
-    return fit::fit_creep_curves(std::move(curves), std::move(models), options);
+    return fit::fit_creep_curves(std::move(curves), models, options);
   } catch (const Stopped&) {
     InterruptGuard::throw_if_interrupted();
     throw;

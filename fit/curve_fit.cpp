@@ -241,7 +241,7 @@ CurveFit CurveFitter::prepare(const CurveModel& model, const std::vector<bool>& 
   return fit;
 }
 
-std::vector<CurveFit> CurveFitter::fit(std::vector<CurveModel> models) const {
+std::vector<CurveFit> CurveFitter::fit(const std::vector<CurveModel>& models) const {
   std::vector<CurveFit> fits;
   const bool speeds = has_speeds(curves_);
   for (const CurveModel& model : models) {

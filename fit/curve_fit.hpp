@@ -85,7 +85,7 @@ public:
 
   /// Best of five starts for each model (two by the exact theory), without intervals. Not solved where the model has as
   /// many parameters as there are points, or no start leads anywhere. Throws Stopped if progress ends it.
-  std::vector<CurveFit> fit(std::vector<CurveModel> models) const;
+  std::vector<CurveFit> fit(const std::vector<CurveModel>& models) const;
   /// Sets the intervals: where the sum of squares with all other parameters fitted anew has risen by the factor 1 +
   /// F(0.95; 1, n - k)/(n - k), F raised by the ratio of both variances, 1 to 2, for unequal scatter. And what is
   /// identified.

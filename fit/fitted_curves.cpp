@@ -98,9 +98,10 @@ std::optional<io::CaseInputs> FittedCurves::inputs() const {
   return best.model.inputs(values);
 }
 
-FittedCurves fit_creep_curves(io::MeasuredCurves curves, std::vector<CurveModel> models, const FitOptions& options) {
+FittedCurves fit_creep_curves(io::MeasuredCurves curves, const std::vector<CurveModel>& models,
+                              const FitOptions& options) {
   const CurveFitter fitter(curves, options);
-  std::vector<CurveFit> fits = fitter.fit(std::move(models));
+  std::vector<CurveFit> fits = fitter.fit(models);
   const std::size_t taken = preferred(fits);
   CurveFit full = fits[taken];
   fitter.find_intervals(full);
@@ -175,6 +176,7 @@ std::vector<CurveModel> chosen_models(const io::CaseInputs& base, const std::str
   std::vector<CurveModel> models = curve_models(base);
   if (!model.empty()) {
     std::vector<std::string_view> names;
+    names.reserve(models.size());
     for (const CurveModel& one : models) names.push_back(one.name());
     io::require_word("model", model, names);
     models = {models[static_cast<std::size_t>(std::find(names.begin(), names.end(), model) - names.begin())]};

@@ -36,7 +36,8 @@ std::string name_of(const FittedParameter& one);
 
 /// Fits the models, takes the preferred one and finds what it says, see CurveFitter. Throws Error where none can be
 /// fitted, Stopped if progress ends it.
-FittedCurves fit_creep_curves(io::MeasuredCurves curves, std::vector<CurveModel> models, const FitOptions& options);
+FittedCurves fit_creep_curves(io::MeasuredCurves curves, const std::vector<CurveModel>& models,
+                              const FitOptions& options);
 
 /// Members of a JSON object: `points`, `runs`, `model`, `rms`, `bias`, `aicc`, `parameters` with `value` and
 /// `interval`, `curves`, `models`, and what the data do not tell.

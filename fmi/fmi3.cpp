@@ -114,6 +114,7 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean on, size_t, co
   return fmi3OK;
 }
 
+// NOLINTNEXTLINE(readability-function-size): as FMI has it
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean,
                                          fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean,
                                          const fmi3ValueReference[], size_t intermediate_count,
@@ -129,6 +130,7 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi
                                           fmi3LogMessageCallback log) {
   return instantiate(Interface::model_exchange, name, token, resources, logging, environment, log);
 }
+// NOLINTNEXTLINE(readability-function-size): as FMI has it
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
                                                fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
                                                fmi3ClockUpdateCallback, fmi3LockPreemptionCallback,
@@ -247,6 +249,7 @@ REFUSED(fmi3GetNumberOfVariableDependencies, "all variables are scalars: modelDe
 REFUSED(fmi3GetVariableDependencies, "all variables are scalars: modelDescription.xml has their dependencies",
         fmi3ValueReference, size_t[], fmi3ValueReference[], size_t[], fmi3DependencyKind[], size_t)
 
+// NOLINTNEXTLINE(readability-function-size): as FMI has it
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[],
                                         size_t unknown_count, const fmi3ValueReference knowns[], size_t known_count,
                                         const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[],
@@ -257,6 +260,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance, const fmi3ValueRe
     directional_derivative(unit, unknowns, unknown_count, knowns, known_count, seed, sensitivity);
   });
 }
+// NOLINTNEXTLINE(readability-function-size): as FMI has it
 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference unknowns[], size_t unknown_count,
                                     const fmi3ValueReference knowns[], size_t known_count, const fmi3Float64 seed[],
                                     size_t seed_count, fmi3Float64 sensitivity[], size_t sensitivity_count) {

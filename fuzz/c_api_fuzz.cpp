@@ -285,7 +285,7 @@ void fastsim2(Draw& draw) {
   const int code = said.of(microslip_fastsim2_solve_fields(solver, draw.pointer(&c), forces.data(), said.pointer),
                            "fastsim2_solve_fields");
   if (code == MICROSLIP_OK) look_at(forces[0]);
-  get_results(draw, said, made, static_cast<std::size_t>(options.mx * options.my), microslip_fastsim2_quantity,
+  get_results(draw, said, made, static_cast<std::size_t>(options.mx) * options.my, microslip_fastsim2_quantity,
               microslip_fastsim2_field);
 }
 
@@ -365,7 +365,7 @@ const std::string& an_ellipse() {
 std::string text_of(const microslip_problem* problem) {
   char* text = nullptr;
   require(microslip_problem_text(problem, &text, nullptr) == MICROSLIP_OK, "problem_text");
-  const std::string copy = text;
+  std::string copy = text;
   microslip_free_text(text);
   return copy;
 }

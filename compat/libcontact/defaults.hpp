@@ -15,7 +15,7 @@ enum class DefaultOf { both, wheel, contact };
 using contact_program::ProfileThresholds;
 
 /// Value of a digit or a number of CONTACT until it is set.
-struct Default { // NOLINT(clang-analyzer-optin.performance.Padding): in the order of the table's columns
+struct Default {         // NOLINT(clang-analyzer-optin.performance.Padding): in the order of the table's columns
   std::string_view name; ///< CONTACT's
   DefaultOf of;
   double value;               ///< in CONTACT's units

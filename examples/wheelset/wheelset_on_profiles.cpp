@@ -108,7 +108,7 @@ void write_cycle(const std::filesystem::path& folder, const WheelRailBodies& bod
 
 void write_bifurcation(const std::filesystem::path& folder, const WheelRailBodies& bodies) {
   std::vector<double> speeds;
-  for (double speed = 30; speed <= 70; speed += speed < 50 ? 2 : 1) speeds.push_back(speed);
+  for (int speed = 30; speed <= 70; speed += speed < 50 ? 2 : 1) speeds.push_back(speed);
   const auto up = amplitudes(bodies, {}, 1e-4, speeds, 8);
   std::ranges::reverse(speeds);
   auto down = amplitudes(bodies, {}, 6.5e-3, speeds, 8);

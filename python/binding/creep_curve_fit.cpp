@@ -21,12 +21,12 @@ py::dict fit_creep_curve(const py::object& measured, const py::object& case_file
   const std::string points_path = readable_path(measured), case_path = readable_path(case_file);
   const std::string text = long_work([&](const Progress& progress) {
     const io::CaseInputs base = io::CaseInputs::read(io::read_case_text(case_path), case_path);
-    auto models = fit::chosen_models(base, model, start);
+    const auto models = fit::chosen_models(base, model, start);
     auto curves = io::read_measured_curves(io::read_case_text(points_path), points_path, fit::conditions_of(base));
     const fit::FitOptions options{.huber = huber,
                                   .threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
                                   .progress = progress};
-    const fit::FittedCurves fitted = fit::fit_creep_curves(std::move(curves), std::move(models), options);
+    const fit::FittedCurves fitted = fit::fit_creep_curves(std::move(curves), models, options);
     io::Json document = fit::fitted_document(fitted);
     const auto inputs = fitted.inputs();
     document["case"] = inputs ? io::Json(inputs->text()) : io::Json();

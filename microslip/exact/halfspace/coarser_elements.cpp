@@ -49,7 +49,8 @@ std::vector<double> mean_on_coarser(const ElementGrid& grid, std::span<const dou
       double& mean = coarse[static_cast<std::size_t>(j) * mx + i];
       for (int l = 0; l < rows; ++l)
         for (int k = 0; k < columns; ++k)
-          mean += field[(static_cast<std::size_t>(sy) * j + l) * grid.mx + static_cast<std::size_t>(sx) * i + k] / (rows * columns);
+          mean += field[(static_cast<std::size_t>(sy) * j + l) * grid.mx + static_cast<std::size_t>(sx) * i + k] /
+                  (rows * columns);
     }
   return coarse;
 }
