@@ -31,14 +31,14 @@ SimplifiedOptions grid(int mx, int my) {
 /// A plain scalar algorithm, contact by contact: scheme as in plain::solve.
 void plain_scalar(benchmark::State& state, int scheme, int mx, int my) {
   const SimplifiedOptions options = grid(mx, my);
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const EllipticContact& contact : contacts()) benchmark::DoNotOptimize(plain::solve(scheme, options, contact));
   state.SetItemsProcessed(state.iterations() * static_cast<long>(contacts().size()));
 }
 
 void batch(benchmark::State& state, RowSolver solver) {
   std::vector<ContactForces> forces(contacts().size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     solver.solve(contacts(), forces);
     benchmark::ClobberMemory();
   }
@@ -46,14 +46,14 @@ void batch(benchmark::State& state, RowSolver solver) {
 }
 
 void one_by_one(benchmark::State& state, RowSolver solver) {
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const EllipticContact& contact : contacts()) benchmark::DoNotOptimize(solver.solve(contact));
   state.SetItemsProcessed(state.iterations() * static_cast<long>(contacts().size()));
 }
 
 void derivatives(benchmark::State& state, RowSolver solver) {
   std::vector<ContactDerivatives> results(contacts().size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     solver.differentiate(contacts(), results);
     benchmark::ClobberMemory();
   }

@@ -102,7 +102,7 @@ template <class Contacts, class Solve> double one_by_one(const Contacts& all, So
 
 } // namespace
 
-int main() {
+int main() try {
   Fastsim2 solver;
   microslip_fastsim2* handle = nullptr;
   if (microslip_fastsim2_create(nullptr, &handle, nullptr) != MICROSLIP_OK) return 1;
@@ -153,5 +153,7 @@ int main() {
   for (const Interface& one : interfaces) std::printf("%-34s %7.0f ns per contact\n", one.name, one.shortest);
   std::printf("(sum of results %g)\n", sum);
   microslip_fastsim2_destroy(handle);
-  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

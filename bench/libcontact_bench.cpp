@@ -108,7 +108,7 @@ struct Turn {
 
 } // namespace
 
-int main() {
+int main() try {
   const std::vector<Case> all = cases();
   set_up();
   Run runs;
@@ -146,4 +146,7 @@ int main() {
   for (const Turn& turn : turns)
     std::printf("%-24s %12.4g %12.4g\n", turn.name, turn.shortest, turn.shortest / turns[0].shortest);
   cntc_finalizelast();
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

@@ -119,8 +119,8 @@ public:
     columns_back_ = F::columns(1, &n_, batch, out, nullptr, 1, n_, in, nullptr, 1, n_, FFTW_BACKWARD, FFTW_MEASURE);
     find_table();
     for (std::size_t k = 0; k < in_.size(); ++k) {
-      const std::size_t size = static_cast<std::size_t>(m_) * m_;
-      in_[k] = static_cast<Real>(traction(k % size) * static_cast<double>(1 + k / size));
+      const std::size_t size = static_cast<std::size_t>(m_) * m_, field = k / size;
+      in_[k] = static_cast<Real>(traction(k % size) * static_cast<double>(1 + field));
     }
   }
   WithFftw(const WithFftw&) = delete;
@@ -162,7 +162,7 @@ private:
     auto* transformed = reinterpret_cast<Real*>(in(batch));
     const Real* table = &table_[static_cast<std::size_t>(kx) * n_];
 #pragma omp simd
-    for (int k = 0; k < batch * n_; ++k) {
+    for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{batch} * n_; ++k) {
       transformed[2 * k] *= table[k];
       transformed[2 * k + 1] *= table[k];
     }
@@ -207,7 +207,11 @@ std::vector<double> shortest(const std::vector<Product*>& products) {
       int count = 0;
       const double start = processor_time();
       double time = 0;
-      for (; time < 2e-3; time = processor_time() - start, ++count) products[p]->apply();
+      while (time < 2e-3) {
+        products[p]->apply();
+        time = processor_time() - start;
+        ++count;
+      }
       best[p] = std::min(best[p], time / count);
     }
   return best;

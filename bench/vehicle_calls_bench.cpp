@@ -45,7 +45,8 @@ void row(const char* call, double time) {
 }
 
 double lateral_of(int step) {
-  return 1e-5 * (step - steps / 2);
+  constexpr int middle = steps / 2;
+  return 1e-5 * (step - middle);
 }
 
 wheel_motion motion_of(int step) {
@@ -74,7 +75,7 @@ void time_theory(const char* name, const std::string& theory, int runs) {
   microslip_problem_destroy(problem);
   w.radius = 0.46, w.half_base = 0.75;
   double state[wheel_state_width], result[6], load_by[6][12];
-  std::vector<double> by_state(7 * wheel_state_width);
+  std::vector<double> by_state(std::size_t{7} * wheel_state_width);
   int status = 0;
   wheel_load load;
   const auto place = [&](int step) {

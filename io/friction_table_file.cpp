@@ -107,6 +107,7 @@ Row row_of(const std::vector<std::string_view>& fields, const Places& places, bo
 /// The different numbers of a column, ascending.
 std::vector<double> axis_of(const std::vector<Row>& rows, std::size_t column) {
   std::vector<double> axis;
+  axis.reserve(rows.size());
   for (const Row& row : rows) axis.push_back(row[column]);
   std::sort(axis.begin(), axis.end());
   axis.erase(std::unique(axis.begin(), axis.end()), axis.end());

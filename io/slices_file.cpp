@@ -81,7 +81,7 @@ public:
     const char quote = line_.front();
     const auto end = quote == '\'' || quote == '"' ? line_.find(quote, 1) : std::string_view::npos;
     if (end == std::string_view::npos) fail(std::string(field) + " must be a file's name between quotes");
-    const std::string name(line_.substr(1, end - 1));
+    std::string name(line_.substr(1, end - 1));
     if (name.empty()) fail(std::string(field) + " is empty");
     line_ = without_separators(line_.substr(end + 1));
     return name;
@@ -206,6 +206,7 @@ private:
 
   std::vector<int> read_parts(const char* name, int count) {
     std::vector<int> parts;
+    parts.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) parts.push_back(words_.integer(name, 1, features_ - 2));
     if (count > 0) words_.end_record();
     std::sort(parts.begin(), parts.end());

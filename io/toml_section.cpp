@@ -258,7 +258,7 @@ std::vector<double> TomlSection::numbers(std::string_view key, std::string_view 
 std::string TomlSection::text(std::string_view key, std::string_view missing) const {
   const auto* node = find(key);
   if (node != nullptr && !node->is_string()) wrong_type(key, *node, "text");
-  const std::string value(node == nullptr ? missing : std::string_view(node->as_string()->get()));
+  std::string value(node == nullptr ? missing : std::string_view(node->as_string()->get()));
   record(key, value, "");
   return value;
 }

@@ -179,6 +179,7 @@ std::vector<double> read_values(const TomlSection& sweep, const description::Inp
   range.count("count", 2, most_states, count);
   if (count == 0) range.at("count", [&] { throw Error(name + ": count is missing"); });
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) values.push_back(from + (to - from) * k / (count - 1));
   return values;
 }

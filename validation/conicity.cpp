@@ -120,9 +120,9 @@ RollingRadiusDifference printed_difference(char wheel) {
   std::vector<double> millimetres;
   for (double value = 0; file >> value;) millimetres.push_back(value);
   std::vector<RollingRadiusDifference::Value> points;
-  const auto middle = static_cast<double>(millimetres.size() / 2);
+  const std::size_t middle = millimetres.size() / 2;
   for (std::size_t k = 0; k < millimetres.size(); ++k)
-    points.push_back({1e-4 * (static_cast<double>(k) - middle), 1e-3 * millimetres[k]});
+    points.push_back({1e-4 * (static_cast<double>(k) - static_cast<double>(middle)), 1e-3 * millimetres[k]});
   return RollingRadiusDifference(points);
 }
 

@@ -65,16 +65,16 @@ HalfLine::HalfLine(double spacing) {
   // t = tan(theta/2) maps Poisson's formula for ln G at z = exp(-s) to kernels r/(r^2 + t^2), r = tanh(s/2).
   std::vector<double> t, m;
   double log_first = 0;
-  for (double a = -45; a <= 45; a += spacing) {
-    t.push_back(std::exp(a));
+  for (int k = 0; k <= static_cast<int>(90 / spacing); ++k) {
+    t.push_back(std::exp(-45 + k * spacing));
     m.push_back(log_symbol(2 * std::atan(t.back())));
     kappa_ -= spacing / (2 * pi) * m.back() / t.back();
     log_first -= spacing / pi * m.back() * t.back() / (1 + t.back() * t.back());
   }
   first_ = std::exp(log_first);
 
-  for (double b = -80; b <= 5.2; b += spacing) {
-    const double s = std::exp(b), r = std::tanh(s / 2), one_minus_r = 2 / (std::exp(s) + 1);
+  for (int k = 0; k <= static_cast<int>(85.2 / spacing); ++k) {
+    const double s = std::exp(-80 + k * spacing), r = std::tanh(s / 2), one_minus_r = 2 / (std::exp(s) + 1);
     double log_g = 0;
     for (std::size_t i = 0; i < t.size(); ++i) {
       const double tt = t[i] * t[i];

@@ -162,6 +162,7 @@ void report_convergence(Report& report, const std::vector<Convergence>& contacts
     const auto fall = [&](auto value) {
       const auto error = [&](std::size_t k) {
         std::vector<double> errors;
+        errors.reserve(contacts.size());
         for (const Convergence& c : contacts) errors.push_back(std::abs(value(c, k)[n] - c.exact[n]));
         return median(errors);
       };

@@ -90,9 +90,9 @@ std::complex<double> transform(const ElementGrid& grid, const Field& values, dou
 double hysteresis(const LayeredBody& body, double speed, const ElementGrid& grid, const ContactStepSolution& s) {
   static const GaussLegendre rule(16);
   const double width = 8 / (grid.mx * grid.dx), end = 200 / grid.dx;
-  double sum = 0, k1 = 0;
-  for (double k0 = 0; k0 < end; k0 = k1) {
-    k1 = k0 + std::clamp(k0, 1e-4 * width, width); // memories longer than the grid matter to long waves
+  double sum = 0, k0 = 0;
+  while (k0 < end) {
+    const double k1 = k0 + std::clamp(k0, 1e-4 * width, width); // memories longer than the grid matter to long waves
     for (std::size_t n = 0; n < rule.count(); ++n) {
       const double k = rule.node(n, k0, k1);
       const auto c = response(stack_at(body, -speed * k), k);
@@ -102,6 +102,7 @@ double hysteresis(const LayeredBody& body, double speed, const ElementGrid& grid
       const double loss = (c.nn * std::norm(pn) + c.ll * std::norm(px) + c.tt * std::norm(py) + c.ln * coupled).imag();
       sum += rule.weight(n, k0, k1) * loss * std::sin(k * grid.dx) * std::sin(k * grid.dx / 2) / (k * k);
     }
+    k0 = k1;
   }
   return 2 * speed * grid.dy / std::numbers::pi * sum;
 }

@@ -259,7 +259,7 @@ double contact_radius(const ElementGrid& grid, const std::vector<double>& pressu
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i) {
-      const double share = pressure[static_cast<std::size_t>(j * grid.mx + i)] / peak, squared = share * share;
+      const double share = pressure[static_cast<std::size_t>(j) * grid.mx + i] / peak, squared = share * share;
       if (share < 0.1 || share > 0.4) continue;
       const double distance = grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j);
       n += 1, x += distance, y += squared, xx += distance * distance, xy += distance * squared;
@@ -364,7 +364,7 @@ double lead_of(const ElementGrid& grid, const ContactStepSolution& s) {
   double moment = 0;
   for (int j = 0; j < grid.my; ++j)
     for (int i = 0; i < grid.mx; ++i)
-      moment += s.normal.pressure[static_cast<std::size_t>(j * grid.mx + i)] * grid.x(i);
+      moment += s.normal.pressure[static_cast<std::size_t>(j) * grid.mx + i] * grid.x(i);
   return moment * grid.element_area() / s.normal_force;
 }
 

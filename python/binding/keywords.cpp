@@ -39,6 +39,7 @@ GivenKeywords::GivenKeywords(std::string of, const py::dict& given, const std::v
     const auto found = std::find_if(known.begin(), known.end(), [&](const Known& one) { return one.name == name; });
     if (found == known.end()) {
       std::vector<std::string_view> names;
+      names.reserve(known.size());
       for (const Known& one : known) names.push_back(one.name);
       throw Error(of_ + ": " + name + " is no keyword of it" + io::suggestion(name, names));
     }

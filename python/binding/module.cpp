@@ -14,6 +14,7 @@ void bind_error(py::module_& module) {
   auto error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
   error.attr("__doc__") = "An invalid set-up: the text names the field, its value, its unit and the allowed range.";
   // What cannot be combined, with keys as keyword parameters.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): as pybind11 calls it
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -41,7 +41,8 @@ template <class Arrays, class Answer>
 auto batch_by(void (RowSolver::*answer)(std::span<const EllipticContact>, std::span<Answer>) noexcept) {
   return [answer](const RowSolver& solver, const ContactBatch& batch, int threads) {
     Arrays out(batch);
-    const RowSolver own(solver); // the object itself may be used by others while Python's lock is free
+    // The object itself may be used by others while Python's lock is free.
+    const RowSolver own(solver); // NOLINT(performance-unnecessary-copy-initialization)
     run_batch(batch.count(), chunk_of(own), threads, [&]() -> BatchWorker {
       return [&, mine = RowSolver(own), contacts = std::vector<EllipticContact>()](std::size_t first, std::size_t n,
                                                                                    const Progress&) mutable {
