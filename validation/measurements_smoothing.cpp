@@ -46,8 +46,8 @@ std::vector<ProfilePoint> measured(const Profile& profile, const Errors& errors,
   const double offset = errors.rounding * draw.number(0, 1);
   double error = draw.normal();
   std::vector<ProfilePoint> points;
-  for (double s = 0; s < profile.length(); s += spacing) {
-    ProfilePoint p = profile.at(s).value;
+  for (int k = 0; k * spacing < profile.length(); ++k) {
+    ProfilePoint p = profile.at(k * spacing).value;
     p.z += errors.across * error;
     if (errors.along > 0) p.y += errors.along * draw.normal();
     if (errors.rounding > 0) p.z = errors.rounding * std::round((p.z + offset) / errors.rounding) - offset;

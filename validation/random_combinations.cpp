@@ -241,6 +241,7 @@ void report_statuses(Report& report, const std::vector<Ending>& all) {
 void report_hardest(Report& report, const std::vector<Ending>& all) {
   constexpr std::size_t shown = 5;
   std::vector<const Ending*> order;
+  order.reserve(all.size());
   for (const Ending& e : all) order.push_back(&e);
   std::ranges::sort(order, [](const Ending* a, const Ending* b) { return a->newton_steps > b->newton_steps; });
   report.line("most Newton steps:");

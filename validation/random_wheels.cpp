@@ -98,8 +98,8 @@ bool has_root(WheelRail& wheel, LoadedState s) {
     const double middle = (free + touching) / 2;
     (missing(middle) == -s.force ? free : touching) = middle;
   }
-  double high = touching, at_high = missing(high);
-  for (double depth = least; depth < least * std::pow(factor, steps); depth *= factor) {
+  double high = touching, at_high = missing(high), depth = least;
+  for (int k = 0; k < steps; ++k, depth *= factor) {
     double low = touching - depth, at_low = missing(low);
     const double next = low, at_next = at_low;
     if (at_low * at_high <= 0) {

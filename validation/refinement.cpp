@@ -51,7 +51,7 @@ ContactSolution roll(HertzianSolve& contact, double xi, double step, const Edge&
   input.creepage.longitudinal = xi;
   input.step = step * contact.grid().dx;
   input.leading_edge = edge;
-  const ContactSolution s = contact.solve(friction, input);
+  ContactSolution s = contact.solve(friction, input);
   if (s.report.status != Status::ok) throw Error("the tangential problem does not converge");
   return s;
 }
@@ -229,7 +229,8 @@ int count_slip_ahead(const std::vector<CellState>& state, int mx) {
 /// The shortest step, in elements, with waves along the middle row.
 double first_step_with_waves(HertzianSolve& contact) {
   const int mx = contact.grid().mx, middle = contact.grid().my / 2;
-  for (double step = 1; step <= 5; step += 0.1) {
+  for (int tenths = 10; tenths <= 50; ++tenths) {
+    const double step = 0.1 * tenths;
     const Values px = roll(contact, creepage, step, {}).fields.traction.x;
     const auto begin = px.begin() + std::ptrdiff_t(middle) * mx;
     if (count_maxima({begin, begin + mx}) > 1) return step;

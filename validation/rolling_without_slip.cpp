@@ -69,7 +69,7 @@ struct Ridge {
 
 /// The harmonics of a field of degree n: those of the delta functions in w that make it up, as far as they count.
 Vector harmonics_of(int n, const std::vector<Ridge>& field) {
-  Vector side(2 * (n + 1));
+  Vector side(2 * static_cast<std::size_t>(n + 1));
   for (const Ridge& r : field)
     for (int k = 0; k <= n; ++k)
       side[r.component * (n + 1) + k] += r.share / pi * std::polar(1.0, -(2 * k - n) * r.direction);
@@ -139,7 +139,7 @@ LinearCoefficients rolling_without_slip(double a_over_b, double nu, int degree) 
   require_count("degree", degree, 2, 200);
   const double a = std::sqrt(a_over_b), b = 1 / a;
   const Kernel kernel(a, b, nu, 2 * degree);
-  const Field nothing = {std::vector<double>(8 * (degree + 1)), 0, 0, 0};
+  const Field nothing = {std::vector<double>(8 * static_cast<std::size_t>(degree + 1)), 0, 0, 0};
   // x = P_1 along x; x y and x^2 are of degree 2, but for a constant.
   const std::vector<Ridge> by_xi = {{0, a, 0}}, by_eta = {{1, a, 0}},
                            by_phi = {{0, -a * b / 3, pi / 4}, {0, a * b / 3, 3 * pi / 4}, {1, a * a / 3, 0}};

@@ -212,6 +212,7 @@ struct Solved {
 /// Leaves those that slide in part in `cases`.
 std::optional<Solved> solve_all(std::vector<Reference112>& cases, const StudyOptions& options) {
   std::vector<EllipticContact> contacts;
+  contacts.reserve(cases.size());
   for (const Reference112& c : cases) contacts.push_back(c.contact);
   std::vector<std::vector<ExactCase>> all;
   double total = 0, done = 0;

@@ -100,7 +100,7 @@ Values evenly(double first, double last, int count) {
 /// The largest shear stress on the axis by the closed form: a fine scan.
 std::pair<double, double> exact_peak() {
   std::pair<double, double> best{0, 0};
-  for (double z = 0.3; z < 0.7; z += 1e-5)
+  for (const double z : evenly(0.3, 0.7, 40001))
     if (const double shear = tresca(stress_below_sphere(ball.poisson_ratio, 0, z)) / 2; shear > best.first)
       best = {shear, z};
   return best;
@@ -116,7 +116,7 @@ void compare_with_hertz(Report& report) {
     InteriorLayers layers(contact.field());
     const InteriorPeak peak = find_largest(layers, evenly(0.2 * radius, radius, 9), tresca);
     double on_axis = 0, elsewhere = 0;
-    for (double z = 0.1; z < 3; z += 0.1)
+    for (const double z : evenly(0.1, 3, 30))
       for (const double x : {0.0, 0.35, 0.7, 1.0, 1.3}) {
         const Stress s = layers.field().at({x * radius, 0, z * radius}).stress;
         double& worst = x == 0 ? on_axis : elsewhere;
@@ -280,7 +280,8 @@ struct Section {
   Section() = default; ///< no points
   explicit Section(const ElementGrid& grid) {
     for (int i = -section_margin; i < grid.mx + section_margin; ++i) x.push_back(grid.x(i));
-    for (double z = 0; z <= 1.5 * semi_axis_a; z += 0.75 * grid.dx) depth.push_back(z);
+    const double step = 0.75 * grid.dx;
+    for (int k = 0; k * step <= 1.5 * semi_axis_a; ++k) depth.push_back(k * step);
   }
   std::vector<InteriorPoint> points() const {
     std::vector<InteriorPoint> all;

@@ -85,6 +85,7 @@ double of_hertzian_heat(int across) {
   constexpr double a = 5.88e-3, heat = 2.312e8, coefficient = 2.188307;
   const ElementGrid grid = ElementGrid::across_line(a, across);
   std::vector<double> q;
+  q.reserve(static_cast<std::size_t>(across));
   for (int i = 0; i < across; ++i) q.push_back(heat * std::sqrt(1 - std::pow(grid.x(i) / a, 2)));
   const double highest =
       surface_temperature(grid, RollingDirection::forward, speed, {cold_rail, cold_rail}, q, q).highest;

@@ -112,7 +112,9 @@ Sweep sweep(WheelRail& contact, double from, double to, double step, double forc
   Sweep sweep;
   const auto at = [&](double y) { return forces_at(contact, y, force); };
   std::optional<Forces> before;
-  for (double y = from; y <= to; y += step, ++sweep.states) {
+  sweep.states = 1 + static_cast<int>(std::lround((to - from) / step));
+  for (int k = 0; k < sweep.states; ++k) {
+    const double y = from + k * step;
     const std::optional<Forces> here = at(y);
     if (!here) ++sweep.failed;
     if (here && before && change(*before, *here) > limit) {

@@ -48,8 +48,8 @@ Profile measured(const Profile& whole, double deviation, std::uint64_t seed) {
   constexpr double spacing = 0.25e-3, wavelength = 3e-3;
   Draw draw(seed);
   std::vector<ProfilePoint> points;
-  for (double s = 0; s < whole.length(); s += spacing) {
-    ProfilePoint p = whole.at(s).value;
+  for (int k = 0; k * spacing < whole.length(); ++k) {
+    ProfilePoint p = whole.at(k * spacing).value;
     p.z += deviation * draw.normal();
     points.push_back(p);
   }
