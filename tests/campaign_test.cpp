@@ -7,6 +7,7 @@
 #include "tests/support/expect_error.hpp"
 #include "tests/support/file_size_limit.hpp"
 #include "tests/support/program_run.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <atomic>
@@ -73,7 +74,7 @@ void expect_right(const campaign::Campaign& campaign) {
     std::string reason;
     try {
       reason = fill(i, row, {});
-      EXPECT_EQ(std::memcmp(row.data(), all.values.data() + 3 * i, sizeof(double) * 3), 0) << i;
+      EXPECT_TRUE(same_bits(row, std::span(all.values).subspan(3 * i, 3))) << i;
     } catch (const Error& error) {
       reason = error.what();
       EXPECT_TRUE(std::isnan(all.values[3 * i])) << i;

@@ -9,11 +9,10 @@
 #include "tests/support/expect_error.hpp"
 #include "tests/support/numbers.hpp"
 #include "tests/support/program_run.hpp"
+#include "tests/support/same_bits.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -70,7 +69,7 @@ Cells find_cells(const std::filesystem::path& csv, const io::StoredDataset& data
 
 bool is_same(const std::string& cell, double value) {
   if (std::isnan(value)) return cell.empty();
-  return std::bit_cast<std::uint64_t>(std::stod(cell)) == std::bit_cast<std::uint64_t>(value);
+  return same_bits(std::stod(cell), value);
 }
 bool is_same(const std::string& cell, int value) {
   return cell == std::to_string(value);

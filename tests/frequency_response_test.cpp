@@ -119,7 +119,8 @@ Field bounds_on_grid(const EllipticContact& contact, const ElementGrid& grid, do
   for (std::size_t k = 0; k < g.size(); ++k) {
     double sum = 0;
     for (int p = 0; p < points * points; ++p) {
-      const double right = (p % points + 0.5) / points - 0.5, up = (p / points + 0.5) / points - 0.5;
+      const int column = p % points, row = p / points;
+      const double right = (column + 0.5) / points - 0.5, up = (row + 0.5) / points - 0.5;
       const double x = (grid.x(static_cast<int>(k) % grid.mx) + right * grid.dx) / (size * contact.a);
       const double y = (grid.y(static_cast<int>(k) / grid.mx) + up * grid.dy) / (size * contact.b);
       sum += std::sqrt(std::max(0.0, 1 - x * x - y * y));

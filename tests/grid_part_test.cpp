@@ -14,7 +14,7 @@ const ElementGrid grid{.mx = 60, .my = 50, .x0 = -2, .y0 = 3, .dx = 0.1, .dy = 0
 Field block(int left, int right, int low, int high) {
   Field p(grid.count());
   for (int j = low; j <= high; ++j)
-    for (int i = left; i <= right; ++i) p[static_cast<std::size_t>(j * grid.mx + i)] = 1;
+    for (int i = left; i <= right; ++i) p[static_cast<std::size_t>(j) * grid.mx + i] = 1;
   return p;
 }
 

@@ -151,7 +151,7 @@ void expect_end_without_answer(int signals) {
   const int pipe = open(table.c_str(), O_RDWR | O_CLOEXEC); // never closed while the program runs
   const std::string rows =
       "a,b,shear_modulus,poisson_ratio,friction,normal_force,creepage_longitudinal,creepage_lateral,spin\n";
-  const std::string more = rows + std::string(40 * 1024, '\n');
+  const std::string more = rows + std::string(std::size_t{40} * 1024, '\n');
   ASSERT_EQ(write(pipe, more.data(), more.size()), static_cast<ssize_t>(more.size()));
   const auto writes = [&](pid_t) { return has_ending(folder, ".tmp"); };
   EXPECT_EQ(interrupt(folder, {"batch", "in.csv", "-o", "out.csv"}, writes, signals), 130);

@@ -6,12 +6,11 @@
 #include "tests/plain_fastsim.hpp"
 #include "tests/support/expect_close.hpp"
 #include "tests/support/expect_error.hpp"
+#include "tests/support/same_bits.hpp"
 #include "tests/test_cases.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -23,9 +22,7 @@ namespace {
 
 using std::numbers::pi;
 
-bool same_bits(double one, double other) {
-  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
-}
+using microslip::same_bits;
 bool same_bits(const ContactForces& one, const ContactForces& other) {
   return same_bits(one.fx, other.fx) && same_bits(one.fy, other.fy) && same_bits(one.mz, other.mz) &&
          same_bits(one.adhesion_area, other.adhesion_area) && same_bits(one.slip_area, other.slip_area) &&
@@ -36,10 +33,6 @@ bool same_bits(const ContactDerivatives& one, const ContactDerivatives& other) {
   for (int n = 0; n < 3; ++n)
     for (int k = 0; k < 4; ++k) same = same && same_bits(one.jacobian[n][k], other.jacobian[n][k]);
   return same;
-}
-bool same_bits(const std::vector<double>& one, const std::vector<double>& other) {
-  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                    [](double x, double y) { return same_bits(x, y); });
 }
 
 /// Contacts of all kinds, as a batch may bring them: of different friction laws, some invalid.

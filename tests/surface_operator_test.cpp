@@ -243,6 +243,7 @@ TEST(CoupledOperator, PatchesFactorsWeighWhatPressureDoesAlongTheNormal) {
     op.apply({p[0], p[1], p[2]}, std::array{std::span(u[0]), std::span(u[1]), std::span(u[2])});
     return u;
   };
+  constexpr std::size_t of_first_patch = 10; // elements, in two rows
   Fields p, first;
   for (auto* fields : {&p, &first})
     for (auto& field : *fields) field.resize(g.count());
@@ -250,19 +251,19 @@ TEST(CoupledOperator, PatchesFactorsWeighWhatPressureDoesAlongTheNormal) {
     p[0][k] = std::sin(1.0 + double(k));
     p[1][k] = std::cos(3.0 * double(k));
     p[2][k] = 1 + std::sin(double(k));
-    if (k < 2u * 5u) first[2][k] = p[2][k]; // of the first patch
+    if (k < of_first_patch) first[2][k] = p[2][k];
   }
   const Fields plain = product(CoupledOperator::displacement(bodies, g), p);
   const Fields of_first = product(CoupledOperator::displacement(bodies, g), first);
   Fields second = {first[0], first[1], p[2]};
-  for (std::size_t k = 0; k < 2u * 5u; ++k) second[2][k] = 0;
+  for (std::size_t k = 0; k < of_first_patch; ++k) second[2][k] = 0;
   const Fields of_second = product(CoupledOperator::displacement(bodies, g), second);
   const Fields found = product(CoupledOperator::displacement(bodies, g, {}, 1, {}, response), p);
   const double tolerance = 1e-13;
   for (std::size_t k = 0; k < g.count(); ++k) {
     EXPECT_EQ(found[0][k], plain[0][k]);
     EXPECT_EQ(found[1][k], plain[1][k]);
-    const double other = k < 2u * 5u ? of_second[2][k] : of_first[2][k];
+    const double other = k < of_first_patch ? of_second[2][k] : of_first[2][k];
     EXPECT_NEAR(found[2][k], plain[2][k] - 0.7 * other, tolerance * std::abs(plain[2][k]));
   }
 }

@@ -10,10 +10,10 @@
 #include "tests/support/case_text.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/omp_threads.hpp"
+#include "tests/support/same_bits.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -42,10 +42,7 @@ struct Row {
   std::vector<double> values;
   std::string reason;
 
-  bool operator==(const Row& other) const {
-    return reason == other.reason && values.size() == other.values.size() &&
-           std::memcmp(values.data(), other.values.data(), values.size() * sizeof(double)) == 0;
-  }
+  bool operator==(const Row& other) const { return reason == other.reason && same_bits(values, other.values); }
 };
 
 Row row_of(const campaign::Sweep& sweep, const campaign::RowWorker& worker, std::size_t index) {

@@ -2,8 +2,8 @@
 
 #include "microslip.h"
 #include "microslip/contact/elliptic_contact.hpp"
+#include "tests/support/same_bits.hpp"
 
-#include <cstring>
 #include <limits>
 
 namespace microslip {
@@ -24,13 +24,10 @@ inline microslip_contact c_form(const EllipticContact& contact) {
   return c;
 }
 
-/// Returns true for equality to the last bit; NaN equals itself.
-inline bool same(double a, double b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
-inline bool same(const microslip_forces& a, const ContactForces& b) {
-  return same(a.fx, b.fx) && same(a.fy, b.fy) && same(a.mz, b.mz) && same(a.adhesion_area, b.adhesion_area) &&
-         same(a.slip_area, b.slip_area) && a.status == static_cast<int>(b.status);
+inline bool same_bits(const microslip_forces& a, const ContactForces& b) {
+  return same_bits(a.fx, b.fx) && same_bits(a.fy, b.fy) && same_bits(a.mz, b.mz) &&
+         same_bits(a.adhesion_area, b.adhesion_area) && same_bits(a.slip_area, b.slip_area) &&
+         a.status == static_cast<int>(b.status);
 }
 
 /// A wheel on a rail, partly sliding.

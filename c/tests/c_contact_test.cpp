@@ -69,10 +69,11 @@ TEST(CContact, HertzIsThatOfTheLibrary) {
   const HertzContact wanted = hertz_from_load(gap_curvatures({0.46, infinite, infinite, 0.3}), pair, 80e3);
   microslip_hertz found;
   ASSERT_EQ(microslip_hertz_from_load(&bodies, 80e3, &found, nullptr), MICROSLIP_OK);
-  EXPECT_TRUE(same(found.a, wanted.a) && same(found.b, wanted.b) && same(found.approach, wanted.approach));
-  EXPECT_TRUE(same(found.peak_pressure, wanted.peak_pressure) && same(found.stiffness, wanted.stiffness));
-  EXPECT_TRUE(same(found.shear_modulus, pair.shear_modulus) && same(found.poisson_ratio, pair.poisson_ratio));
-  EXPECT_TRUE(same(found.dissimilarity, pair.dissimilarity));
+  EXPECT_TRUE(same_bits(found.a, wanted.a) && same_bits(found.b, wanted.b) &&
+              same_bits(found.approach, wanted.approach));
+  EXPECT_TRUE(same_bits(found.peak_pressure, wanted.peak_pressure) && same_bits(found.stiffness, wanted.stiffness));
+  EXPECT_TRUE(same_bits(found.shear_modulus, pair.shear_modulus) && same_bits(found.poisson_ratio, pair.poisson_ratio));
+  EXPECT_TRUE(same_bits(found.dissimilarity, pair.dissimilarity));
 }
 
 TEST(CContact, HertzRefusesWithWords) {

@@ -40,10 +40,10 @@ TEST(CCreepTable, HasTheForcesOfTheLibrary) {
   const microslip_contact c = some_contact();
   microslip_forces forces{};
   ASSERT_EQ(microslip_creep_table_solve(table, 1, &c, &forces), MICROSLIP_OK);
-  EXPECT_TRUE(same(forces, expected.solve(contact)));
+  EXPECT_TRUE(same_bits(forces, expected.solve(contact)));
   microslip_derivatives derivatives{};
   ASSERT_EQ(microslip_creep_table_differentiate(table, 1, &c, &derivatives), MICROSLIP_OK);
-  EXPECT_TRUE(same(derivatives.jacobian[2][1], expected.differentiate(contact).jacobian[2][1]));
+  EXPECT_TRUE(same_bits(derivatives.jacobian[2][1], expected.differentiate(contact).jacobian[2][1]));
 
   std::vector<microslip_contact> some(3, c);
   some[1].a = 0.5; // beyond the table
@@ -51,7 +51,7 @@ TEST(CCreepTable, HasTheForcesOfTheLibrary) {
   EXPECT_EQ(microslip_creep_table_solve(table, 3, some.data(), all.data()), MICROSLIP_OUT_OF_RANGE);
   some[2].b = -1;
   EXPECT_EQ(microslip_creep_table_solve(table, 3, some.data(), all.data()), MICROSLIP_INVALID_INPUT);
-  EXPECT_TRUE(same(all[0].fx, forces.fx));
+  EXPECT_TRUE(same_bits(all[0].fx, forces.fx));
   microslip_creep_table_destroy(table);
 }
 

@@ -70,7 +70,7 @@ public:
   std::string text() {
     char* text = nullptr;
     EXPECT_EQ(microslip_problem_text(pointer, &text, nullptr), MICROSLIP_OK);
-    const std::string copy = text != nullptr ? text : "";
+    std::string copy = text != nullptr ? text : "";
     microslip_free_text(text);
     return copy;
   }

@@ -66,7 +66,7 @@ void expect_same(CProblem& problem, const ContactSolution& wanted) {
     const auto code = microslip_number(problem.pointer, q.name.data(), &value, &problem.error);
     EXPECT_EQ(code, q.applies(wanted) ? MICROSLIP_OK : MICROSLIP_NO_RESULT) << q.name;
     if (q.applies(wanted)) {
-      EXPECT_TRUE(same(value, q.value(wanted))) << q.name << ' ' << value;
+      EXPECT_TRUE(same_bits(value, q.value(wanted))) << q.name << ' ' << value;
     }
   }
 }
@@ -134,7 +134,7 @@ TEST(CProblem, HasTheNumbersOfItsCaseFile) {
     std::size_t compared = 0;
     for (const Quantity& q : quantities())
       if (numbers.contains(q.name)) {
-        EXPECT_TRUE(same(problem.number(std::string(q.name)), numbers.at(q.name).get<double>())) << q.name;
+        EXPECT_TRUE(same_bits(problem.number(std::string(q.name)), numbers.at(q.name).get<double>())) << q.name;
         ++compared;
       }
     EXPECT_GE(compared, 8U);
@@ -211,8 +211,8 @@ TEST(CProblem, AnAccuracyPicksTheGridAndExtrapolates) {
   ASSERT_EQ(problem.solve(), MICROSLIP_OK) << problem.error.text;
   const io::Json json = document(problem), &limit = json.at("exact").at("limit");
   for (const char* name : {"fx", "fy", "mz", "creepage_longitudinal"})
-    EXPECT_TRUE(same(problem.number(name), limit.at(name).get<double>())) << name;
-  EXPECT_TRUE(same(problem.number("estimated_error"), limit.at("error").get<double>()));
+    EXPECT_TRUE(same_bits(problem.number(name), limit.at(name).get<double>())) << name;
+  EXPECT_TRUE(same_bits(problem.number("estimated_error"), limit.at("error").get<double>()));
   EXPECT_EQ(problem.field("gap").size(), problem.field("pressure").size());
 }
 
@@ -391,12 +391,12 @@ TEST(CProblem, AWheelHasTheNumbersOfTheHotCall) {
       info.struct_size = sizeof info;
       ASSERT_EQ(microslip_describe(MICROSLIP_WHEEL_RESULT, k, &info, nullptr), MICROSLIP_OK);
       const double found = problem.number(info.name), value = wanted.results.row(0)[k];
-      EXPECT_TRUE(same(found, value) || (std::isnan(found) && std::isnan(value))) << info.name;
+      EXPECT_TRUE(same_bits(found, value) || (std::isnan(found) && std::isnan(value))) << info.name;
     }
     Rows patches = patches_of(hot.pointer);
     const std::vector<double> forces = problem.field("normal_force");
     ASSERT_EQ(forces.size(), patches.count());
-    for (std::size_t k = 0; k < forces.size(); ++k) EXPECT_TRUE(same(forces[k], patches.at(k, "normal_force")));
+    for (std::size_t k = 0; k < forces.size(); ++k) EXPECT_TRUE(same_bits(forces[k], patches.at(k, "normal_force")));
   }
   EXPECT_EQ(problem.set("rail.profile", "no such file"), MICROSLIP_OK);
   EXPECT_EQ(problem.solve(), MICROSLIP_INVALID_OPTION);
@@ -445,7 +445,7 @@ TEST(CProblem, AWheelIsMadeOfAProblem) {
   EXPECT_EQ(state.at(0, "lateral"), 0.003);
   SolvedRows found(1);
   EXPECT_EQ(found.solve(made, state), MICROSLIP_OK);
-  EXPECT_TRUE(same(found.results.at(0, "force_y"), wanted));
+  EXPECT_TRUE(same_bits(found.results.at(0, "force_y"), wanted));
   microslip_wheel_rail_destroy(made);
   Steel bodies;
   EXPECT_EQ(microslip_wheel_rail_create(bodies.pointer, &made, &bodies.error), MICROSLIP_INVALID_OPTION);
@@ -459,9 +459,9 @@ TEST(CProblem, AWheelsetHasTheNumbersOfTheLibrary) {
   const auto input = io::parse_wheelset_case(wheelset_text, "w.toml");
   const WheelsetSolution wanted = io::solver_of(input, input.method).solve(input.states[0].state, input.states[0].load);
   for (const WheelsetQuantity& q : wheelset_quantities())
-    EXPECT_TRUE(same(problem.number(std::string(q.name)), q.value(wanted))) << q.name;
-  EXPECT_TRUE(same(problem.number("left.force_y"), wanted.left.force.y));
-  EXPECT_TRUE(same(problem.number("right.force_y"), wanted.right.force.y));
+    EXPECT_TRUE(same_bits(problem.number(std::string(q.name)), q.value(wanted))) << q.name;
+  EXPECT_TRUE(same_bits(problem.number("left.force_y"), wanted.left.force.y));
+  EXPECT_TRUE(same_bits(problem.number("right.force_y"), wanted.right.force.y));
   EXPECT_EQ(problem.field("right.normal_force").size(), wanted.right.patches.size());
   std::size_t columns = 0, rows = 0;
   EXPECT_EQ(microslip_field_size(problem.pointer, "normal_force", &columns, &rows, &problem.error),

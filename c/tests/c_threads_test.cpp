@@ -57,7 +57,7 @@ TEST(CThreads, DistinctHandlesAreIndependent) {
   for (int thread = 0; thread < 16; ++thread)
     threads.emplace_back([&, thread] { sums[static_cast<std::size_t>(thread)] = everything(thread); });
   for (std::thread& thread : threads) thread.join();
-  for (std::size_t thread = 0; thread < sums.size(); ++thread) EXPECT_TRUE(same(sums[thread], wanted[thread % 2]));
+  for (std::size_t thread = 0; thread < sums.size(); ++thread) EXPECT_TRUE(same_bits(sums[thread], wanted[thread % 2]));
 }
 
 /// Makes a call again and again on four threads. It returns its code, and says whether its numbers are right.
@@ -92,8 +92,8 @@ TEST(CThreads, OneHandleOfFastsim2) {
     std::vector<microslip_derivatives> found(contacts.size());
     const int code = microslip_fastsim2_differentiate(solver, contacts.size(), contacts.data(), found.data());
     for (std::size_t k = 0; k < found.size() && code == MICROSLIP_OK; ++k)
-      is_right &=
-          same(found[k].forces.fx, expected[k].forces.fx) && same(found[k].jacobian[2][2], expected[k].jacobian[2][2]);
+      is_right &= same_bits(found[k].forces.fx, expected[k].forces.fx) &&
+                  same_bits(found[k].jacobian[2][2], expected[k].jacobian[2][2]);
     return code;
   });
   microslip_fastsim2_destroy(solver);
@@ -111,10 +111,10 @@ TEST(CThreads, OneProblem) {
     const int solved = microslip_solve(problem.pointer, nullptr);
     double power = 0;
     const int got = microslip_number(problem.pointer, "frictional_power", &power, &error);
-    if (got == MICROSLIP_OK) is_right = same(power, wanted);
+    if (got == MICROSLIP_OK) is_right = same_bits(power, wanted);
     return static_cast<int>(solved == MICROSLIP_OK ? got : solved);
   });
-  EXPECT_TRUE(same(problem.number("fx"), fx));
+  EXPECT_TRUE(same_bits(problem.number("fx"), fx));
 }
 
 TEST(CThreads, OneHandleOfAWheelOnARail) {
@@ -127,7 +127,7 @@ TEST(CThreads, OneHandleOfAWheelOnARail) {
     SolvedRows found(1);
     Rows own = state;
     const int code = found.solve(pair.pointer, own);
-    if (code == MICROSLIP_OK) is_right = same(found.results.row(0)[1], expected.results.row(0)[1]);
+    if (code == MICROSLIP_OK) is_right = same_bits(found.results.row(0)[1], expected.results.row(0)[1]);
     std::size_t count = 0;
     const int got = microslip_wheel_rail_patches(pair.pointer, 0, 0, nullptr, &count, nullptr);
     if (got == MICROSLIP_OK) is_right &= count == static_cast<std::size_t>(expected.results.at(0, "patch_count"));

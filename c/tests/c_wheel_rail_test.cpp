@@ -5,11 +5,10 @@
 #include "io/wheel_rail_case.hpp"
 #include "microslip/railway/geometry/conicity.hpp"
 #include "microslip/railway/wheel_rail_quantities.hpp"
+#include "tests/support/same_bits.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,7 +18,7 @@ namespace {
 
 /// NaN equals itself.
 bool same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+  return same_bits(a, b) || (std::isnan(a) && std::isnan(b));
 }
 
 io::WheelRailCase some_case() {
@@ -161,7 +160,7 @@ TEST(CWheelRail, RowsMayBeShorterThanTheirLists) {
   }
   SolvedRows whole(2);
   ASSERT_EQ(whole.differentiate(handle.pointer, states), MICROSLIP_OK);
-  std::vector<double> results(2 * 3), jacobian(2 * 2 * 4);
+  std::vector<double> results(std::size_t{2} * 3), jacobian(std::size_t{2} * 2 * 4);
   ASSERT_EQ(microslip_wheel_rail_differentiate(handle.pointer, 2, width, given.data(), 3, results.data(), nullptr, 2, 4,
                                                jacobian.data()),
             MICROSLIP_OK);

@@ -102,7 +102,7 @@ TEST_P(Wheels, HaveForcesInTheAxesOfTheirProfiles) {
   EXPECT_NEAR(l[1], l[25] + c * l[5] - s * l[6], 1e-9 * std::abs(l[1]));
   EXPECT_NEAR(l[3], l[27] + l[8], 1e-12);
   EXPECT_NEAR(l[15], l[1], 2) << "the pressure's centre is near the reference";
-  EXPECT_NEAR(l[34], (GetParam() ? 1 : -1) * (1360 / 2 + 70), 1e-9) << "the wheel's profile on the axle";
+  EXPECT_NEAR(l[34], (GetParam() ? 1 : -1) * (1360 / 2. + 70), 1e-9) << "the wheel's profile on the axle";
   EXPECT_NEAR(l[35], 460, 1e-9);
 }
 

@@ -24,8 +24,10 @@ int relative(const std::string& name, const Marker& of, const Marker& from, cons
   }
   if (name == "DC") {
     const Vec3<double> x = from.axes.back(of.axes.ex), y = from.axes.back(of.axes.ey), z = from.axes.back(of.axes.ez);
-    for (const auto& [row, part] : {std::pair(0, &Vec3<double>::x), {1, &Vec3<double>::y}, {2, &Vec3<double>::z}})
-      put({x.*part, y.*part, z.*part}, states + 3 * row);
+    for (const auto part : {&Vec3<double>::x, &Vec3<double>::y, &Vec3<double>::z}) {
+      put({x.*part, y.*part, z.*part}, states);
+      states += 3;
+    }
     return 9;
   }
   if (name == "VEL") {
