@@ -156,8 +156,9 @@ TEST(BilinearInteriorInfluence, ARowOfTentsIsAHat) {
   const double x = 0.4, depth = 0.6;
   const auto row = [&](int count) {
     std::vector<double> sum(27);
+    const int half = count / 2;
     for (int j = 0; j < count; ++j) {
-      const std::vector<double> part = all(at(x, (j - count / 2) * dy, depth));
+      const std::vector<double> part = all(at(x, (j - half) * dy, depth));
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part[k];
     }
     return sum;

@@ -64,8 +64,9 @@ TEST(Fatigue, ShakedownLimitOfAPointIsThatOfItsLargestOrthogonalShear) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       for (int part = 0; part < parts * parts; ++part) {
-        const double x = grid.x(i) + ((part % parts + 0.5) / parts - 0.5) * grid.dx,
-                     y = grid.y(j) + ((part / parts + 0.5) / parts - 0.5) * grid.dy;
+        const int column = part % parts, row = part / parts;
+        const double x = grid.x(i) + ((column + 0.5) / parts - 0.5) * grid.dx,
+                     y = grid.y(j) + ((row + 0.5) / parts - 0.5) * grid.dy;
         pressure[static_cast<std::size_t>(j) * n + i] += std::sqrt(std::max(1 - x * x - y * y, 0.0)) / (parts * parts);
       }
   const Material body{82e9, 0.3};

@@ -185,7 +185,7 @@ TEST(Patch, RowsDoNotInfluenceEachOther) {
   const Patch both = egg(2, RollingDirection::forward);
   const PatchMotion motion = steel_motion({1e-3, 2e-3, 0.4});
   double fx = 0, fy = 0, mz = 0, power = 0;
-  for (int j = 0; j < 2; ++j) {
+  for (std::size_t j = 0; j < 2; ++j) {
     const Patch one{.mx = 2,
                     .row_width = both.row_width,
                     .y = {both.y[j]},

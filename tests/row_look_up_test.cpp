@@ -168,9 +168,10 @@ struct DoubleEllipse {
     return {f.fx, f.fy, f.mz};
   }
   PatchRolling exact(int n) const {
+    const int before = n / 2 + 4;
     const double dx = 2 * a / n, dy = 2 * b / n;
     const ElementGrid grid{
-        .mx = n + 9, .my = n, .x0 = -(n / 2 + 4) * dx, .y0 = -(1 + psi) * b + dy / 2 - centre(), .dx = dx, .dy = dy};
+        .mx = n + 9, .my = n, .x0 = -before * dx, .y0 = -(1 + psi) * b + dy / 2 - centre(), .dx = dx, .dy = dy};
     const auto integral = [](double t) {
       t = std::clamp(t, -1.0, 1.0);
       return t * std::sqrt(1 - t * t) + std::asin(t);

@@ -84,7 +84,7 @@ TEST(SurfaceTemperature, HeatLikeHertzsPressure) {
 TEST(SurfaceTemperature, BodiesAndDirectionsMayBeSwapped) {
   const int n = 40, rows = 2;
   const ElementGrid grid = {n, rows, 0, 0, 1e-4, 1e-3};
-  std::vector<double> pressure(n * rows, 0), heat(n * rows, 0);
+  std::vector<double> pressure(grid.count(), 0), heat(grid.count(), 0);
   for (const int i : {5, 6, 7, 8, 15, 16, 17, 55, 56, 57, 70}) {
     pressure[i] = 1e8;
     heat[i] = 1e7 * i;
@@ -93,7 +93,7 @@ TEST(SurfaceTemperature, BodiesAndDirectionsMayBeSwapped) {
   const auto swapped =
       surface_temperature(grid, RollingDirection::forward, speed, {brass, thermal_steel}, pressure, heat);
   const auto mirror = [&](std::vector<double> field) {
-    for (int j = 0; j < rows; ++j) std::reverse(field.begin() + j * n, field.begin() + (j + 1) * n);
+    for (auto row = field.begin(); row != field.end(); row += n) std::reverse(row, row + n);
     return field;
   };
   const auto back = surface_temperature(grid, RollingDirection::backward, speed, {thermal_steel, brass},

@@ -102,7 +102,7 @@ TEST(Toeplitz, RectangularBlocks) {
   const Shape s{9, 6};
   ToeplitzTransform transform(s.mx, s.my, 3);
   for (const auto& [in, out] : {std::pair{1, 3}, {3, 1}, {2, 3}}) {
-    const auto kernels = random_kernels(s, static_cast<std::size_t>(in * out), 50);
+    const auto kernels = random_kernels(s, static_cast<std::size_t>(in) * out, 50);
     const auto fields = random_fields(s, in, 60);
     const auto value = product(transform, spectra(transform, kernels), fields);
     ASSERT_EQ(value.size(), static_cast<std::size_t>(out));

@@ -123,7 +123,8 @@ TEST(ColumnTransforms, AreSumsInSinglePrecision) {
 
 /// Lines of two blocks by turns.
 TEST(ColumnTransforms, LinesMayBeApart) {
-  constexpr int n = 24, line = line_size<double>, lanes = block_lanes<double>;
+  constexpr int n = 24, lanes = block_lanes<double>;
+  constexpr std::size_t line = line_size<double>;
   Columns<double> c(n);
   auto both = random_numbers<double>(2 * c.size(), 3);
   const ColumnTransforms<double> transforms(n);
@@ -134,16 +135,17 @@ TEST(ColumnTransforms, LinesMayBeApart) {
   const auto before = both;
   transforms.backward(c.waves.get(), {both.data() + line, 2 * line, n}, lanes, c.work.get());
   for (int k = 0; k < n; ++k)
-    for (int i = 0; i < line; ++i) {
+    for (std::size_t i = 0; i < line; ++i) {
       EXPECT_EQ(both[2 * k * line + i], before[2 * k * line + i]);
       EXPECT_NEAR(both[(2 * k + 1) * line + i], n * before[(2 * k + 1) * line + i], 1e-13 * n);
     }
 }
 
 template <class Real> struct Rows {
-  static constexpr int lanes = block_lanes<Real>, line = line_size<Real>, most = RowTransforms<Real>::most_rows;
+  static constexpr int lanes = block_lanes<Real>, most = RowTransforms<Real>::most_rows;
+  static constexpr std::size_t line = line_size<Real>;
   int n, blocks;
-  std::size_t stride, block_stride = (most + 3) * static_cast<std::size_t>(line);
+  std::size_t stride, block_stride = (most + 3) * line;
   std::vector<Real> numbers;
   Buffer<Real> waves;
 

@@ -72,7 +72,7 @@ void expect_mirror_images(const ContactSolution& here, const ContactSolution& im
     ASSERT_EQ(a.size(), b.size()) << field.name;
     for (std::size_t k = 0; k < a.size(); ++k) {
       const int i = static_cast<int>(k) % mx, j = static_cast<int>(k) / mx;
-      const double in_mirror = b[static_cast<std::size_t>((my - 1 - j) * mx + i)];
+      const double in_mirror = b[static_cast<std::size_t>(my - 1 - j) * mx + i];
       EXPECT_EQ(a[k], field.is_odd ? -in_mirror : in_mirror) << field.name;
     }
   }
