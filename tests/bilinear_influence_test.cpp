@@ -241,8 +241,9 @@ TEST(BilinearLineInfluence, IsTheLimitOfARowOfTents) {
   for (const double x : {0.0, 0.5 * dx, dx, -3 * dx})
     for (const int count : {101, 401}) {
       Kernels row{};
+      const int half = count / 2;
       for (int j = 0; j < count; ++j) {
-        const double y = (j - count / 2) * dx;
+        const double y = (j - half) * dx;
         row = combine(row, 1, as_kernels(bilinear_influence(material, dx, dx, x, y)));
         row = combine(row, -1, as_kernels(bilinear_influence(material, dx, dx, x0, y)));
       }

@@ -202,9 +202,9 @@ TEST(Conicity, IntegralOfTheStandardsOwnRadiusDifferences) {
   std::vector<double> differences;
   for (double mm; file >> mm;) differences.push_back(mm * 1e-3);
   std::vector<RollingRadiusDifference::Value> values;
-  const auto middle = static_cast<double>(differences.size() / 2);
+  const std::size_t middle = differences.size() / 2;
   for (std::size_t k = 0; k < differences.size(); ++k)
-    values.push_back({1e-4 * (static_cast<double>(k) - middle), differences[k]});
+    values.push_back({1e-4 * (static_cast<double>(k) - static_cast<double>(middle)), differences[k]});
   const RollingRadiusDifference difference(values);
   const double amplitude[] = {1e-3, 2e-3, 3e-3, 4e-3, 5e-3, 6e-3};
   const double expected[] = {.1248, .1548, .1879, .2160, .2542, .3027};

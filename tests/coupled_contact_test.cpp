@@ -180,11 +180,11 @@ TEST(CoupledContact, TractionsOfAFrictionalCompressionAreRadialAndHaveNoResultan
   const auto& [px, py] = s.fields.traction;
   const double peak = s.totals.peak_traction;
   EXPECT_GT(peak, 0.01 * s.normal.peak_pressure);
-  for (int j = 0; j < 16; ++j)
-    for (int i = 0; i < 16; ++i) {
-      const auto k = static_cast<std::size_t>(j * 16 + i), turned = static_cast<std::size_t>(i * 16 + j);
+  for (std::size_t j = 0; j < 16; ++j)
+    for (std::size_t i = 0; i < 16; ++i) {
+      const std::size_t k = j * 16 + i, turned = i * 16 + j;
       EXPECT_NEAR(px[k], py[turned], 1e-6 * peak);
-      EXPECT_NEAR(px[k], -px[static_cast<std::size_t>(j * 16 + 15 - i)], 1e-6 * peak);
+      EXPECT_NEAR(px[k], -px[j * 16 + 15 - i], 1e-6 * peak);
     }
 }
 
@@ -262,7 +262,7 @@ TEST(CoupledContact, NoContactAndExcludedElements) {
   step.load = {NormalLoad::Given::force, load};
   step.motion.creepage = {3e-4, 0, 0};
   step.excluded.assign(step.grid.count(), 0);
-  for (int i = 0; i < step.grid.mx; ++i) step.excluded[static_cast<std::size_t>(6 * step.grid.mx + i)] = 1;
+  for (int i = 0; i < step.grid.mx; ++i) step.excluded[std::size_t{6} * step.grid.mx + i] = 1;
   const ContactStepSolution s = ContactSequence().solve(step);
   ASSERT_EQ(s.report.status, Status::ok);
   for (std::size_t k = 0; k < step.excluded.size(); ++k) EXPECT_TRUE(!step.excluded[k] || s.normal.pressure[k] == 0);

@@ -271,7 +271,8 @@ TEST(LayeredInfluence, StripsOnAViscoelasticStackAreTheFourierIntegral) {
       const double from = 40 * std::exp2(n - 39), to = n == 39 ? 41 : 2 * from;
       const int pieces = n > 30 ? 16 : 1;
       for (std::size_t q = 0; q < pieces * rule.count(); ++q) {
-        const double step = (to - from) / pieces, begin = from + step * static_cast<double>(q / rule.count());
+        const std::size_t piece = q / rule.count();
+        const double step = (to - from) / pieces, begin = from + step * static_cast<double>(piece);
         const double k = rule.node(q % rule.count(), begin, begin + step);
         const double weight = rule.weight(q % rule.count(), begin, begin + step) * sides.dx *
                               std::sin(k * sides.dx / 2) / (k * sides.dx / 2) / (std::numbers::pi * k);

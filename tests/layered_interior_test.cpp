@@ -175,7 +175,7 @@ TEST(LayeredInterior, AtTheSurfaceTractionsAreThoseGivenAndDisplacementsThoseOfT
         second(body, Body::second, rectangles, load.tractions());
     const LayeredInfluence alone({body, rigid_body}, {rectangles.dx, rectangles.dy}, rectangles.mx, rectangles.my);
     for (const auto& [i, j] : {std::pair{0, 0}, {3, 2}, {5, 1}}) {
-      const std::size_t k = static_cast<std::size_t>(j * rectangles.mx + i);
+      const std::size_t k = static_cast<std::size_t>(j) * rectangles.mx + i;
       const Nine s = state_at(first, rectangles.x(i), rectangles.y(j), 0),
                  of_second = state_at(second, rectangles.x(i), rectangles.y(j), 0);
       EXPECT_NEAR(s[zz], -load.pn[k], 1e-7);
@@ -186,7 +186,7 @@ TEST(LayeredInterior, AtTheSurfaceTractionsAreThoseGivenAndDisplacementsThoseOfT
       double x = 0, y = 0, z = 0;
       for (int row = 0; row < rectangles.my; ++row)
         for (int column = 0; column < rectangles.mx; ++column) {
-          const std::size_t n = static_cast<std::size_t>(row * rectangles.mx + column);
+          const std::size_t n = static_cast<std::size_t>(row) * rectangles.mx + column;
           const Influence a = alone.at(i - column, j - row);
           x += a.xx * load.px[n] + a.xy * load.py[n] + a.xz * load.pn[n];
           y += a.xy * load.px[n] + a.yy * load.py[n] + a.yz * load.pn[n];

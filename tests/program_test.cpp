@@ -769,7 +769,7 @@ TEST(Program, LeavesNothingAfterAnInterrupt) {
     std::ofstream pipe(input); // waits until the program reads
     pipe << header << "0.006,0.005,82e9,0.28,0.3,80e3,0.001,0,0\n" << std::flush;
     std::signal(SIGPIPE, SIG_IGN);
-    const std::string rows(40 * 1024, '\n');
+    const std::string rows(std::size_t{40} * 1024, '\n');
     pipe << rows << std::flush; // more than one chunk, so that the header is read and the output is open
     while (folder.entries().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(child, SIGINT);

@@ -28,7 +28,7 @@ using Lines = std::map<std::string, std::vector<double>>;
 
 /// How many whole numbers follow the word.
 std::size_t keys_of(const std::string& word) {
-  return word == "sensitivities" ? 1 : word == "fields" ? 5 : word == "wheel" ? 3 : 3;
+  return word == "sensitivities" ? 1 : word == "fields" ? 5 : 3;
 }
 
 Lines run(const std::string& command) {
