@@ -134,7 +134,7 @@ TEST(ColumnTransforms, LinesMayBeApart) {
   for (int k = 0; k < n; ++k) EXPECT_NEAR(std::abs(c.at(c.waves.get(), k, 5) - exact[k]), 0, 1e-13);
   const auto before = both;
   transforms.backward(c.waves.get(), {both.data() + line, 2 * line, n}, lanes, c.work.get());
-  for (int k = 0; k < n; ++k)
+  for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < line; ++i) {
       EXPECT_EQ(both[2 * k * line + i], before[2 * k * line + i]);
       EXPECT_NEAR(both[(2 * k + 1) * line + i], n * before[(2 * k + 1) * line + i], 1e-13 * n);
@@ -164,7 +164,8 @@ template <class Real> struct Rows {
   }
   std::vector<Complex> row(int r, int given) const {
     std::vector<Complex> z(n);
-    for (int i = 0; i < given; ++i) z[i] = numbers[r / 2 * stride + r % 2 * n + i];
+    const int of_pair = r % 2 * n;
+    for (int i = 0; i < given; ++i) z[i] = numbers[r / 2 * stride + of_pair + i];
     return z;
   }
 };
