@@ -114,7 +114,7 @@ TEST(ContactFastsim, FrictionByRows) {
   for (int j = 0; j < 24; ++j) rows += j < 12 ? " .1 .1\n" : " .5 .5\n";
   std::string text = simplified({"2", "0", "3", "3"}, ".05 0 0", "1. 1. 1.", "0", "", rows);
   const Outcome o = solve(text);
-  constexpr std::size_t half = 12 * std::size_t{24};
+  constexpr std::size_t half = std::size_t{12} * 24; // elements in the lower rows
   double lower = 0, upper = 0;
   for (std::size_t k = 0; k < o.solution.normal.pressure.size(); ++k)
     (k < half ? lower : upper) += o.solution.normal.pressure[k] * o.step.grid.element_area();

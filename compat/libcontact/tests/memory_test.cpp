@@ -16,7 +16,7 @@ long in_use() {
   return static_cast<long>(info.uordblks + info.hblkhd);
 }
 
-constexpr long little = 1 << 16;
+constexpr long little = 64L * 1024;
 
 class Memory : public LibraryTest {
 protected:
